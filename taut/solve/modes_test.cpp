@@ -148,7 +148,7 @@ TEST(Modes, AStuckSheaveHoldsTheRopeAReleasedOneLetsItRun) {
   ASSERT_EQ(r.sets.size(), 2U);
   EXPECT_EQ(r.sets[0].sheaves, Sheaves::stuck);
   EXPECT_EQ(r.sets[0].held, std::vector<std::string>{"head"});
-  const double k = EA * (1 + mass * g / EA) / leg;
+  const double k = EA * (1 + mass * g / EA) / (leg + R * pi / 2);  // with half of the rope on the sheave
   ASSERT_EQ(r.sets[0].modes.size(), 2U);
   for (const Mode& mode : r.sets[0].modes) EXPECT_NEAR(mode.frequency, std::sqrt(k / mass) / (2 * pi), 1e-7);
   const auto& released = r.sets[1].modes;
@@ -168,8 +168,9 @@ TEST(Modes, ASheaveWithInertiaTurnsWithItsRope) {
   const auto& all = r.sets[0].modes;
   ASSERT_EQ(all.size(), 3U);
   // springs between the masses and the rim: symmetric with the sheave at rest, antisymmetric against it. Rope that the
-  // rim hands over changes each leg's own length too: k by its unstretched length over the stretched one
-  const double k = EA * (1 + mass * g / EA) / leg;
+  // rim hands over changes each leg's own length too: k by its unstretched length over the stretched one. Half of the
+  // rope on the sheave is part of either leg
+  const double k = EA * (1 + mass * g / EA) / (leg + R * pi / 2);
   EXPECT_EQ(all[0].kind, ModeKind::free);
   EXPECT_NEAR(all[1].frequency, std::sqrt(k / mass) / (2 * pi), 1e-7);
   EXPECT_NEAR(all[2].frequency, std::sqrt(k / mass + 2 * k * R * R / J) / (2 * pi), 1e-2);

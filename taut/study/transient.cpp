@@ -262,6 +262,10 @@ const Description& TransientRequest::describe() {
               {{"straight", Branches::straight}, {"catenary", Branches::catenary}, {"by_weight", Branches::by_weight}},
               "straight: half of the weight of a branch at each end; catenary: the elastic catenary at rest between "
               "its moving ends; by_weight: catenary where a branch weighs more than 5 % of its tension at the start")
+          .choice(
+              &TransientRequest::arcs, "arcs", {{"stretch", Arcs::stretch}, {"rigid", Arcs::rigid}},
+              "stretch: rope on a round stretches with the branches beside it; rigid: it keeps the strain with which "
+              "it came there")
           .field(&TransientRequest::save, "save", "file for the final state, in the folder of the results")
           .field(&TransientRequest::restart, "restart",
                  "file with such a state from which to continue, beside the deck")
@@ -318,6 +322,7 @@ void solve(TransientRun& run, const std::optional<solve::DynamicState>& from, co
   o.damping_ratio = request.damping_ratio;
   o.rope_mass = request.rope_mass;
   o.branches = branches_of(request.branches);
+  o.arcs = request.arcs == TransientRequest::Arcs::rigid ? solve::Arcs::rigid : solve::Arcs::stretch;
   o.from = from;
   const double begin = from ? from->t : 0;
   if (watchers.progress) {

@@ -34,6 +34,7 @@ struct TransientRequest {
   enum class Method { implicit, verlet, reference };
   enum class Start { settled, assembled, sliding };
   enum class Branches { straight, catenary, by_weight };
+  enum class Arcs { stretch, rigid };
 
   std::optional<std::string> name;    ///< ending of its files' names
   double duration = 0;                ///< s
@@ -47,6 +48,7 @@ struct TransientRequest {
   double damping_ratio = 0;
   bool rope_mass = true;
   Branches branches = Branches::straight;
+  Arcs arcs = Arcs::stretch;
   std::optional<std::string> save;     ///< file for the state at the end, in the folder of the results
   std::optional<std::string> restart;  ///< file with such a state, looked for beside the deck
   std::optional<HoistFactor> hoist_factor;

@@ -160,6 +160,7 @@ Json ropes(const solve::DynamicState& state) {
                     {"inside_velocity", vectors(r.inside_velocity)},
                     {"leaves", vectors(r.leaves)},
                     {"arrives", vectors(r.arrives)},
+                    {"on_rounds", numbers(r.on_rounds)},
                     {"lumped", numbers(r.lumped)}});
   }
   return list;
@@ -191,6 +192,7 @@ solve::DynamicState state_in(const Json& j) {
     rope.inside_velocity = vectors_in(r.at("inside_velocity"));
     if (r.contains("leaves")) rope.leaves = vectors_in(r.at("leaves"));
     if (r.contains("arrives")) rope.arrives = vectors_in(r.at("arrives"));
+    if (r.contains("on_rounds")) rope.on_rounds = numbers_in(r.at("on_rounds"));
     if (r.contains("lumped")) rope.lumped = numbers_in(r.at("lumped"));
     s.ropes.push_back(std::move(rope));
   }
@@ -233,7 +235,8 @@ std::string misfit(const solve::DynamicState& s, const Json& j, const machine::M
     const solve::DynamicState::Rope& r = s.ropes[i];
     const bool by_branch = r.length.size() == parts && r.whole.size() == parts;
     if (!by_branch || r.angle.size() != nodes || r.spin.size() != nodes || r.passed.size() != nodes ||
-        r.wrap.size() != nodes || r.inside.size() != r.inside_velocity.size()) {
+        r.wrap.size() != nodes || r.inside.size() != r.inside_velocity.size() ||
+        (!r.on_rounds.empty() && r.on_rounds.size() != 2 * parts)) {
       return fmt::format("rope '{}' runs over other sheaves, or in other segments", m.reevings[i].name);
     }
   }

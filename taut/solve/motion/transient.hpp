@@ -24,6 +24,10 @@ enum class TimeMethod { implicit, verlet, reference };
 /// half of its mass at each end in any case.
 enum class Branches { straight, catenary, by_weight };
 
+/// Rope on rounds between straight branches. stretch: half of it with the branch at either side. rigid: it keeps the
+/// strain with which it came there, as on a drum.
+enum class Arcs { stretch, rigid };
+
 /// Where the motion begins. assembled: bodies and lengths as described, at rest. settled: at the equilibrium at rest of
 /// the same machine. sliding: there too, but with all friction as it is when the machine has come slowly from a little
 /// before, as `slid` says: at rest and about to go on the same way.
@@ -56,6 +60,7 @@ struct DynamicState {
     Array<Vector3> inside;      ///< of a rope in segments: places of its inner nodes, m
     Array<Vector3> inside_velocity;
     Array<Vector3> leaves, arrives;  ///< by branch: directions of one that sags; 0: straight, or not known
+    Array<double> on_rounds;         ///< by the same, two each: on the rounds at its ends, what stretches with it, m
     Array<double> lumped;            ///< by branch or segment: length whose mass was shared out, m; empty: `length`
   };
   struct Drum {
@@ -95,6 +100,7 @@ struct TransientOptions {
   /// goes, without swinging, to the next one that can.
   bool quasi_static = false;
   Branches branches = Branches::straight;
+  Arcs arcs = Arcs::stretch;
   double light = 0.05;               ///< of `by_weight`: m g l/T up to which a branch is straight
   bool rope_mass = true;             ///< false: ropes have neither weight nor inertia
   std::optional<DynamicState> from;  ///< go on from there

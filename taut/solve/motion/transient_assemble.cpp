@@ -143,26 +143,28 @@ void assemble_between_points(Mechanism& m, const Scheme& s, const Line& line, co
   }
 }
 
-/// Derivatives of length, strain, rate and tension by every local unknown.
+/// Derivatives of strain, rate, tension and of the rope between the rounds by every local unknown.
 struct Slopes {
-  std::array<double, 14> L{}, T{};
+  std::array<double, 14> free{}, T{};  ///< free rope, tension
 };
 
 Slopes slopes_of(const Scheme& s, const Values& before, const Line& line, const LineValues& now,
                  const Array<ContactValues>& now_contacts, const std::array<LineColumn, 14>& columns,
                  const std::array<double, 2>& askew, LineTangent& tangent) {
   Slopes d;
+  std::array<double, 14> L{}, arc{};
   const double square = s.reach * s.reach, lambda = 1 + now.e, share = line.share;
   const int freedoms = line.freedoms[0] + line.freedoms[1];
   for (int k = 0; k < freedoms; ++k) {
     const LineColumn& c = columns[as_size(k)];
     for (std::size_t end = 0; end < 2; ++end) {
       tangent.angle[end][as_size(k)] = square * c.angle[end];
-      if (line.contact[end] < 0 || now.radius[end] == 0 || line.at_load[end]) continue;
-      const double on = now.radius[end] / before.contacts[line.contact[end]].winding * c.angle[end];
-      d.L[as_size(k)] += square * (end == 0 ? -on : on);
+      if (line.contact[end] < 0) continue;
+      const double on = square * (end == 0 ? 1 : -1) * now.radius[end] * c.angle[end];
+      if (line.arcs[end]) arc[as_size(k)] += on;
+      if (winds(line, now, end)) L[as_size(k)] -= on / before.contacts[line.contact[end]].winding;
     }
-    const double e = (square * share * c.l - lambda * d.L[as_size(k)]) / now.L;
+    const double e = (square * share * c.l + arc[as_size(k)] - lambda * L[as_size(k)]) / now.L;
     const bool second = k >= line.freedoms[0];
     double apart = s.reach * (second ? 1 : -1) * now.t.dot(c.velocity) + square * c.t.dot(now.apart);
     apart += s.reach * (askew[0] * now.radius[0] * c.angle[0] - askew[1] * now.radius[1] * c.angle[1]);
@@ -177,8 +179,12 @@ Slopes slopes_of(const Scheme& s, const Values& before, const Line& line, const 
     const double sign = end == 0 ? 1 : -1;
     tangent.e[as_size(k)] = -sign * lambda / now.L;
     const bool later = s.only_rates && now.T_rate > 0;  // slip has a rate there, and no way yet
-    d.L[as_size(k)] = later ? 0 : sign;
+    L[as_size(k)] = later ? 0 : sign;
     d.T[as_size(k)] = ((later ? 0 : now.T_e) + now.T_rate * by_flow) * tangent.e[as_size(k)];
+  }
+  const double on = on_rounds(now), stretch = 1 + std::max(0.0, now.e);
+  for (std::size_t k = 0; k < as_size(line.columns); ++k) {
+    d.free[k] = L[k] - (arc[k] - (now.e > 0 ? on / stretch * tangent.e[k] : 0)) / stretch;
   }
   return d;
 }
@@ -187,10 +193,10 @@ Slopes slopes_of(const Scheme& s, const Values& before, const Line& line, const 
 void end_slopes(const Scheme& s, const Line& line, const LineValues& now, const std::array<LineColumn, 14>& columns,
                 const Slopes& d, LineTangent& tangent) {
   const int freedoms = line.freedoms[0] + line.freedoms[1];
-  const double half = line.weight * now.L * now.t.z() / 2;
+  const double half = line.weight * free_rope(now) * now.t.z() / 2;
   for (int k = 0; k < line.columns; ++k) {
-    const double turned = k < freedoms ? s.reach * s.reach * now.L * columns[as_size(k)].t.z() : 0;
-    double hangs = line.weight / 2 * (d.L[as_size(k)] * now.t.z() + turned);
+    const double turned = k < freedoms ? s.reach * s.reach * free_rope(now) * columns[as_size(k)].t.z() : 0;
+    double hangs = line.weight / 2 * (d.free[as_size(k)] * now.t.z() + turned);
     if (std::abs(half) >= most_hung * now.T) hangs = std::copysign(most_hung, half) * d.T[as_size(k)];
     tangent.end_T[0][as_size(k)] = d.T[as_size(k)] - (bears_half(line, 0) ? hangs : 0);
     tangent.end_T[1][as_size(k)] = d.T[as_size(k)] + (bears_half(line, 1) ? hangs : 0);
@@ -199,7 +205,7 @@ void end_slopes(const Scheme& s, const Line& line, const LineValues& now, const 
 
 /// Weight and tension on the freedoms of the bodies at its ends.
 void add_pull(const Line& line, const LineValues& now, Work& w) {
-  const double half = line.weight * now.L / 2;
+  const double half = line.weight * free_rope(now) / 2;
   for (int r = 0; r < line.freedoms[0] + line.freedoms[1]; ++r) {
     const std::size_t end = r < line.freedoms[0] ? 0 : 1;
     const double T = (end == 0 ? 1 : -1) * body_pull(now, end);
@@ -225,11 +231,11 @@ void assemble_line(Mechanism& m, const Scheme& s, const Values& before, std::siz
   const Slopes d = slopes_of(s, before, line, now, values_now.contacts, w.columns, askew, tangent);
   end_slopes(s, line, now, w.columns, d, tangent);
   if (line.part) {
-    add_part_slopes(m, s, line, now, tangent, d.L, w);
+    add_part_slopes(m, s, line, now, tangent, d.free, w);
     return;
   }
   auto& values = m.solver.values();
-  const double square = s.reach * s.reach, half = line.weight * now.L / 2;
+  const double square = s.reach * s.reach, half = line.weight * free_rope(now) / 2;
   const int freedoms = line.freedoms[0] + line.freedoms[1];
   for (int r = 0; r < freedoms; ++r) {
     const std::size_t end = r < line.freedoms[0] ? 0 : 1;
@@ -241,7 +247,7 @@ void assemble_line(Mechanism& m, const Scheme& s, const Values& before, std::siz
     const Body& shape = m.bodies[line.body[end]];
     const int* const places = line.places.data() + static_cast<std::ptrdiff_t>(r) * line.columns;
     for (int k = 0; k < line.columns; ++k) {
-      double Q = sign * d.T[as_size(k)] * along - line.weight / 2 * d.L[as_size(k)] * V.z();
+      double Q = sign * d.T[as_size(k)] * along - line.weight / 2 * d.free[as_size(k)] * V.z();
       if (k < freedoms) {
         const LineColumn& c = w.columns[as_size(k)];
         Q += square * T * c.t.dot(V);

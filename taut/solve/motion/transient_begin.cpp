@@ -116,6 +116,31 @@ void fill_contacts(const DynamicState& start, Built& built) {
   }
 }
 
+/// The rope on the rounds at the ends of the lines: as the state says, or what begins to stretch with them. The state's
+/// length of a line is that between its rounds.
+void fill_arcs(const DynamicState& start, Built& built) {
+  const Mechanism& m = built.mechanism;
+  Values& v = built.values;
+  for (std::size_t i = 0; i < m.lines.size(); ++i) {
+    const Line& line = m.lines[i];
+    LineValues& is = v.lines[i];
+    const auto& saved = start.ropes[line.reeving].on_rounds;
+    const std::size_t own = 2 * (i - as_size(m.first_line[line.reeving].first));
+    for (const std::size_t end : {0U, 1U}) {
+      if (!line.arcs[end]) continue;
+      const Contact& contact = m.contacts[line.contact[end]];
+      const machine::Node& node = m.model->reevings[contact.reeving].nodes[contact.node];
+      const double wrap = v.contacts[line.contact[end]].wrap;
+      if (own + end < saved.size()) {
+        is.arc[end] = saved[own + end];
+      } else if (is.gone > 0) {
+        is.arc[end] = share_that_stretches(node, wrap) * is.radius[end] * wrap / 2;
+      }
+    }
+    if (is.gone > 0) is.L += on_rounds(is) / (1 + std::max(0.0, is.e));
+  }
+}
+
 void fill_drums(const DynamicState& start, Built& built) {
   const Mechanism& m = built.mechanism;
   const machine::Model& model = *m.model;
@@ -144,7 +169,7 @@ void fill_drums(const DynamicState& start, Built& built) {
 
 }  // namespace
 
-void classify(Mechanism& m) {
+void classify(Mechanism& m, Arcs arcs) {
   for (Body& body : m.bodies) {
     body.driven = body.model >= 0 && !m.model->bodies[body.model].driven.empty();
     body.dead = -body.own_mass * m.model->gravity * up();
@@ -168,6 +193,13 @@ void classify(Mechanism& m) {
     const bool light = contact.spin < 0;
     contact.bearing_log = light ? -std::log(contact.efficiency) : std::numeric_limits<double>::infinity();
     contact.bearing_ratio = light ? 1 / contact.efficiency : std::numeric_limits<double>::infinity();
+  }
+  for (Line& line : m.lines) {
+    for (const std::size_t end : {0U, 1U}) {
+      if (line.contact[end] < 0 || line.sag >= 0 || line.at_load[end] || line.radius[end] == 0) continue;
+      const Contact& contact = m.contacts[line.contact[end]];
+      line.arcs[end] = arcs == Arcs::stretch && contact.in >= 0 && contact.out >= 0 && !contact.load;
+    }
   }
   const auto plain = [](const Line& line) { return line.kind == LineKind::points && line.sag < 0; };
   const auto still = [](const Body& body) { return body.count == 0 || body.point; };
@@ -248,6 +280,7 @@ void fill_values(const DynamicState& start, Built& built) {
   if (m.rope_loads) place_rope_loads(m, v);
   place_chain_loads(start, m, v);
   fill_contacts(start, built);
+  fill_arcs(start, built);
   fill_drums(start, built);
   fill_couples(start, m, v);
   for (const LineValues& line : v.lines) m.size_of_machine = std::max(m.size_of_machine, line.l);

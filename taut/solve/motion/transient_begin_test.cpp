@@ -35,8 +35,10 @@ TEST(TransientBegin, LinesOverARoundAreItsTangents) {
   for (std::size_t k = 0; k < 2; ++k) {
     const LineValues& line = built.values.lines[k];
     EXPECT_NEAR(line.l, l, 1e-12);
-    EXPECT_EQ(line.L, start.ropes[0].length[k]);
-    EXPECT_NEAR(line.T, EA * (l / line.L - 1), 1e-6);
+    const double free = start.ropes[0].length[k];
+    EXPECT_NEAR(line.L, free + R * up / (l / free), 1e-12);  // half of the arc, of angle 2 up, has the same strain
+    EXPECT_NEAR(free_rope(line), free, 1e-12);
+    EXPECT_NEAR(line.T, EA * (l / free - 1), 1e-6);
     EXPECT_LT((line.t - Vector3(std::cos(up), 0, k == 0 ? std::sin(up) : -std::sin(up))).norm(), 1e-12);
     EXPECT_EQ(line.angle[0], 0);
   }
@@ -96,12 +98,12 @@ TEST(TransientBegin, WhatHungAndIsStraightNowComesBackFromItsRounds) {
   start.ropes[0].arrives = {turned(straight.lines[0].t, b), Vector3::Zero()};
   const Values v = build(m, start, {}).values;
   // the first round is wound left-handed: a rope that left it by `a` farther right-handed had lain on it for less
-  EXPECT_NEAR(v.lines[0].L - straight.lines[0].L, -0.3 * a - R * b, 1e-12);
-  EXPECT_NEAR(v.lines[1].L - straight.lines[1].L, R * c, 1e-12);
+  EXPECT_NEAR(free_rope(v.lines[0]) - free_rope(straight.lines[0]), -0.3 * a - R * b, 1e-12);
+  EXPECT_NEAR(free_rope(v.lines[1]) - free_rope(straight.lines[1]), R * c, 1e-12);
   // all of it: with the sheave's arc between the directions that it had there, and with the one that it has
   const double arc = std::acos(start.ropes[0].arrives[0].dot(start.ropes[0].leaves[1]));
-  const double hung = straight.lines[0].L + straight.lines[1].L + R * arc - 0.3 * a;
-  EXPECT_NEAR(v.lines[0].L + v.lines[1].L + R * v.contacts[0].wrap, hung, 1e-9);
+  const double hung = free_rope(straight.lines[0]) + free_rope(straight.lines[1]) + R * arc - 0.3 * a;
+  EXPECT_NEAR(free_rope(v.lines[0]) + free_rope(v.lines[1]) + R * v.contacts[0].wrap, hung, 1e-9);
 }
 
 TEST(TransientBegin, DrumsHoldRopeAsItWasWound) {

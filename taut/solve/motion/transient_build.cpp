@@ -42,7 +42,7 @@ class Builder {
     number();
     add_couples(m());
     list_places();
-    classify(built_.mechanism);
+    classify(built_.mechanism, options_.arcs);
     fill_values(start_, built_);
     measure_loaded_spans(built_.mechanism, start_);
     if (built_.outcome.ok()) built_.outcome = check(built_.mechanism, start_, built_.values);

@@ -14,14 +14,19 @@ Built build(const machine::Model& model, const DynamicState& start, const Transi
 
 /// Not ok: a part that can't be computed in motion, or that can't move.
 Outcome check(const Mechanism& m, const DynamicState& start, const Values& v);
-/// Whether the machine is simple, and lossless.
-void classify(Mechanism& m);
+/// Which of its parts are of simpler kinds, and which have rope on rounds.
+void classify(Mechanism& m, Arcs arcs);
 /// The values at the start, once the mechanism stands.
 void fill_values(const DynamicState& start, Built& built);
 /// Unstretched length of a line at the start, m.
 double start_length(const Mechanism& m, const DynamicState& start, int line);
 /// The length whose mass was shared out to its ends, m.
 double lumped_length(const Mechanism& m, const DynamicState& start, int line);
+
+/// What of the rope on half of a round has the strain of the line at its side at the start: on a rim that turns with
+/// the rope all of it. On one that does not, each tension falls towards the middle as the friction lets it, g = mu
+/// theta: the mean of the strain over the half is tanh(g/2)/(g/2) of that of the line, to first order in the strain.
+double share_that_stretches(const machine::Node& node, double wrap);
 
 /// The state as described, at rest: each rope straight from round to round.
 DynamicState assembled(const machine::Model& model);

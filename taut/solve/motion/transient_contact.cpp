@@ -85,7 +85,7 @@ void pull_row(Mechanism& m, const Contact& contact, double given, const Values& 
     values[contact.row[own_column(m, contact)]] += 1;
     return;
   }
-  const double share = is.L / length_of(m.lines[line], is.l);
+  const double share = is.L / path_of(m.lines[line], is);
   w.residual[contact.column] += (slack ? EA * is.e * share : is.end_T[end]) - given;
   for_columns(m, contact, w, [&](std::size_t k, bool, double T, double, double e) {
     values[contact.row[k]] += slack ? EA * e * share * share : T;

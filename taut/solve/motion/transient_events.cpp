@@ -304,7 +304,10 @@ bool change_layers(Run& run, Values& v) {
       }
       of.radius[end] = radius;
       const LineValues as_was = of;
-      if (place_line(part, v.bodies, as_was, of)) of.L = length_of(part, of.l) / (1 + of.e);
+      if (place_line(part, v.bodies, as_was, of)) {
+        lay_on_rounds(part, as_was, of);
+        of.L = path_of(part, of) / (1 + of.e);
+      }
       if (!part.at_load[1 - end]) break;
     }
     note(run, v.t, "layer", drum.name, {{"layer", layer}, {"R", radius}});

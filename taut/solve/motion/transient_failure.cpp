@@ -20,7 +20,7 @@ void mark_run_off(Run& run, std::size_t i) {
 
 bool used_up(Run& run, std::size_t i) {
   const LineValues& line = run.before.lines[i];
-  if (line.gone > 0) return !(line.L > no_rope * run.L_first[i]);
+  if (line.gone > 0) return !(free_rope(line) > no_rope * run.L_first[i]);
   if (line.L > run_off_share * line.l) return false;
   const bool once_more = run.L_first[i] == 0;
   if (once_more) mark_run_off(run, i);  // its drum goes to and fro
@@ -34,7 +34,7 @@ std::pair<std::size_t, double> shortest(const Run& run) {
   std::pair<std::size_t, double> found{0, 1};
   for (std::size_t i = 0; i < run.m.lines.size(); ++i) {
     const LineValues& line = run.before.lines[i];
-    const double left = line.e > 0 ? std::min(line.L, line.l) : line.L;
+    const double left = line.e > 0 ? std::min(free_rope(line), line.l) : free_rope(line);
     const double share = line.gone > 0 ? left / run.L_first[i] : 1;
     if (share < found.second) found = {i, share};
   }
@@ -70,7 +70,7 @@ Outcome failure(Run& run, StepEnd end, double t) {
   if (!run.m.lines.empty() && share <= left) {
     const Line& of = run.m.lines[line];
     const machine::Reeving& rope = run.model.reevings[of.reeving];
-    note(run, t, "length_zero", rope.name, {{"L", run.before.lines[line].L}});
+    note(run, t, "length_zero", rope.name, {{"L", free_rope(run.before.lines[line])}});
     return infeasible(
         fmt::format("at t = {:.6g} s no rope is left between '{}' and '{}' of '{}': stop the motion before", t,
                     rope.nodes[of.from].name, rope.nodes[of.to].name, rope.name));

@@ -111,7 +111,7 @@ void turn_spins(const Mechanism& m, const Scheme& s, const Values& before, doubl
 
 // What follows is inlined where it stands in the innermost loops: the calls alone would be a tenth of a tackle's time.
 
-/// Unstretched length and strain. The rope that the turning of a line lays on a round lies there at its `winding`.
+/// Unstretched length and strain. The rope that the turning of a line lays on a drum lies there at its `winding`.
 [[gnu::always_inline]] inline void stretch(const Mechanism& m, const Scheme& s, const Values& before, std::size_t i,
                                            Values& now) {
   const Line& line = m.lines[i];
@@ -123,7 +123,7 @@ void turn_spins(const Mechanism& m, const Scheme& s, const Values& before, doubl
     if (line.contact[end] < 0) continue;
     const std::size_t k = as_size(line.contact[end]), c = as_size(m.contacts[k].column);
     double out = s.only_rates && slips_later(m, s, m.contacts[k]) ? 0 : now.q[c] - before.q[c];
-    if (line.radius[end] > 0 && !line.at_load[end] && !sagging && !off)
+    if (!sagging && !off && winds(line, is, end))
       out -= is.radius[end] / before.contacts[k].winding * (is.angle[end] - was.angle[end]);
     L += end == 0 ? out : -out;
   }
@@ -131,6 +131,7 @@ void turn_spins(const Mechanism& m, const Scheme& s, const Values& before, doubl
     if (m.tensioner[k].first == static_cast<int>(i)) L += now.tensioned[k] - before.tensioned[k];
   }
   is.L = L;
+  lay_on_rounds(line, was, is);
   if (sagging) {
     const std::size_t k = as_size(line.sag);
     if (!hang(line, now.bodies, windings_of(line, before), before.sags[k], is.L, was.angle, is, now.sags[k]))
@@ -138,11 +139,11 @@ void turn_spins(const Mechanism& m, const Scheme& s, const Values& before, doubl
     return;
   }
   if (is.gone > 0) {
-    is.e = length_of(line, is.l) / L - 1;
+    is.e = path_of(line, is) / L - 1;
     return;
   }
-  if (off) is.L = L = std::max(L, was.L);                           // a drum may go on to wind in what is no more
-  is.e = L > 0 ? std::min(0.0, length_of(line, is.l) / L - 1) : 0;  // nothing holds a dead end: it has no stretch
+  if (off) is.L = L = std::max(L, was.L);                       // a drum may go on to wind in what is no more
+  is.e = L > 0 ? std::min(0.0, path_of(line, is) / L - 1) : 0;  // nothing holds a dead end: it has no stretch
 }
 
 /// Angle of the arc, and what its law allows.
@@ -294,7 +295,7 @@ void steady_flow(const Mechanism& m, const Scheme& s, const Values& before, std:
   s.only_rates ? pull_without_bounds(line, line.damping, is) : pull(line, s.undamped ? 0 : line.damping, is);
   is.end_T[0] = is.end_T[1] = is.T;
   if (line.weight == 0) return;
-  const double hangs = hung_at_ends(line.weight * is.L * is.t.z() / 2, is.T);
+  const double hangs = hung_at_ends(line.weight * free_rope(is) * is.t.z() / 2, is.T);
   if (bears_half(line, 0)) is.end_T[0] -= hangs;
   if (bears_half(line, 1)) is.end_T[1] += hangs;
 }

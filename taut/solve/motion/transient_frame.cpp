@@ -172,12 +172,12 @@ double observe_rope(const Run& run, const Values& v, const machine::Observable& 
     case Observed::T_max:
       return rope_tension(run.m, v, what.index, nullptr);
     case Observed::length:
-      for (int i = first; i < first + lines; ++i) L += v.lines[i].L;
+      for (int i = first; i < first + lines; ++i) L += free_rope(v.lines[i]);
       return L;
     default:
       for (int i = first + *what.part * pieces; i < first + (*what.part + 1) * pieces; ++i) {
         T = std::max({T, v.lines[i].end_T[0], v.lines[i].end_T[1]});
-        L += v.lines[i].L;
+        L += free_rope(v.lines[i]);
       }
       return what.quantity == Observed::branch_T ? T : L;
   }
@@ -271,8 +271,19 @@ TransientFrame frame_of(const Mechanism& m, const Values& v) {
     const Vector3 start =
         line.at_load[0] ? Vector3(is.touch[0] + (line.ahead * is.l + line.ahead_more) * is.t) : is.touch[0];
     const Vector3 end = line.at_load[1] ? Vector3(start + l * is.t) : is.touch[1];
-    f.branches.push_back(
-        {line.reeving, line.from, line.to, is.end_T[0], is.end_T[1], is.L, l, start, end, is.t, is.t, is.gone > 0, {}});
+    f.branches.push_back({line.reeving,
+                          line.from,
+                          line.to,
+                          is.end_T[0],
+                          is.end_T[1],
+                          free_rope(is),
+                          l,
+                          start,
+                          end,
+                          is.t,
+                          is.t,
+                          is.gone > 0,
+                          {}});
     if (!sags(line, is)) continue;
     const SagValues& shape = v.sags[line.sag];
     f.branches.back().stretched = sag_stretched(line, is, shape);

@@ -171,10 +171,62 @@ TEST(TransientLaws, TheDampingRatioIsThatOfAModeThatStretches) {
     options.start = Start::settled;
     const TransientResult r = transient(m, options);
     ASSERT_TRUE(r.outcome.ok()) << r.outcome.message;
-    const double bounce =
-        std::sqrt(1e7 * (1 / r.frames[0].branches[1].unstretched + 1 / r.frames[0].branches[2].unstretched) / 3000);
+    const auto stiffness = [&](std::size_t branch) {  // of a fall with half of the rope on the round at either end
+      double length = r.frames[0].branches[branch].unstretched;
+      for (const auto& contact : r.frames[0].contacts) {
+        const auto node = static_cast<std::size_t>(contact.node);
+        if (node == branch || node == branch + 1) length += m.reevings[0].nodes[node].radius * contact.wrap / 2;
+      }
+      return 1e7 / length;
+    };
+    const double bounce = std::sqrt((stiffness(1) + stiffness(2)) / 3000);
     EXPECT_NEAR(r.frequency[0] / bounce, 1, 2e-3) << aside;
     EXPECT_NEAR(r.damping_time[0], 0.04 / r.frequency[0], 1e-12);
+  }
+}
+
+/// Rope on rounds stretches as it does at rest: a block that bounces, damped, ends where the equilibrium has it.
+TEST(TransientLaws, ATackleEndsAtTheEquilibriumOfItsStatics) {
+  machine::Model m = tackle(8, 1, 3000);
+  m.bodies[0] = body("block", {0, 0, 5.7}, 3000, "z");
+  m.reevings[0].damping_time = 0.05;
+  TransientOptions options = lasting(3, 1e-6, 2);
+  options.start = Start::assembled;
+  const TransientResult moved = transient(m, options);
+  options.start = Start::settled;
+  const TransientResult still = transient(m, options);
+  ASSERT_TRUE(moved.outcome.ok() && still.outcome.ok()) << moved.outcome.message << still.outcome.message;
+  const auto &end = moved.frames.back(), &rest = still.frames.front();
+  EXPECT_GT(std::abs(moved.frames.front().branches[0].T_from / rest.branches[0].T_from - 1), 0.05);
+  EXPECT_NEAR(end.bodies[0].position.z(), rest.bodies[0].position.z(), 1e-7);
+  EXPECT_NEAR(end.branches[4].T_from / rest.branches[4].T_from, 1, 1e-6);
+  // a rise of its load by 10 % stretches all of the rope, with what lies on the rounds
+  m.bodies[0].mass = 3300;
+  const double lower = transient(m, options).frames.front().bodies[0].position.z();
+  double arcs = 0, free = 0;
+  for (const auto& contact : rest.contacts) arcs += 0.25 * contact.wrap;
+  for (const auto& branch : rest.branches) free += branch.stretched;
+  const double T = rest.branches[4].T_from;
+  EXPECT_NEAR((rest.bodies[0].position.z() - lower) * 8 / ((arcs + free) * 0.1 * T / 1e7), 1, 0.01);
+}
+
+/// A belt begins with the same tension as described and at rest.
+TEST(TransientLaws, ABeltHasOneTensionAssembledAndSettled) {
+  machine::Model m;
+  m.gravity = 9.81;
+  machine::Node left = sheave("left", {0, 0, 0}, 0.3, 1), right = sheave("right", {5, 0, 0}, 0.3, 1);
+  left.kind = machine::NodeKind::drive;
+  left.motor = 0;
+  m.motors.resize(1);
+  right.inertia = 1;
+  m.reevings.push_back(reeve("belt", {left, right}, (10 + 2 * pi * 0.3) / (1 + 800 / 2e5), 0, 2e5));
+  m.reevings[0].closed = true;
+  for (const Start start : {Start::assembled, Start::settled}) {
+    TransientOptions options = lasting(0.01, 1e-6, 1);
+    options.start = start;
+    const TransientResult r = transient(m, options);
+    ASSERT_TRUE(r.outcome.ok()) << r.outcome.message;
+    for (const auto& branch : r.frames.front().branches) EXPECT_NEAR(branch.T_from, 800, 1e-6);
   }
 }
 

@@ -25,8 +25,9 @@ double per_metre(const Mechanism& m, const Values& v, int i, std::size_t end) {
 /// counts in the middle of its branch, where rope that runs in at an end falls to, or is lifted from, without a force.
 double hangs_on_nothing(const Line& line, const LineValues& v) {
   if (line.weight == 0 || sags(line, v)) return 0;
-  const double hangs = line.weight * v.L * v.t.z() / 2;
-  return (hangs - hung_at_ends(hangs, v.T)) * v.l / v.L;  // a broken one may be shorter than its branch
+  const double rope = free_rope(v), hangs = line.weight * rope * v.t.z() / 2;
+  if (rope == 0) return 0;
+  return (hangs - hung_at_ends(hangs, v.T)) * v.l / rope;  // a broken one may be shorter than its branch
 }
 
 /// What a line's energy falls by per metre of unstretched rope that is let in, J/m; of a slack rope too, which carries
@@ -122,7 +123,7 @@ double torn(const Mechanism& m, std::size_t i, const Values& values_before, cons
     return line.copies * (before.gone - now.gone) * (at_end ? held(values_before) : (held(values_before) + after) / 2);
   }
   const auto square = [&](const LineValues& v) {
-    const double e = std::max(0.0, length_of(line, v.l) / v.L - 1);  // of what is left at last, too
+    const double e = std::max(0.0, path_of(line, v) / v.L - 1);  // of what is left at last, too
     return e * e * v.L;
   };
   const double mean = at_end ? square(before) : (square(before) + square(now)) / 2;
@@ -143,8 +144,9 @@ void add_driven(const Mechanism& m, const Values& v, Powers& p) {
         const Vector3 moves = body.driven_v + body.driven_w.cross(is.touch[end] - body.x);
         const Vector3 force =
             sags(line, is) ? sagging_force(line, is, v.sags[line.sag], end)
-            : line.part    ? part_force(line, is, end)
-                           : Vector3((end == 0 ? 1 : -1) * body_pull(is, end) * is.t - line.weight * is.L / 2 * up());
+            : line.part
+                ? part_force(line, is, end)
+                : Vector3((end == 0 ? 1 : -1) * body_pull(is, end) * is.t - line.weight * free_rope(is) / 2 * up());
         p.supplied -= line.copies * force.dot(moves);
       }
     }
@@ -246,7 +248,7 @@ Stored stored(const Mechanism& m, const Values& v) {
       s.elastic += line.copies * elastic_tension(line, is) * std::max(0.0, is.e) * is.L / 2;
     }
     const double height = borne(line, is.l, 0) * is.touch[0].z() + borne(line, is.l, 1) * is.touch[1].z();
-    s.potential += line.copies * line.weight * is.L * height;
+    s.potential += line.copies * line.weight * free_rope(is) * height;
   }
   s.elastic += energy_of_faces(m, v);
   return s;

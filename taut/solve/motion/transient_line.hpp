@@ -19,7 +19,8 @@ struct LineValues {
   std::array<double, 2> skew_angle{0, 0};  ///< skew: about the rounds' zeros, rad
   std::array<double, 2> radius{0, 0};      ///< of its rounds: a drum's layer counts, m
   Vector3 apart = Vector3::Zero();     ///< velocity of the rope's touching points, fixed to their bodies, apart, m/s
-  double L = 1;                        ///< unstretched, m
+  std::array<double, 2> arc{0, 0};     ///< on the rounds at its ends, what stretches with it, m
+  double L = 1;                        ///< unstretched, with what lies on those, m
   double e = 0, e_rate = 0;            ///< strain, 1/s
   double T = 0;                        ///< in the middle, N
   double T_e = 0, T_rate = 0;          ///< derivatives of T by strain and by its rate
@@ -27,6 +28,23 @@ struct LineValues {
   std::array<double, 2> thrust{0, 0};  ///< G: what the rope's momentum takes of it there, N
   double gone = 1;                     ///< share that is left of a breaking rope
 };
+
+/// Rope on the rounds at its ends that stretches with a line, m; what of the line's length is none such.
+inline double on_rounds(const LineValues& line) { return line.arc[0] + line.arc[1]; }
+/// Its way from end to end, with that, m.
+inline double path_of(const Line& line, const LineValues& now) { return length_of(line, now.l) + on_rounds(now); }
+/// Unstretched rope between the rounds, m: the strain is the same all along. A dead end may lie on a round altogether.
+inline double free_rope(const LineValues& line) {
+  const double on = on_rounds(line);
+  if (on == 0) return line.L;
+  if (line.gone == 0) return std::clamp(line.L - on, 0.0, line.L);
+  return line.L - on / (1 + std::max(0.0, line.e));
+}
+/// Whether the turning of a line takes rope from it, or gives it some, at an end: on a drum it leaves the line. On
+/// other rounds it stays the line's own.
+inline bool winds(const Line& line, const LineValues& now, std::size_t end) {
+  return now.radius[end] > 0 && !line.at_load[end] && !line.arcs[end];
+}
 
 /// Unstretched length, of a dead end that is about to run off not less than a little, m.
 inline double some_length(const LineValues& line) { return std::max(line.L, 1e-3 * line.l); }
@@ -50,6 +68,14 @@ inline Vector3 to_ground(const Array<Motion3>& bodies, int body, const Vector3& 
 
 /// Geometry from the poses; `before`: the same line at the start of the step, for angles. False: there is no line.
 bool place_line(const Line& line, const Array<Motion3>& bodies, const LineValues& before, LineValues& now);
+
+/// Rope on its rounds as its ends have turned since `before`.
+inline void lay_on_rounds(const Line& line, const LineValues& before, LineValues& now) {
+  for (const std::size_t end : {0U, 1U}) {
+    if (!line.arcs[end]) continue;
+    now.arc[end] = before.arc[end] + (end == 0 ? 1 : -1) * now.radius[end] * (now.angle[end] - before.angle[end]);
+  }
+}
 
 /// How a line follows one local freedom of a body at one of its ends.
 struct LineColumn {

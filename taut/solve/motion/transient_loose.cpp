@@ -17,7 +17,7 @@ bool has_no_tension(const Line& line, const LineValues& is) { return is.T <= har
 /// What a slack line can give before it is straight, m; a broken one nearly all it has.
 double spare(const LineValues& line) {
   constexpr double nearly_all = 0.5;
-  return line.gone == 0 ? std::max(0.0, nearly_all * line.L) : std::max(0.0, line.L - line.l);
+  return line.gone == 0 ? std::max(0.0, nearly_all * line.L) : std::max(0.0, line.L - on_rounds(line) - line.l);
 }
 
 /// The row of contacts from the end of line `k`, each of which may pass rope, up to the next slack line; none where

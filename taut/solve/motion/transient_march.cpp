@@ -294,7 +294,7 @@ StepEnd begin(Run& run) {
   StepEnd end = StepEnd::ok;
   if (!run.resumed) {
     run.L_first.clear();
-    for (const LineValues& line : run.before.lines) run.L_first.push_back(line.L);
+    for (const LineValues& line : run.before.lines) run.L_first.push_back(free_rope(line));
   }
   if (!run.resumed) run.floor = resolving_step(run) / shorter_at_kinks;
   run.ledger = open_ledger(run.m, run.before);

@@ -67,6 +67,7 @@ struct Line {
   // of a part between rope loads: both ends are those of the whole free line, of length l
   bool part = false;
   std::array<bool, 2> at_load{false, false};  ///< its ends that are not the free line's
+  std::array<bool, 2> arcs{false, false};     ///< where half of the rope on the round is the line's own
   double share = 1, more = 0;                 ///< its length is share l + more
   double ahead = 0, ahead_more = 0;           ///< before it lies ahead l + ahead_more
   double middle = 0.5;                        ///< where its middle was at the start, as a share of l

@@ -46,7 +46,7 @@ double laid_on(const Line& line, const Values& before, const Values& now, std::s
 double taken_by_line(const Mechanism& m, std::size_t i, const Values& before, const Values& now) {
   const Line& line = m.lines[i];
   const LineValues &a = before.lines[i], &b = now.lines[i];
-  const double e_a = length_of(line, a.l) / a.L - 1, e_b = length_of(line, b.l) / b.L - 1;
+  const double e_a = path_of(line, a) / a.L - 1, e_b = path_of(line, b) / b.L - 1;
   const double taut_a = std::max(0.0, e_a), taut_b = std::max(0.0, e_b), elastic = elastic_tension(line, b);
   const double dl = length_of(line, b.l) - length_of(line, a.l), dL = b.L - a.L;
   const double grown = line.stiffness * b.gone / 2 * (taut_b * taut_b * b.L - taut_a * taut_a * a.L);
@@ -63,7 +63,7 @@ double taken_by_line(const Mechanism& m, std::size_t i, const Values& before, co
   const auto height = [&](const LineValues& v) {
     return borne(line, v.l, 0) * v.touch[0].z() + borne(line, v.l, 1) * v.touch[1].z();
   };
-  const double lifted = line.weight * dL * (height(b) - height(a));
+  const double lifted = line.weight * (free_rope(b) - free_rope(a)) * (height(b) - height(a));
   return line.copies * (stretched + turned + lifted);
 }
 

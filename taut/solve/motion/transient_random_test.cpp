@@ -23,7 +23,8 @@ bool finite(const TransientFrame& frame) {
   bool all = std::isfinite(frame.energy.residual) && std::isfinite(frame.energy.kinetic);
   for (const auto& body : frame.bodies) all = all && body.position.allFinite() && body.velocity.allFinite();
   for (const auto& branch : frame.branches) {
-    all = all && std::isfinite(branch.T_from) && branch.T_from >= 0 && branch.T_to >= 0 && branch.unstretched > 0;
+    all = all && std::isfinite(branch.T_from) && branch.T_from >= 0 && branch.T_to >= 0 &&
+          (branch.whole ? branch.unstretched > 0 : branch.unstretched >= 0);
   }
   return all;
 }

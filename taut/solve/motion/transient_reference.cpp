@@ -23,6 +23,7 @@ constexpr double share_of_places = 1e-3;  ///< tensions follow strains, which ar
 constexpr int halvings = 45;
 constexpr int most_again = 200;      ///< times that it begins anew between two changes of laws
 constexpr double standstill = 1e-7;  ///< m/s, 1/s: above what a restart leaves of a rate
+constexpr double at_bound = 1e-7;    ///< of the tensions: above what a restart leaves of them
 
 /// An end of a line that winds on a round: what it has wound, m, is a state of its own.
 struct Wound {
@@ -207,6 +208,14 @@ bool step_of_ida(ReferenceState& of, double limit, double& t) {
   return done;
 }
 
+/// Whether a rope that holds on a round is within its bounds, or beyond them by no more than a restart leaves.
+bool still_holds(const Contact& contact, const Values& now, const ContactValues& is) {
+  const Pressure p = pressure(contact, now);
+  const double within = at_bound * (p.in + p.out);
+  if (contact.load) return is.holds && std::abs(p.out - p.in) <= is.drop + within;
+  return p.in > 0 && p.out > 0 && std::max(p.out - is.ratio * p.in, p.in - is.ratio * p.out) <= within;
+}
+
 /// Whether a law that held in the base no longer does.
 bool law_ends(ReferenceState& of, Values& now) {
   const Mechanism& m = of.run->m;
@@ -226,7 +235,9 @@ bool law_ends(ReferenceState& of, Values& now) {
     const bool slips = was == Grip::forward || was == Grip::backward;
     const double way = was == Grip::backward ? -1 : 1;
     const bool pressed = now.contacts[i].grip != Grip::equal;
-    ends = ends || (slips ? !pressed || way * now.contacts[i].slip_rate < -standstill : now.contacts[i].grip != was);
+    const bool grips = was == Grip::stuck && still_holds(m.contacts[i], now, now.contacts[i]);
+    ends = ends ||
+           (slips ? !pressed || way * now.contacts[i].slip_rate < -standstill : !grips && now.contacts[i].grip != was);
     now.contacts[i].grip = was;
   }
   for (std::size_t i = 0; i < m.spins.size(); ++i) {
@@ -309,7 +320,7 @@ StepEnd Reference::begin(Run& run) {
     of.length.push_back(of.base.lines[i].L);
     for (const std::size_t end : {0U, 1U}) {
       const bool real = run.m.lines[i].contact[end] >= 0 && !run.m.lines[i].at_load[end];
-      if (real && of.base.lines[i].radius[end] > 0) of.wound.push_back({i, end});
+      if (real && winds(run.m.lines[i], of.base.lines[i], end)) of.wound.push_back({i, end});
     }
   }
   // lengths follow what each end has wound, not an angle and one stretch

@@ -141,17 +141,18 @@ double turned_strain_rate(const Line& line, const Array<Motion3>& bodies, const 
   const double out = now.axis.dot(now.centre[1] - now.centre[0]);
   const double l_rate = (now.flat_l * flat_rate + out * now.axis.dot(apart)) / now.l;
   double wound = 0;  // into the line, unstretched, m/s
+  double laid = 0;   // on its rounds, m/s
   for (const std::size_t end : {0U, 1U}) {
     if (line.contact[end] < 0 || line.at_load[end]) continue;
-    const double rate = radius[end] * (turn - carried[end]) / contacts[line.contact[end]].winding;
-    wound += end == 0 ? -rate : rate;
+    const double rate = (end == 0 ? 1 : -1) * radius[end] * (turn - carried[end]);
+    (line.arcs[end] ? laid : wound) += line.arcs[end] ? rate : -rate / contacts[line.contact[end]].winding;
   }
-  return (line.share * (l_rate - now.t.dot(now.apart)) - (1 + now.e) * wound) / now.L;
+  return (line.share * (l_rate - now.t.dot(now.apart)) + laid - (1 + now.e) * wound) / now.L;
 }
 
 Vector3 part_force(const Line& line, const LineValues& now, std::size_t end) {
   const double pull = line.at_load[end] ? 0 : (end == 0 ? 1 : -1) * (now.end_T[end] - now.thrust[end]);
-  const double weight = line.weight * now.L * borne(line, now.l, end);
+  const double weight = line.weight * free_rope(now) * borne(line, now.l, end);
   return (pull + weight * now.t.z()) * now.t - weight * Vector3::UnitZ();
 }
 
@@ -170,7 +171,7 @@ void add_part_slopes(Mechanism& m, const Scheme& s, const Line& line, const Line
   for (int r = 0; r < freedoms; ++r) {
     const std::size_t end = r < line.freedoms[0] ? 0 : 1;
     const double sign = line.at_load[end] ? 0 : end == 0 ? 1 : -1;
-    const double per_metre = line.weight * borne(line, now.l, end), weight = per_metre * now.L;
+    const double per_metre = line.weight * borne(line, now.l, end), weight = per_metre * free_rope(now);
     const double pull = sign * (now.end_T[end] - now.thrust[end]) + weight * now.t.z();
     const Vector3& V = w.columns[as_size(r)].velocity;
     const double along = now.t.dot(V);

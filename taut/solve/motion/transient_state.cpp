@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 #include <optional>
 
@@ -96,44 +97,63 @@ namespace {
 double arc_on(const machine::State& state, const machine::Reeving& given, std::size_t node) {
   const machine::Node& here = given.nodes[node];
   if (here.radius == 0) return 0;
+  const std::size_t nodes = given.nodes.size();
   const rope::Round round = round_at(state, here);
-  const auto before = rope::tangent_line(round_at(state, given.nodes[node - 1]), round);
-  const auto behind = rope::tangent_line(round, round_at(state, given.nodes[node + 1]));
+  const auto before = rope::tangent_line(round_at(state, given.nodes[(node + nodes - 1) % nodes]), round);
+  const auto behind = rope::tangent_line(round, round_at(state, given.nodes[(node + 1) % nodes]));
   if (!before || !behind) return 0;
   double wrap = rope::wrap_angle(here.side, before->angle_to, behind->angle_from);
   if (wrap >= 1.5 * std::numbers::pi) wrap -= 2 * std::numbers::pi;  // the rope passes above the round
   return here.radius * (wrap + 2 * std::numbers::pi * here.turns);
 }
 
-/// The rope before a clamp and behind it, as far as the next one, has the length that the description says.
-void keep_clamps(const machine::Model& model, machine::State& state) {
+/// The rope before a clamp and behind it, as far as the next one, has the length that the description says, with what
+/// lies on its rounds. A taut one has one strain, there as well.
+void keep_lengths(const machine::Model& model, machine::State& state) {
   for (std::size_t r = 0; r < model.reevings.size(); ++r) {
     const machine::Reeving& rope = model.reevings[r];
-    if (rope.given != machine::Given::length || rope.also || rope.closed) continue;
+    if (rope.given != machine::Given::length) continue;
     Array<machine::BranchState>& branches = state.branches[r];
-    double from = 0, free = 0, arcs = 0;
+    const std::size_t nodes = rope.nodes.size();
+    double from = 0, rigid = 0, stretches = 0, straight = 0, free = 0;
     std::size_t first = 0;
-    for (std::size_t node = 1; node < rope.nodes.size(); ++node) {
-      free += branches[node - 1].length;
-      const bool last = node + 1 == rope.nodes.size();
-      const bool clamp = rope.nodes[node].kind == machine::NodeKind::clamp;
-      if (!clamp && !last) arcs += arc_on(state, rope, node);
-      if (!clamp && (!last || first == 0)) continue;
+    const auto on_round = [&](std::size_t node) {
+      const double arc = arc_on(state, rope, node), wrap = arc / std::max(rope.nodes[node].radius, 1e-300);
+      const double share = share_that_stretches(rope.nodes[node], wrap);
+      stretches += share * arc;
+      rigid += (1 - share) * arc;
+    };
+    if (rope.closed) on_round(0);
+    for (std::size_t k = 0; k < branches.size(); ++k) {
+      const std::size_t node = (k + 1) % nodes;
+      free += branches[k].length;
+      straight += machine::straight_length(state, rope.nodes[k], rope.nodes[node]);
+      const bool last = k + 1 == branches.size(), clamp = !last && rope.nodes[node].kind == machine::NodeKind::clamp;
+      if (!last && !clamp) on_round(node);
+      if (!last && !clamp) continue;
       const double to = (clamp ? rope.nodes[node].length_before : rope.value) * (1 + rope.thermal_strain);
-      const double left = to - from - arcs;
-      for (std::size_t k = first; k < node && left > 0 && free > 0; ++k) branches[k].length *= left / free;
+      const double slack = to - from - rigid - stretches;
+      const double left = straight > slack ? (to - from - rigid) * straight / (straight + stretches) : slack;
+      for (std::size_t i = first; i <= k && left > 0 && slack > 0 && free > 0; ++i) branches[i].length *= left / free;
       from = to;
-      free = arcs = 0;
-      first = node;
+      free = straight = rigid = stretches = 0;
+      first = k + 1;
     }
   }
 }
 
 }  // namespace
 
+double share_that_stretches(const machine::Node& node, double wrap) {
+  const bool turns = node.motor.has_value() || (node.inertia > 0 && node.law.efficiency > 0);
+  const double grip = node.law.friction * wrap;
+  if (turns || wrap <= 0 || -std::log(node.law.efficiency) <= grip) return 1;
+  return std::isinf(grip) ? 0 : grip > 0 ? std::tanh(grip / 2) / (grip / 2) : 1;
+}
+
 DynamicState assembled(const machine::Model& model) {
   machine::State state = machine::initial_state(model);
-  keep_clamps(model, state);
+  keep_lengths(model, state);
   return state_from(model, state);
 }
 
@@ -149,12 +169,16 @@ DynamicState state_of(const Mechanism& m, const Values& v, const DynamicState& b
     DynamicState::Rope& rope = state.ropes[r];
     const auto [first, lines] = m.first_line[r];
     rope.whole.resize(as_size(lines));
+    rope.on_rounds.clear();
     if (std::max(1, model.reevings[r].segments) == 1) {
       rope.leaves.assign(as_size(lines), Vector3::Zero());
       rope.arrives = rope.leaves;
     }
     for (int i = 0; i < lines; ++i) {
-      rope.length[i] = v.lines[first + i].L;
+      const LineValues& line = v.lines[first + i];
+      const bool whole = line.gone > 0;
+      rope.length[i] = whole ? free_rope(line) : line.L;
+      for (const std::size_t end : {0U, 1U}) rope.on_rounds.push_back(whole ? line.arc[end] : 0);
       rope.whole[i] = v.lines[first + i].gone > 0 ? 1 : 0;
       if (!sags(m.lines[first + i], v.lines[first + i])) continue;
       const SagValues& shape = v.sags[m.lines[first + i].sag];

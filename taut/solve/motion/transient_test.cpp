@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <utility>
 
 #include "test/support/machines.hpp"
 #include "test/support/transient_runs.hpp"
@@ -10,6 +11,7 @@
 namespace taut_test::transient_rows {
 namespace {
 
+using taut::solve::Arcs;
 using taut::solve::DynamicState;
 using taut::solve::Start;
 using taut::solve::TransientOptions;
@@ -36,24 +38,31 @@ DynamicState atwood_start() {
   return start;
 }
 
-/// By the fast scheme and by the reference: the tensions at 0.1, 0.5 and 1 s.
+/// By the fast scheme and by the reference: the tensions at 0.1, 0.5 and 1 s. Each leg is a spring of its free rope
+/// and, where that stretches, half of the rope on the sheave; the numbers by Runge-Kutta of order 4 in 1e5 steps.
 TEST(Transient, ElasticAtwoodMachine) {
   using taut::solve::TimeMethod;
-  for (const TimeMethod method : {TimeMethod::implicit, TimeMethod::reference}) {
+  for (const auto& [method, arcs] :
+       {std::pair(TimeMethod::implicit, Arcs::rigid), std::pair(TimeMethod::reference, Arcs::rigid),
+        std::pair(TimeMethod::implicit, Arcs::stretch), std::pair(TimeMethod::reference, Arcs::stretch)}) {
     TransientOptions options = lasting(1, 1e-7);
+    options.arcs = arcs;
     options.output_step = 0.1;
     options.method = method;
     options.from = atwood_start();
     const TransientResult r = transient(atwood(), options);
     ASSERT_TRUE(r.outcome.ok()) << r.outcome.message;
     ASSERT_EQ(r.frames.size(), 11U);
+    const bool rigid = arcs == Arcs::rigid;
+    // the fast scheme at its tolerance: 1.5e-6 off at the end, 4e-7 at a tolerance of 1e-10
+    const double allowed = rigid || method == TimeMethod::reference ? 1e-6 : 2e-6;
     const auto expect = [&](std::size_t frame, double T1, double T2) {
-      EXPECT_NEAR(r.frames[frame].branches[0].T_from / T1, 1, 1e-6);
-      EXPECT_NEAR(r.frames[frame].branches[1].T_to / T2, 1, 1e-6);
+      EXPECT_NEAR(r.frames[frame].branches[0].T_from / T1, 1, allowed) << frame;
+      EXPECT_NEAR(r.frames[frame].branches[1].T_to / T2, 1, allowed) << frame;
     };
-    expect(1, 1113.734318, 1021.676961);
-    expect(5, 1045.907490, 1080.440868);
-    expect(10, 1155.896844, 1008.819138);
+    rigid ? expect(1, 1113.734318, 1021.676961) : expect(1, 1076.409002, 1056.317451);
+    rigid ? expect(5, 1045.907490, 1080.440868) : expect(5, 1138.071755, 1002.164877);
+    rigid ? expect(10, 1155.896844, 1008.819138) : expect(10, 1003.238647, 1115.915852);
     const auto& energy = r.frames.back().energy;
     if (method == TimeMethod::implicit) {
       EXPECT_LT(std::abs(energy.residual), 1e-8 * energy.turnover);
