@@ -54,9 +54,8 @@ void walk_line(W& w, LineValues& l) {
     for (Vector3& one : *pair) w.matrix(one);
   }
   for (Vector3* one : {&l.t, &l.axis, &l.flat, &l.apart}) w.matrix(*one);
-  for (double* one : {&l.l, &l.flat_l, &l.arc[0], &l.arc[1], &l.L, &l.e, &l.e_rate, &l.T, &l.T_e, &l.T_rate, &l.gone})
-    w.number(*one);
-  for (auto* pair : {&l.angle, &l.skew_angle, &l.radius, &l.end_T, &l.thrust}) w.all(*pair);
+  for (double* one : {&l.l, &l.flat_l, &l.L, &l.e, &l.e_rate, &l.T, &l.T_e, &l.T_rate, &l.gone}) w.number(*one);
+  for (auto* pair : {&l.angle, &l.skew_angle, &l.radius, &l.arc, &l.end_T, &l.thrust}) w.all(*pair);
 }
 
 template <class W>
@@ -139,16 +138,21 @@ void walk_run(W& w, Run& run) {
   for (ChainLoad& load : run.m.chain_loads) w.number(load.more);
 }
 
-constexpr double layout = 3;  ///< of the list: another one is not understood
+constexpr double layout = 4;  ///< of the list: another one is not understood
 
-/// What the numbers belong to: how many they are, the method, its damping, the kinds of steps.
+/// What the numbers belong to: how many they are, the method, its damping, the kinds of steps, the rope on rounds.
 Array<double> head_of(Run& run) {
   double count = 0;
   auto see = [&](double&) { ++count; };
   Walk walk(see);
   walk_run(walk, run);
   const bool explicit_steps = run.options.method == TimeMethod::verlet, given = run.options.step > 0;
-  return {layout, count, explicit_steps ? 1.0 : 0.0, run.options.rho, given ? 1.0 : 0.0};
+  return {layout,
+          count,
+          explicit_steps ? 1.0 : 0.0,
+          run.options.rho,
+          given ? 1.0 : 0.0,
+          run.options.arcs == Arcs::rigid ? 1.0 : 0.0};
 }
 
 /// Measures by their names: what they relate to and their means so far. A deck that observes something else goes on

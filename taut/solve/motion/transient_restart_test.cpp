@@ -88,6 +88,30 @@ TEST(TransientRestart, ARopeThatSlipsGoesOnToTheLastBit) {
   }
 }
 
+/// Without the integrator's memory a run goes on with the same rope between the rounds and on them; and as well where
+/// the rope on them is rigid from there on, or begins to stretch.
+TEST(TransientRestart, RopeOnRoundsIsTakenOver) {
+  using taut::solve::Arcs;
+  const machine::Model m = tackle(4, 0.95, 3000);
+  for (const Arcs first : {Arcs::stretch, Arcs::rigid}) {
+    TransientOptions options = by_steps(0.3, 0, TimeMethod::implicit);
+    options.arcs = first;
+    const TransientResult before = run_to_end(m, options);
+    options.from = before.state;
+    options.from->memory.clear();
+    for (const Arcs second : {Arcs::stretch, Arcs::rigid}) {
+      options.arcs = second;
+      const TransientResult after = run_to_end(m, options);
+      const auto &end = before.frames.back().branches, &begin = after.frames.front().branches;
+      for (std::size_t b = 0; b < end.size(); ++b) {
+        EXPECT_NEAR(begin[b].unstretched, end[b].unstretched, 1e-12);
+        EXPECT_NEAR(begin[b].stretched, end[b].stretched, 1e-12);
+        EXPECT_NEAR(begin[b].T_from, end[b].T_from, 1e-6 * before.ropes[0].T.max);
+      }
+    }
+  }
+}
+
 /// Without the integrator's memory rates are found anew at an unchanged time: the slip that goes on has its speed from
 /// there, but no rope has passed, and no tension has changed. (What counts for a rope's momentum is part of the memory:
 /// without weight here.)

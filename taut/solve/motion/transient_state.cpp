@@ -170,6 +170,7 @@ DynamicState state_of(const Mechanism& m, const Values& v, const DynamicState& b
     const auto [first, lines] = m.first_line[r];
     rope.whole.resize(as_size(lines));
     rope.on_rounds.clear();
+    bool stretches = false;
     if (std::max(1, model.reevings[r].segments) == 1) {
       rope.leaves.assign(as_size(lines), Vector3::Zero());
       rope.arrives = rope.leaves;
@@ -179,12 +180,14 @@ DynamicState state_of(const Mechanism& m, const Values& v, const DynamicState& b
       const bool whole = line.gone > 0;
       rope.length[i] = whole ? free_rope(line) : line.L;
       for (const std::size_t end : {0U, 1U}) rope.on_rounds.push_back(whole ? line.arc[end] : 0);
+      stretches = stretches || m.lines[first + i].arcs[0] || m.lines[first + i].arcs[1];
       rope.whole[i] = v.lines[first + i].gone > 0 ? 1 : 0;
       if (!sags(m.lines[first + i], v.lines[first + i])) continue;
       const SagValues& shape = v.sags[m.lines[first + i].sag];
       rope.leaves[i] = shape.direction[0];
       rope.arrives[i] = shape.direction[1];
     }
+    if (!stretches) rope.on_rounds.clear();
     const std::size_t nodes = model.reevings[r].nodes.size();
     rope.angle.assign(nodes, 0.0);
     rope.spin = rope.passed = rope.wrap = rope.angle;
