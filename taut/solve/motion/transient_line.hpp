@@ -33,11 +33,12 @@ struct LineValues {
 inline double on_rounds(const LineValues& line) { return line.arc[0] + line.arc[1]; }
 /// Its way from end to end, with that, m.
 inline double path_of(const Line& line, const LineValues& now) { return length_of(line, now.l) + on_rounds(now); }
-/// Unstretched rope between the rounds, m: the strain is the same all along. A dead end may lie on a round altogether.
+/// Unstretched rope between the rounds, m: the strain is the same all along. A dead end may lie on a round altogether,
+/// and may be overdrawn while a step is looked for (left_in).
 inline double free_rope(const LineValues& line) {
   const double on = on_rounds(line);
   if (on == 0) return line.L;
-  if (line.gone == 0) return std::clamp(line.L - on, 0.0, line.L);
+  if (line.gone == 0) return std::min(std::max(line.L - on, 0.0), line.L);
   return line.L - on / (1 + std::max(0.0, line.e));
 }
 /// Whether the turning of a line takes rope from it, or gives it some, at an end: on a drum it leaves the line. On
