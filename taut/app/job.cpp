@@ -53,6 +53,7 @@ Result run(const Job& job) {
   if (!p.deck->title.empty()) r.title = p.deck->title;
   if (r.title.empty()) r.title = r.method_title;
   r.method = p.deck->is_machine ? "machine" : p.deck->method;
+  r.project = p.deck->project;
   r.display = p.deck->display.units();
   r.deck_hash = fingerprint(job.text, p.deck->reading ? p.deck->reading->texts : std::vector<std::string>{}, job.set);
   r.overrides = job.set;

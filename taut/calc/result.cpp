@@ -189,4 +189,15 @@ Result result_of(const Method& method, const Description& input, const void* val
   return r;
 }
 
+const Description& Project::describe() {
+  static const Description d = Describe<Project>()
+                                   .field(&Project::project, "project", "name of the project")
+                                   .field(&Project::number, "number", "number of the project or order")
+                                   .field(&Project::author, "author", "who made the calculation")
+                                   .field(&Project::checked_by, "checked_by", "who checks and signs it")
+                                   .field(&Project::date, "date", "date of the calculation, printed as written")
+                                   .field(&Project::revision, "revision", "revision of the calculation, \"A\"");
+  return d;
+}
+
 }  // namespace taut

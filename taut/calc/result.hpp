@@ -147,6 +147,25 @@ struct MissingStates {
   std::string reason;  ///< why the first one has no answer
 };
 
+/// What the head of a report says of the order: `project:` of a deck. Every text may be empty; empty ones are not
+/// printed, but for the line of the signature.
+struct Project {
+  std::string project;     ///< "Hinterwald, block 12"
+  std::string number;      ///< of the order
+  std::string author;      ///< who calculated
+  std::string checked_by;  ///< who signs
+  std::string date;        ///< as it is to be printed
+  std::string revision;    ///< "A"
+
+  static const Description& describe();
+};
+
+/// One line of the main answer: what to build, or what the machine carries.
+struct Answer {
+  std::string label;  ///< "Build", "Carries"
+  std::string text;   ///< in the display units: "skyline EN 12385-4|6x36-IWRC|20|1960, 382 m"
+};
+
 /// Everything that a report needs. All numbers SI.
 struct Result {
   std::string title;
@@ -176,10 +195,13 @@ struct Result {
   std::vector<std::string> left_out;   ///< analyses that the deck takes out of the verdict: `judge: false`
   std::vector<std::string> beside;     ///< parts that the verdict does not cover: anchors, sheaves, carriages
   std::string preface;                 ///< put before the sentence of the verdict: "The deck breaks the skyline at 2 s"
-  std::string headline;  ///< the main answer where it is not a utilisation: "Carries 2.96 t, least at ..."
+  std::vector<Answer> answers;  ///< the main answer, line by line: page 1 of the report and the head of the terminal
+  std::string key_figure;       ///< name of the figure of page 1; empty: the first
+  std::string headline;         ///< the main answer where it is not a utilisation: "Carries 2.96 t, least at ..."
   Diagnostics errors;
   /// Ended from outside; the result is what was computed before, and `message` says up to where.
   bool interrupted = false;
+  Project project;
   std::string deck_name;
   std::string deck_hash;
   std::vector<std::string> overrides;          ///< "input.span=200 m": values set over the deck

@@ -116,6 +116,23 @@ Json series(const Result& r, SeriesFiles files) {
   return map;
 }
 
+/// The texts that the deck gives.
+Json project(const Project& given) {
+  Json map = Json::object();
+  for (const Field& f : Project::describe().fields) {
+    Project copy = given;
+    const std::string& text = *std::get<std::string*>(f.slot(&copy));
+    if (!text.empty()) map[f.key] = text;
+  }
+  return map;
+}
+
+Json answers(const std::vector<Answer>& all) {
+  Json list = Json::array();
+  for (const Answer& a : all) list.push_back({{"label", a.label}, {"text", a.text}});
+  return list;
+}
+
 Json errors(const Diagnostics& all) {
   Json list = Json::array();
   for (const Diagnostic& d : all) {
@@ -146,6 +163,8 @@ std::string to_json(const Result& r, SeriesFiles files) {
   j["series"] = series(r, files);
   j["warnings"] = r.warnings;
   j["errors"] = errors(r.errors);
+  j["project"] = project(r.project);
+  j["answers"] = answers(r.answers);
   // a text that is not UTF-8 (a file's name) must not stop the result
   return j.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }

@@ -11,12 +11,13 @@
 #include "taut/io/deck/include.hpp"
 #include "taut/io/deck/override.hpp"
 #include "taut/io/deck/parameters.hpp"
+#include "taut/io/deck/read.hpp"
 
 namespace taut::io {
 namespace {
 
-const std::vector<std::string> deck_keys = {"taut",  "title",   "method",   "display", "include", "parameters",
-                                            "input", "machine", "analyses", "checks",  "design"};
+const std::vector<std::string> deck_keys = {"taut",       "title", "project", "method",   "display", "include",
+                                            "parameters", "input", "machine", "analyses", "checks",  "design"};
 
 void read_format(const Node& root, Diagnostics& mistakes) {
   const Node* n = root.find("taut");
@@ -33,6 +34,13 @@ std::string read_title(const Node& root, Diagnostics& mistakes) {
   if (n->kind != Node::Kind::scalar)
     add(mistakes, n->spot, fmt::format("title: a text is expected, not {}", kind_text(*n)));
   return n->text;
+}
+
+Project read_project(const Node& root, Diagnostics& mistakes) {
+  Project project;
+  const Node* n = root.find("project");
+  if (n != nullptr) read(*n, Project::describe(), &project, "project", mistakes);
+  return project;
 }
 
 std::string read_method(const Node& root, const std::vector<std::string>& methods, Diagnostics& mistakes) {
@@ -132,6 +140,7 @@ Deck read_deck(const Document& document, const std::vector<std::string>& methods
   }
   read_format(root, mistakes);
   deck.title = read_title(root, mistakes);
+  deck.project = read_project(root, mistakes);
   deck.display = read_display(root, mistakes);
   if (const Node* parameters = root.find("parameters")) deck.parameters = *parameters;
   deck.is_machine =

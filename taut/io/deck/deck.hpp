@@ -6,6 +6,7 @@
 #include <tl/expected.hpp>
 #include <vector>
 
+#include "taut/calc/result.hpp"
 #include "taut/io/deck/document.hpp"
 #include "taut/units/display.hpp"
 
@@ -14,6 +15,7 @@ namespace taut::io {
 /// What stands around the input of a deck.
 struct Deck {
   std::string title;
+  Project project;
   std::string method;       ///< one of the methods; empty when the deck names none of them
   bool is_machine = false;  ///< the deck has `machine` and `analyses` in place of `method` and `input`
   Display display;
@@ -26,7 +28,7 @@ struct Deck {
 };
 
 /// Everything that comes before a method reads its input: YAML, `include:`, the overrides of `--set`, `parameters:`,
-/// and the keys `taut`, `title`, `method`, `display`, `input` (or `machine`, `analyses`). All mistakes are added to
+/// and the keys `taut`, `title`, `project`, `method`, `display`, `input` (or `machine`, `analyses`). All mistakes are added to
 /// `mistakes`; when nothing can be read at all (not YAML) the result is empty. A deck with mistakes may still be read
 /// further, to find more of them; it must not be run.
 ///   name: what messages call the text; a relative `include` is looked for in its folder (in the current one for

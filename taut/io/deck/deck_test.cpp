@@ -1,6 +1,7 @@
 #include "taut/io/deck/deck.hpp"
 
 #include <fmt/format.h>
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -44,6 +45,17 @@ TEST(Deck, ReadsItsHead) {
   EXPECT_EQ(t.deck->method, "closed_loop");
   EXPECT_EQ(t.deck->display.quantity(9.80665, si::N), "1 kgf");
   EXPECT_DOUBLE_EQ(t.sample.span, 1);
+}
+
+TEST(Deck, ReadsTheProject) {
+  const Reading t = read_all(good + "project: {number: 12, author: A. Meier, revision: B}\n");
+  ASSERT_EQ(t.text, "");
+  EXPECT_EQ(t.deck->project.number, "12");
+  EXPECT_EQ(t.deck->project.author, "A. Meier");
+  EXPECT_EQ(t.deck->project.revision, "B");
+  EXPECT_EQ(t.deck->project.checked_by, "");
+  EXPECT_THAT(read_all(good + "project: {nummer: 12}\n").text,
+              testing::HasSubstr("'nummer' is not a field of project; did you mean 'number'?"));
 }
 
 TEST(Deck, AMachineComesWithItsAnalyses) {

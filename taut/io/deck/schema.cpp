@@ -6,6 +6,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "taut/calc/result.hpp"
 #include "taut/io/deck/read.hpp"
 #include "taut/units/display.hpp"
 #include "taut/units/names.hpp"
@@ -186,12 +187,19 @@ Json display() {
           {"additionalProperties", false}};
 }
 
+Json project() {
+  Json all = object(Project::describe(), false);
+  all["description"] = "what the head of the report says of the order; every key may be left out";
+  return all;
+}
+
 Json top_level(const std::vector<SchemaMethod>& methods) {
   Json names_of_methods = Json::array();
   for (const SchemaMethod& m : methods) names_of_methods.push_back(m.name);
   const Json path = {{"type", "string"}, {"minLength", 1}};
   return {{"taut", {{"const", 1}, {"description", "format of the deck"}}},
           {"title", {{"type", {"string", "number", "boolean"}}, {"description", "what the calculation is of"}}},
+          {"project", project()},
           {"method", {{"enum", std::move(names_of_methods)}, {"description", "the published method"}}},
           {"display", display()},
           {"include",

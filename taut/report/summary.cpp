@@ -1,0 +1,43 @@
+#include "taut/report/summary.hpp"
+
+#include <algorithm>
+#include <string_view>
+
+#include "taut/calc/verdict.hpp"
+
+namespace taut::report {
+
+std::vector<const Check*> worst_by_part(const Result& r) {
+  std::vector<const Check*> worst;
+  for (const Check& c : r.checks) {
+    const auto same = std::find_if(worst.begin(), worst.end(),
+                                   [&](const Check* other) { return !c.part.empty() && other->part == c.part; });
+    if (same == worst.end()) {
+      worst.push_back(&c);
+    } else if (severity(c) > severity(**same)) {
+      *same = &c;
+    }
+  }
+  std::stable_sort(worst.begin(), worst.end(),
+                   [](const Check* a, const Check* b) { return severity(*a) > severity(*b); });
+  return worst;
+}
+
+std::string name_below_part(const Check& c) {
+  if (c.part.empty()) return c.name;
+  for (const std::string_view between : {": ", "."}) {
+    const std::string before = c.part + std::string(between);
+    if (c.name.starts_with(before)) return c.name.substr(before.size());
+  }
+  return c.name;
+}
+
+std::vector<std::string> warnings_by_weight(const Result& r) {
+  std::vector<std::string> all = r.unsafe;
+  for (const std::string& w : r.warnings) {
+    if (std::find(r.unsafe.begin(), r.unsafe.end(), w) == r.unsafe.end()) all.push_back(w);
+  }
+  return all;
+}
+
+}  // namespace taut::report

@@ -1,0 +1,24 @@
+#pragma once
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "taut/calc/result.hpp"
+
+namespace taut::report {
+
+/// Most rows and warnings of a summary: page 1 of the report and the terminal.
+constexpr std::size_t most_summary_rows = 10;
+constexpr std::size_t most_summary_warnings = 4;
+constexpr int longest_summary_warning = 160;
+
+/// The check with the largest utilisation of each part, worst first. A check that names no part stands for itself.
+std::vector<const Check*> worst_by_part(const Result& r);
+
+/// The name of a check without that of its part before it: "T_max" of "skyline.T_max".
+std::string name_below_part(const Check& c);
+
+/// All warnings in the order in which a summary shows them: what makes the answer unsafe first.
+std::vector<std::string> warnings_by_weight(const Result& r);
+
+}  // namespace taut::report

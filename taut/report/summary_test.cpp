@@ -1,0 +1,42 @@
+#include "taut/report/summary.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace taut::report::summary_test {
+
+using testing::ElementsAre;
+
+Check check(const std::string& name, double utilisation, const std::string& part) {
+  Check c;
+  c.name = name;
+  c.utilisation = utilisation;
+  c.passes = utilisation <= 1;
+  c.part = part;
+  return c;
+}
+
+TEST(Summary, HasTheWorstCheckOfEachPart) {
+  Result r;
+  r.checks = {check("drop.T_max", 0.2, "drop"), check("hoist.T_max", 0.3, "hoist"),
+              check("hoist.bending", 0.9, "hoist"), check("grip", 0.5, ""), check("slip", 1.1, "")};
+  std::vector<std::string> names;
+  for (const Check* c : worst_by_part(r)) names.push_back(c->name);
+  EXPECT_THAT(names, ElementsAre("slip", "hoist.bending", "grip", "drop.T_max"));
+}
+
+TEST(Summary, NamesACheckWithoutItsPart) {
+  EXPECT_EQ(name_below_part(check("skyline.T_max", 1, "skyline")), "T_max");
+  EXPECT_EQ(name_below_part(check("skyline: D/d", 1, "skyline")), "D/d");
+  EXPECT_EQ(name_below_part(check("skyline.T_max", 1, "mast")), "skyline.T_max");
+  EXPECT_EQ(name_below_part(check("grip", 1, "")), "grip");
+}
+
+TEST(Summary, ShowsUnsafeWarningsFirst) {
+  Result r;
+  r.warnings = {"a rope is not used", "the mainline goes slack"};
+  r.unsafe = {"the mainline goes slack"};
+  EXPECT_THAT(warnings_by_weight(r), ElementsAre("the mainline goes slack", "a rope is not used"));
+}
+
+}  // namespace taut::report::summary_test
