@@ -11,10 +11,14 @@
 #include <exception>
 #include <functional>
 #include <iostream>
+#include <optional>
+#include <string>
+#include <vector>
 
 #include "cli/progress.hpp"
 #include "cli/say.hpp"
 #include "cli/verbs.hpp"
+#include "taut/base/suggest.hpp"
 #include "taut/base/version.hpp"
 
 namespace taut::cli {
@@ -27,7 +31,7 @@ CLI::Validator a_name() {
 }
 
 void add_run(CLI::App& app, std::function<int()>& action) {
-  auto* verb = app.add_subcommand("run", "Calculate a deck: values and checks on the screen, a report with -o");
+  auto* verb = app.add_subcommand("run", "Calculate a deck: a summary on the screen, the report and tables with -o");
   auto options = std::make_shared<RunOptions>();
   verb->add_option("deck", options->deck, "the deck, or - for standard input")->required();
   verb->add_option("-o,--output", options->folder, "folder for result.json, report.html and the tables as CSV")
@@ -35,6 +39,7 @@ void add_run(CLI::App& app, std::function<int()>& action) {
   verb->add_option("--set", options->set, "put a value over the deck's, as in --set 'input.span=200 m'")->take_all();
   verb->add_flag("--json", options->json, "the result as JSON, and nothing else, on standard output");
   verb->add_flag("-q,--quiet", options->quiet, "print nothing but errors");
+  verb->add_flag("-a,--all", options->all, "print every check, value and short table, not the summary of 40 lines");
   verb->add_flag("--strict", options->strict, "exit with 4 where a part has no limit, too");
   verb->callback([options, &action] { action = [options] { return run(*options); }; });
 }
@@ -47,6 +52,7 @@ void add_compare(CLI::App& app, std::function<int()>& action) {
       ->check(a_name());
   verb->add_flag("--json", options->json, "the result as JSON, and nothing else, on standard output");
   verb->add_flag("-q,--quiet", options->quiet, "print nothing but errors");
+  verb->add_flag("-a,--all", options->all, "print every check, value and short table, not the summary of 40 lines");
   verb->callback([options, &action] { action = [options] { return compare(*options); }; });
 }
 
@@ -116,6 +122,37 @@ void add_texts(CLI::App& app, std::function<int()>& action) {
   schema->callback([&action] { action = [] { return print_schema(); }; });
 }
 
+/// "run        Calculate a deck", one line for each verb.
+std::string verb_list(const CLI::App& app) {
+  std::string text = "Verbs:\n";
+  for (const CLI::App* verb : app.get_subcommands({})) {
+    text += fmt::format("  {:<10} {}\n", verb->get_name(), verb->get_description());
+  }
+  return text + "\n'taut help VERB' shows its options; 'taut new closed_loop' prints a first deck.\n";
+}
+
+/// The answer where the command line has no verb that taut knows: `taut`, `taut help [VERB]`, a mistyped verb.
+std::optional<int> without_verb(const CLI::App& app, const std::vector<std::string>& words) {
+  if (words.empty()) {
+    say("{}", verb_list(app));
+    return usage_or_deck;
+  }
+  const bool help = words[0] == "help";
+  if (help && words.size() == 1) return print_text(verb_list(app));
+  const std::string& name = words[help ? 1 : 0];
+  if (!help && name.starts_with('-')) return std::nullopt;
+  std::vector<std::string> names;
+  for (const CLI::App* verb : app.get_subcommands({})) {
+    names.push_back(verb->get_name());
+    if (names.back() != name) continue;
+    if (help) return print_text(verb->help(app.get_name()));
+    return std::nullopt;
+  }
+  names.emplace_back("help");
+  say("taut: there is no verb '{}'{}\n\n{}", name, did_you_mean(name, names), verb_list(app));
+  return usage_or_deck;
+}
+
 /// CLI11 has exit codes of its own; ours are 0 for help and version, 2 for a mistake.
 int parse_failure(const CLI::App& app, const CLI::ParseError& e) {
   errno = 0;
@@ -160,6 +197,7 @@ int main(int argc, char** argv) {
   add_list(app, action);
   add_texts(app, action);
   try {
+    if (const auto code = without_verb(app, {argv + 1, argv + argc})) return *code;
     app.parse(argc, argv);
     return action();
   } catch (const CLI::ParseError& e) {

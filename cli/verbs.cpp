@@ -5,7 +5,9 @@
 
 #include <cerrno>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
+#include <string_view>
 
 #include "cli/progress.hpp"
 #include "cli/say.hpp"
@@ -85,20 +87,29 @@ Result calculated(app::Job& job, const RunOptions& options, Result (*how)(const 
   return result;
 }
 
-/// Shows and writes what was found; the exit code.
+/// Colour on a terminal, unless the user does not want it (no-color.org).
+bool wants_colour() {
+  const char* no = std::getenv("NO_COLOR");
+  const char* terminal = std::getenv("TERM");
+  const bool dumb = terminal != nullptr && std::string_view(terminal) == "dumb";
+  return isatty(STDOUT_FILENO) != 0 && (no == nullptr || *no == '\0') && !dumb;
+}
+
+/// Writes and shows what was found; the exit code.
 int tell(const Result& result, const RunOptions& options) {
   int code = exit_code(result, options.strict);
   if (result.status == Status::bad_deck) print_mistakes(result.errors);
+  // the files first: the verdict is then the last line on the screen
+  const bool files = !options.folder.empty() && result.status != Status::bad_deck;
+  const int written = files ? write_report(result, options) : static_cast<int>(computed);
   if (options.json) {
     code = print(io::to_json(result, options.folder.empty() ? io::SeriesFiles::none : io::SeriesFiles::named), code);
   } else if (result.status != Status::bad_deck && !options.quiet) {
-    code = print(report::to_terminal(result), code);
+    code = print(report::to_terminal(result, {.colour = wants_colour(), .all = options.all}), code);
   }
   if (result.status != Status::bad_deck && result.status != Status::ok && (options.json || options.quiet)) {
     say("taut: {}: {}\n", to_text(result.status), result.message);
   }
-  if (options.folder.empty() || result.status == Status::bad_deck) return code;
-  const int written = write_report(result, options);
   return written == computed ? code : written;
 }
 
@@ -156,6 +167,8 @@ int check(const RunOptions& options) {
   if (mistakes.empty() && !options.quiet) return print(fmt::format("{}: no mistakes found\n", job->name), code);
   return code;
 }
+
+int print_text(const std::string& text) { return print(text, computed); }
 
 int print_new(const std::string& name) {
   const app::Starter* starter = app::find_method(name) == nullptr ? app::find_starter(name) : nullptr;

@@ -22,6 +22,7 @@ struct RunOptions {
   std::vector<std::string> set;
   bool json = false;
   bool quiet = false;
+  bool all = false;     ///< every value on the screen, not the summary
   bool strict = false;  ///< a part without a limit is no success
 };
 
@@ -30,6 +31,7 @@ int run(const RunOptions& options);
 int check(const RunOptions& options);
 int compare(const RunOptions& options);
 int export_as(const std::string& format, const RunOptions& options);
+int print_text(const std::string& text);
 int print_new(const std::string& name);
 int print_list(const std::string& what, const app::ListFilter& filter);
 int print_explain(const std::string& name, bool markdown);

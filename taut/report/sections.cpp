@@ -11,6 +11,7 @@
 #include "taut/report/given.hpp"
 #include "taut/report/html_table.hpp"
 #include "taut/report/steps.hpp"
+#include "taut/report/summary.hpp"
 #include "taut/report/text/quantity.hpp"
 #include "taut/report/text/symbol.hpp"
 #include "taut/report/text/text.hpp"
@@ -138,12 +139,6 @@ std::string trust_html(const std::string& trust) {
   const bool doubt = is_unverified(trust);
   const std::string words = doubt ? "unverified" + trust.substr(std::string_view("unverified").size()) : trust;
   return fmt::format(" <span class=\"badge {}\">{}</span>", doubt ? "doubt" : "calm", escape(words));
-}
-
-/// Below the heading of its part, without that part before it.
-std::string name_below_part(const Check& c) {
-  const std::string before = c.part + ": ";
-  return !c.part.empty() && c.name.starts_with(before) ? c.name.substr(before.size()) : c.name;
 }
 
 std::string checks_html(const Result& r) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "taut/report/sections.hpp"
+#include "taut/report/summary.hpp"
 #include "taut/report/text/quantity.hpp"
 #include "taut/report/text/text.hpp"
 #include "taut/report/verdict.hpp"
@@ -17,6 +18,8 @@ namespace {
 using Row = std::vector<std::string>;
 constexpr int longest_words = 60;
 constexpr std::size_t shown_hash = 16;
+constexpr int most_lines = 38;  ///< of a summary: with the names of the written files 40
+constexpr std::size_t most_comparisons = 8;
 
 std::string padded(const std::string& text, int width, bool right) {
   const std::string space(static_cast<std::size_t>(std::max(0, width - length(text))), ' ');
@@ -59,12 +62,16 @@ std::string hanging(const std::string& first, const std::string& text, int width
 }
 
 std::string head(const Result& r, const TerminalOptions& o) {
-  std::string out = hanging("", r.title.empty() ? r.method_title : r.title, o.width);
-  if (!r.source.empty()) out += hanging("  ", r.source, o.width);
+  const auto fit = [&](const std::string& text) { return o.all ? text : shortened(clean(text), o.width - 2); };
+  std::string out = hanging("", fit(r.title.empty() ? r.method_title : r.title), o.width);
+  if (!r.source.empty()) out += hanging("  ", fit(r.source), o.width);
   if (!r.deck_hash.empty()) {
     out += fmt::format("  deck {}, hash {}, --set {}\n", clean(r.deck_name), clean(r.deck_hash.substr(0, shown_hash)),
                        clean(overrides_text(r)));
   }
+  std::size_t widest = 0;
+  for (const Answer& a : r.answers) widest = std::max(widest, a.label.size());
+  for (const Answer& a : r.answers) out += hanging(fmt::format("{:<{}}  ", clean(a.label), widest), a.text, o.width);
   return out;
 }
 
@@ -72,41 +79,73 @@ std::string head(const Result& r, const TerminalOptions& o) {
 std::string verdict_line(const Result& r, const TerminalOptions& o) {
   const Banner v = banner(r);
   std::string out = "\n";
-  if (!v.scope.empty()) out += hanging("", v.scope, o.width);
+  if (!v.scope.empty()) out += hanging("", o.all ? v.scope : shortened(clean(v.scope), 2 * o.width - 20), o.width);
   return out + painted(v.headline, v.mood, o) + ": " + clean(v.detail) + "\n";
 }
 
 std::string words(const std::string& text) { return shortened(clean(text), longest_words); }
 
-std::string checks(const Result& r, const TerminalOptions& o) {
-  if (r.checks.empty()) return {};
+/// All warnings, or the gravest of them.
+std::string warnings(const Result& r, const TerminalOptions& o) {
+  if (r.warnings.empty()) return {};
+  std::string out = "\nWarnings\n";
+  if (o.all) {
+    for (const std::string& w : r.warnings) out += hanging("  ! ", w, o.width);
+    return out;
+  }
+  const std::vector<std::string> all = warnings_by_weight(r);
+  for (std::size_t i = 0; i < std::min(most_summary_warnings, all.size()); ++i) {
+    out += hanging("  ! ", shortened(clean(all[i]), longest_summary_warning), o.width);
+  }
+  if (all.size() > most_summary_warnings) out += fmt::format("  {} more: --all\n", all.size() - most_summary_warnings);
+  return out;
+}
+
+std::string check_lines(const std::vector<const Check*>& checks, const Result& r, const TerminalOptions& o) {
   const Display display = display_of(r);
   std::vector<Row> rows;
-  rows.reserve(r.checks.size());
-  for (const Check& c : r.checks) {
+  rows.reserve(checks.size());
+  for (const Check* check : checks) {
+    const Check& c = *check;
     rows.push_back({std::string(outcome_text(c)), words(c.name), quantity_plain(c.value, c.unit, display),
                     c.sense == Sense::at_most ? "<=" : ">=", quantity_plain(c.limit, c.unit, display),
                     utilisation_text(c.utilisation), is_unverified(c.trust) ? "limit unverified" : ""});
   }
   std::string text = aligned(rows, {false, false, true, false, true, true, false});
-  if (!o.colour) return "\nChecks\n" + text;
-  std::string out = "\nChecks\n";
+  if (!o.colour) return text;
+  std::string out;
   std::size_t at = 0;
-  for (const Check& c : r.checks) {  // colour after the columns are set: escapes have no width
+  for (const Check* c : checks) {  // colour after the columns are set: escapes have no width
     const std::size_t end = text.find('\n', at) + 1;
-    const std::string word(outcome_text(c));
-    out += "  " + painted(word, c.passes ? Mood::good : Mood::bad, o) +
+    const std::string word(outcome_text(*c));
+    out += "  " + painted(word, c->passes ? Mood::good : Mood::bad, o) +
            text.substr(at + 2 + word.size(), end - at - 2 - word.size());
     at = end;
   }
   return out;
 }
 
-std::string comparison_lines(const Result& r) {
+/// All checks, or the worst of each part.
+std::string checks(const Result& r, const TerminalOptions& o) {
+  if (r.checks.empty()) return {};
+  std::vector<const Check*> shown;
+  if (o.all) {
+    for (const Check& c : r.checks) shown.push_back(&c);
+    return "\nChecks\n" + check_lines(shown, r, o);
+  }
+  shown = worst_by_part(r);
+  shown.resize(std::min(shown.size(), most_summary_rows));
+  std::string out = "\nThe worst check of each part\n" + check_lines(shown, r, o);
+  if (shown.size() < r.checks.size()) out += fmt::format("  {} more: --all\n", r.checks.size() - shown.size());
+  return out;
+}
+
+std::string comparison_lines(const Result& r, std::size_t most) {
   if (r.comparisons.empty()) return {};
   const Display display = display_of(r);
   std::vector<Row> rows{{"", "as printed", "corrected", "exact", "", ""}};
   for (const Comparison& c : r.comparisons) {
+    if (rows.size() > most) break;
     const ShownUnit u = shown_unit(c.unit, display);
     const auto number = [&](double x) { return std::isnan(x) ? std::string{} : number_plain(u.of(x)); };
     rows.push_back({words(c.quantity), number(c.printed), number(c.corrected), number(c.exact), u.name,
@@ -116,13 +155,16 @@ std::string comparison_lines(const Result& r) {
   return fmt::format("\n{}\n", comparison_title(r)) + aligned(rows, {false, true, true, true, false, false});
 }
 
-std::string value_lines(const Result& r) {
-  if (r.values.empty()) return {};
+std::string value_lines(const Result& r, std::size_t most, const TerminalOptions& o) {
+  if (r.values.empty() || most == 0) return {};
   const Display display = display_of(r);
   std::vector<Row> rows;
   for (const Value& v : r.values) {
+    if (rows.size() == most) break;
     const ShownUnit u = shown_unit(v.unit, display);
-    rows.push_back({words(v.name), number_plain(u.of(v.value), 6), u.name, clean(v.label)});
+    const std::string label = clean(v.label);
+    rows.push_back(
+        {words(v.name), number_plain(u.of(v.value), 6), u.name, o.all ? label : shortened(label, longest_words)});
   }
   return "\nResults\n" + aligned(rows, {false, true, false, false});
 }
@@ -192,17 +234,35 @@ std::string tables(const Result& r, const TerminalOptions& o) {
   return out;
 }
 
+int lines_of(const std::string& text) { return static_cast<int>(std::count(text.begin(), text.end(), '\n')); }
+
+/// What a summary leaves out, and where it is.
+std::string hint(const Result& r, std::size_t shown_values) {
+  std::vector<std::string> more;
+  if (r.values.size() > shown_values) more.push_back(fmt::format("{} more values", r.values.size() - shown_values));
+  if (!r.tables.empty()) more.push_back(fmt::format("{} table{}", r.tables.size(), r.tables.size() == 1 ? "" : "s"));
+  if (more.empty()) return {};
+  return fmt::format("\nWith --all: {}. With -o DIR: the report and every table as CSV.\n", fmt::join(more, " and "));
+}
+
 }  // namespace
 
 std::string to_terminal(const Result& r, const TerminalOptions& o) {
-  std::string out = head(r, o);
-  if (!r.warnings.empty()) out += "\nWarnings\n";
-  for (const std::string& w : r.warnings) out += hanging("  ! ", w, o.width);
-  out += checks(r, o);
-  out += comparison_lines(r);
-  out += value_lines(r);
-  out += tables(r, o);
-  return out + verdict_line(r, o);
+  std::string out = head(r, o) + warnings(r, o) + checks(r, o);
+  const std::string end = verdict_line(r, o);
+  if (o.all) {
+    return out + comparison_lines(r, r.comparisons.size()) + value_lines(r, r.values.size(), o) + tables(r, o) + end;
+  }
+  constexpr int hint_lines = 2;
+  constexpr int heading_lines = 3;  // of a list with the names of its columns
+  const auto room = [&] {
+    const int left = most_lines - lines_of(out) - lines_of(end) - hint_lines - heading_lines;
+    return static_cast<std::size_t>(std::max(0, left));
+  };
+  if (room() > 0) out += comparison_lines(r, std::min(most_comparisons, room()));
+  const std::size_t shown = std::min(r.values.size(), room());
+  out += value_lines(r, shown, o) + hint(r, shown);
+  return out + end;
 }
 
 }  // namespace taut::report

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "test/golden/made_result.hpp"
 
 namespace terminal_test {
@@ -13,7 +15,7 @@ using namespace taut::report;
 TEST(Terminal, PlainUnlessAskedForColour) {
   const Result r = taut_test::made_result();
   EXPECT_EQ(to_terminal(r).find('\x1b'), std::string::npos);
-  EXPECT_NE(to_terminal(r, {true, 100}).find("\x1b[1;31mfails\x1b[0m"), std::string::npos);
+  EXPECT_NE(to_terminal(r, {.colour = true, .width = 100}).find("\x1b[1;31mfails\x1b[0m"), std::string::npos);
 }
 
 TEST(Terminal, ColourChangesNothingElse) {
@@ -68,10 +70,40 @@ TEST(Terminal, PrintsShortTablesTurnsWideOnesAndNamesLongOnes) {
                    .columns = {{.name = "x", .unit = si::m}},
                    .rows = std::vector<std::vector<Cell>>(100, std::vector<Cell>{1.0})};
   r.tables = {narrow, wide, tall};
-  const std::string text = to_terminal(r);
+  const std::string text = to_terminal(r, {.all = true});
   EXPECT_NE(text.find("  x [m]  rope\n    1.5  haulback\n"), std::string::npos) << text;
   EXPECT_NE(text.find("  column_7 [kN]   7\n"), std::string::npos) << text;
   EXPECT_NE(text.find("In the report and as CSV with -o: tall (100 rows)"), std::string::npos) << text;
+}
+
+TEST(Terminal, ASummaryHasFortyLinesAndEndsWithTheVerdict) {
+  Result r;
+  r.title = std::string(400, 't');
+  r.source = std::string(400, 's');
+  r.deck_name = "deck.yaml";
+  r.deck_hash = std::string(40, 'a');
+  r.answers = {{"Build", "skyline 20 mm, 382 m"}, {"Carries", "2.96 t"}};
+  for (int k = 0; k < 60; ++k) {
+    const std::string part = fmt::format("rope_{}", k);
+    Check c = make_check(part + ".T_max", k, si::N, {.limit = 30, .rule = "breaking force", .trust = "derived"});
+    c.part = part;
+    r.checks.push_back(c);
+    r.values.push_back({part + ".T", 1, si::N, "T", std::string(300, 'l'), ""});
+    r.warnings.push_back(std::string(80, 'w') + " " + std::string(300, 'w'));
+    r.beside.push_back(part);
+    r.comparisons.push_back({part, "T", si::N, 1, 2, 3, "corrected"});
+  }
+  const std::string text = to_terminal(r);
+  EXPECT_LE(std::count(text.begin(), text.end(), '\n'), 38) << text;
+  EXPECT_NE(text.find("Build    skyline 20 mm, 382 m\nCarries  2.96 t\n"), std::string::npos) << text;
+  EXPECT_NE(text.find("fails  rope_59.T_max"), std::string::npos) << text;
+  EXPECT_EQ(text.find("rope_49.T_max 49"), std::string::npos) << "ten rows, the worst";
+  EXPECT_NE(text.find("50 more: --all"), std::string::npos) << text;
+  EXPECT_NE(text.find("56 more: --all"), std::string::npos) << text;
+  const std::size_t last = text.rfind('\n', text.size() - 2);
+  EXPECT_TRUE(text.substr(last + 1).starts_with("Fails: rope_59.T_max")) << text;
+  const std::string all = to_terminal(r, {.all = true});
+  EXPECT_NE(all.find("rope_0.T_max"), std::string::npos) << "every check";
 }
 
 }  // namespace terminal_test

@@ -131,8 +131,13 @@ class Contract(unittest.TestCase):
         for args in ((), ("walk",), ("run",), ("run", "--speed", "x"), ("list",), ("list", "boats"), ("explain", "magic"),
                      ("new", "magic"), ("list", "ropes", "--grade", "5 mm")):
             self.assertEqual(taut(*args).returncode, 2, args)
-        for args in (("--help",), ("--version",), ("run", "--help")):
+        for args in (("--help",), ("--version",), ("run", "--help"), ("help",), ("help", "run")):
             self.assertEqual(taut(*args).returncode, 0, args)
+        for args in ((), ("walk",), ("help", "walk")):
+            self.assertRegex(taut(*args).stderr, r"\n  check +Read a deck", args)
+        self.assertIn("there is no verb 'rnu'; did you mean 'run'?", taut("rnu", "deck.yaml").stderr)
+        self.assertIn("Usage: taut check", taut("help", "check").stdout)
+        self.assertIn("\n  check ", taut("help").stdout)
 
     def test_new_gives_a_deck_that_runs(self):
         for name in METHODS:

@@ -165,6 +165,19 @@ class ExampleVerdicts(unittest.TestCase):
                 self.check(name, got, *VERDICTS[name])
                 self.check_described(name, json.loads(got.stdout))
 
+    def test_the_screen(self):
+        """At most 40 lines for any deck, with the names of the files; the last is the verdict's sentence."""
+        names = [name for name in VERDICTS if name.startswith("machines/") or not FEWER and not name.startswith("motion/")]
+        with tempfile.TemporaryDirectory() as folder:
+            for name in names:
+                with self.subTest(name):
+                    command = [PROGRAM, "run", str(EXAMPLES / name), "-o", folder]
+                    done = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+                    lines = done.stdout.splitlines()
+                    self.assertLessEqual(len(lines), 40)
+                    result = json.loads((pathlib.Path(folder) / "result.json").read_text())
+                    self.assertTrue(lines[-1].endswith(": " + result["verdict_reason"]), lines[-1])
+
     def test_explorations(self):
         """All are described; of the quick ones the verdict is known here."""
         quick = [f"{BOOM}/{name}" for name in QUICK_BOOM]

@@ -28,9 +28,9 @@ struct Deck {
 };
 
 /// Everything that comes before a method reads its input: YAML, `include:`, the overrides of `--set`, `parameters:`,
-/// and the keys `taut`, `title`, `project`, `method`, `display`, `input` (or `machine`, `analyses`). All mistakes are added to
-/// `mistakes`; when nothing can be read at all (not YAML) the result is empty. A deck with mistakes may still be read
-/// further, to find more of them; it must not be run.
+/// and the keys `taut`, `title`, `project`, `method`, `display`, `input` (or `machine`, `analyses`). All mistakes are
+/// added to `mistakes`; when nothing can be read at all (not YAML) the result is empty. A deck with mistakes may still
+/// be read further, to find more of them; it must not be run.
 ///   name: what messages call the text; a relative `include` is looked for in its folder (in the current one for
 ///         a name without a folder)
 ///   set: "input.cases[0].falls=6" and so on, in order
