@@ -11,6 +11,7 @@
 #include "taut/report/embedded/page_css.hpp"
 #include "taut/report/embedded/page_template.hpp"
 #include "taut/report/sections.hpp"
+#include "taut/report/summary.hpp"
 #include "taut/report/text/text.hpp"
 #include "taut/report/verdict.hpp"
 
@@ -68,6 +69,7 @@ std::string to_html(const Result& r) {
   page.set("title", title);
   page.set("method", r.method_title.empty() || r.title.empty() ? clean(r.method) : clean(r.method_title));
   page.set("source", clean(r.source));
+  if (const std::string line = project_line(r.project); !line.empty()) page.set("project", clean(line));
   page.set("mood", std::string(mood_class(v.mood)));
   page.set("headline", clean(v.headline));
   page.set("icon", v.icon);

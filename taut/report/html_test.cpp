@@ -31,10 +31,12 @@ TEST(Html, EscapesWhatComesFromTheDeck) {
   Result r = taut_test::made_result();
   r.title = "</title></style><script>alert(1)</script>\" onload='x' \x01\x1b[31m\xff {{css}}";
   r.deck_name = "<img src=x>.yaml";
+  r.project.author = "<em>A. Meier";
   r.given.push_back({"<b>", "<u>x", "<words>", si::m, {}, "<text>\"", false});
   const std::string page = report::to_html(r);
   EXPECT_EQ(page.find("<script"), std::string::npos);
   EXPECT_EQ(page.find("<img"), std::string::npos);
+  EXPECT_NE(page.find("calculated by &lt;em&gt;A. Meier"), std::string::npos);
   EXPECT_EQ(page.find("<words>"), std::string::npos);
   EXPECT_EQ(page.find("<u>x"), std::string::npos);
   EXPECT_EQ(page.find('\x1b'), std::string::npos);

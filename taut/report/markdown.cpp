@@ -11,6 +11,7 @@
 #include "taut/report/html_table.hpp"
 #include "taut/report/sections.hpp"
 #include "taut/report/steps.hpp"
+#include "taut/report/summary.hpp"
 #include "taut/report/text/quantity.hpp"
 #include "taut/report/text/text.hpp"
 #include "taut/report/verdict.hpp"
@@ -203,6 +204,7 @@ std::string to_markdown(const Result& r) {
   const Banner v = banner(r);
   const std::string title = r.title.empty() ? r.method_title : r.title;
   std::string out = fmt::format("# {}\n\n", safe(title.empty() ? "Calculation" : title));
+  if (const std::string line = project_line(r.project); !line.empty()) out += safe(line) + "\n\n";
   if (!r.title.empty() && !r.method_title.empty()) out += safe(r.method_title) + "\n\n";
   if (!r.source.empty()) out += fmt::format("Source: {}\n\n", safe(r.source));
   out += fmt::format("**{}**{}{}\n", safe(v.headline), v.detail.empty() ? "" : ": ", safe(v.detail));

@@ -40,4 +40,20 @@ std::vector<std::string> warnings_by_weight(const Result& r) {
   return all;
 }
 
+std::string project_line(const Project& p) {
+  std::string line;
+  const auto add = [&](std::string_view before, const std::string& text) {
+    if (text.empty()) return;
+    if (!line.empty()) line += " \u00B7 ";
+    line += std::string(before) + text;
+  };
+  add("", p.project);
+  add("no. ", p.number);
+  add("calculated by ", p.author);
+  add("checked by ", p.checked_by);
+  add("", p.date);
+  add("revision ", p.revision);
+  return line;
+}
+
 }  // namespace taut::report

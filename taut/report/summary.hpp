@@ -21,4 +21,8 @@ std::string name_below_part(const Check& c);
 /// All warnings in the order in which a summary shows them: what makes the answer unsafe first.
 std::vector<std::string> warnings_by_weight(const Result& r);
 
+/// "Hinterwald · no. 12 · calculated by A. Meier · checked by B. Keller · 2026-11-24 · revision B": what the deck gives
+/// of its project; empty when it gives nothing.
+std::string project_line(const Project& p);
+
 }  // namespace taut::report

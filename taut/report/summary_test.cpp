@@ -39,4 +39,13 @@ TEST(Summary, ShowsUnsafeWarningsFirst) {
   EXPECT_THAT(warnings_by_weight(r), ElementsAre("the mainline goes slack", "a rope is not used"));
 }
 
+TEST(Summary, SaysWhatTheDeckGivesOfItsProject) {
+  EXPECT_EQ(project_line({}), "");
+  Project p;
+  p.project = "Hinterwald";
+  p.number = "12";
+  p.revision = "B";
+  EXPECT_EQ(project_line(p), "Hinterwald \u00B7 no. 12 \u00B7 revision B");
+}
+
 }  // namespace taut::report::summary_test

@@ -64,6 +64,7 @@ std::string hanging(const std::string& first, const std::string& text, int width
 std::string head(const Result& r, const TerminalOptions& o) {
   const auto fit = [&](const std::string& text) { return o.all ? text : shortened(clean(text), o.width - 2); };
   std::string out = hanging("", fit(r.title.empty() ? r.method_title : r.title), o.width);
+  if (const std::string line = project_line(r.project); !line.empty()) out += hanging("  ", fit(line), o.width);
   if (!r.source.empty()) out += hanging("  ", fit(r.source), o.width);
   if (!r.deck_hash.empty()) {
     out += fmt::format("  deck {}, hash {}, --set {}\n", clean(r.deck_name), clean(r.deck_hash.substr(0, shown_hash)),
