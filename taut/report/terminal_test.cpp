@@ -82,7 +82,7 @@ TEST(Terminal, ASummaryHasFortyLinesAndEndsWithTheVerdict) {
   r.source = std::string(400, 's');
   r.deck_name = "deck.yaml";
   r.deck_hash = std::string(40, 'a');
-  r.answers = {{"Build", "skyline 20 mm, 382 m"}, {"Carries", "2.96 t"}};
+  r.answers = {{.label = "Build", .text = "skyline 20 mm, 382 m"}, {.label = "Carries", .text = "2.96 t"}};
   for (int k = 0; k < 60; ++k) {
     const std::string part = fmt::format("rope_{}", k);
     Check c = make_check(part + ".T_max", k, si::N, {.limit = 30, .rule = "breaking force", .trust = "derived"});
