@@ -138,7 +138,7 @@ std::optional<int> without_verb(const CLI::App& app, const std::vector<std::stri
     return usage_or_deck;
   }
   const bool help = words[0] == "help";
-  if (help && words.size() == 1) return print_text(verb_list(app));
+  if (help && (words.size() == 1 || words[1].starts_with('-'))) return print_text(verb_list(app));
   const std::string& name = words[help ? 1 : 0];
   if (!help && name.starts_with('-')) return std::nullopt;
   std::vector<std::string> names;

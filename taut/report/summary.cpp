@@ -7,6 +7,15 @@
 
 namespace taut::report {
 
+namespace {
+
+bool is_worse(const Check& a, const Check& b) {
+  const auto rank = [](const Check& c) { return c.refused ? 1 : c.passes ? 0 : 2; };
+  return rank(a) != rank(b) ? rank(a) > rank(b) : severity(a) > severity(b);
+}
+
+}  // namespace
+
 std::vector<const Check*> worst_by_part(const Result& r) {
   std::vector<const Check*> worst;
   for (const Check& c : r.checks) {
@@ -14,13 +23,16 @@ std::vector<const Check*> worst_by_part(const Result& r) {
                                    [&](const Check* other) { return !c.part.empty() && other->part == c.part; });
     if (same == worst.end()) {
       worst.push_back(&c);
-    } else if (severity(c) > severity(**same)) {
+    } else if (is_worse(c, **same)) {
       *same = &c;
     }
   }
-  std::stable_sort(worst.begin(), worst.end(),
-                   [](const Check* a, const Check* b) { return severity(*a) > severity(*b); });
+  std::stable_sort(worst.begin(), worst.end(), [](const Check* a, const Check* b) { return is_worse(*a, *b); });
   return worst;
+}
+
+bool lacks_limit(const Check& c, const Result& r) {
+  return !c.part.empty() && std::find(r.unjudged.begin(), r.unjudged.end(), c.part) != r.unjudged.end();
 }
 
 std::string name_below_part(const Check& c) {

@@ -12,8 +12,12 @@ constexpr std::size_t most_summary_rows = 10;
 constexpr std::size_t most_summary_warnings = 4;
 constexpr int longest_summary_warning = 160;
 
-/// The check with the largest utilisation of each part, worst first. A check that names no part stands for itself.
+/// The worst check of each part, worst first: one that fails before one that is refused before the largest utilisation.
+/// A check that names no part stands for itself.
 std::vector<const Check*> worst_by_part(const Result& r);
+
+/// Whether the part of a check has no limit that counts: breaking force and yield alone judge nothing.
+bool lacks_limit(const Check& c, const Result& r);
 
 /// The name of a check without that of its part before it: "T_max" of "skyline.T_max".
 std::string name_below_part(const Check& c);

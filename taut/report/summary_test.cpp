@@ -25,6 +25,17 @@ TEST(Summary, HasTheWorstCheckOfEachPart) {
   EXPECT_THAT(names, ElementsAre("slip", "hoist.bending", "grip", "drop.T_max"));
 }
 
+TEST(Summary, ARefusedCheckIsNotHiddenByOneThatPasses) {
+  Result r;
+  r.checks = {check("hoist.T_max", 0.9, "hoist"), check("hoist.groove", 0.3, "hoist"),
+              check("drop.T_max", 1.2, "drop")};
+  r.checks[1].refused = true;
+  r.checks[1].passes = false;
+  std::vector<std::string> names;
+  for (const Check* c : worst_by_part(r)) names.push_back(c->name);
+  EXPECT_THAT(names, ElementsAre("drop.T_max", "hoist.groove"));
+}
+
 TEST(Summary, NamesACheckWithoutItsPart) {
   EXPECT_EQ(name_below_part(check("skyline.T_max", 1, "skyline")), "T_max");
   EXPECT_EQ(name_below_part(check("skyline: D/d", 1, "skyline")), "D/d");

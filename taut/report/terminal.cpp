@@ -70,9 +70,13 @@ std::string head(const Result& r, const TerminalOptions& o) {
     out += fmt::format("  deck {}, hash {}, --set {}\n", clean(r.deck_name), clean(r.deck_hash.substr(0, shown_hash)),
                        clean(overrides_text(r)));
   }
-  std::size_t widest = 0;
-  for (const Answer& a : r.answers) widest = std::max(widest, a.label.size());
-  for (const Answer& a : r.answers) out += hanging(fmt::format("{:<{}}  ", clean(a.label), widest), a.text, o.width);
+  int widest = 0;
+  for (const Answer& a : r.answers) widest = std::max(widest, length(clean(a.label)));
+  for (const Answer& a : r.answers) {
+    const std::string label = clean(a.label);
+    const auto gap = static_cast<std::size_t>(widest - length(label) + 2);
+    out += hanging(label + std::string(gap, ' '), a.text, o.width);
+  }
   return out;
 }
 
@@ -95,11 +99,20 @@ std::string warnings(const Result& r, const TerminalOptions& o) {
     return out;
   }
   const std::vector<std::string> all = warnings_by_weight(r);
-  for (std::size_t i = 0; i < std::min(most_summary_warnings, all.size()); ++i) {
-    out += hanging("  ! ", shortened(clean(all[i]), longest_summary_warning), o.width);
+  const std::size_t shown = std::min(most_summary_warnings, all.size());
+  bool cut = false;
+  for (std::size_t i = 0; i < shown; ++i) {
+    const std::string whole = clean(all[i]);
+    cut = cut || length(whole) > longest_summary_warning;
+    out += hanging("  ! ", shortened(whole, longest_summary_warning), o.width);
   }
-  if (all.size() > most_summary_warnings) out += fmt::format("  {} more: --all\n", all.size() - most_summary_warnings);
-  return out;
+  if (all.size() > shown) return out + fmt::format("  {} more: --all\n", all.size() - shown);
+  return cut ? out + "  In full: --all\n" : out;
+}
+
+/// The outcome of a check; in a summary that of its part, of which nobody may say that it passes when it has no limit.
+std::string outcome_word(const Check& c, const Result& r, const TerminalOptions& o) {
+  return !o.all && c.passes && lacks_limit(c, r) ? "no limit" : std::string(outcome_text(c));
 }
 
 std::string check_lines(const std::vector<const Check*>& checks, const Result& r, const TerminalOptions& o) {
@@ -108,7 +121,7 @@ std::string check_lines(const std::vector<const Check*>& checks, const Result& r
   rows.reserve(checks.size());
   for (const Check* check : checks) {
     const Check& c = *check;
-    rows.push_back({std::string(outcome_text(c)), words(c.name), quantity_plain(c.value, c.unit, display),
+    rows.push_back({outcome_word(c, r, o), words(c.name), quantity_plain(c.value, c.unit, display),
                     c.sense == Sense::at_most ? "<=" : ">=", quantity_plain(c.limit, c.unit, display),
                     utilisation_text(c.utilisation), is_unverified(c.trust) ? "limit unverified" : ""});
   }
@@ -118,9 +131,9 @@ std::string check_lines(const std::vector<const Check*>& checks, const Result& r
   std::size_t at = 0;
   for (const Check* c : checks) {  // colour after the columns are set: escapes have no width
     const std::size_t end = text.find('\n', at) + 1;
-    const std::string word(outcome_text(*c));
-    out += "  " + painted(word, c->passes ? Mood::good : Mood::bad, o) +
-           text.substr(at + 2 + word.size(), end - at - 2 - word.size());
+    const std::string word = outcome_word(*c, r, o);
+    const Mood mood = !c->passes ? Mood::bad : word == outcome_text(*c) ? Mood::good : Mood::neutral;
+    out += "  " + painted(word, mood, o) + text.substr(at + 2 + word.size(), end - at - 2 - word.size());
     at = end;
   }
   return out;
@@ -145,8 +158,12 @@ std::string comparison_lines(const Result& r, std::size_t most) {
   if (r.comparisons.empty()) return {};
   const Display display = display_of(r);
   std::vector<Row> rows{{"", "as printed", "corrected", "exact", "", ""}};
-  for (const Comparison& c : r.comparisons) {
-    if (rows.size() > most) break;
+  std::vector<Comparison> shown = r.comparisons;
+  if (most < shown.size()) {
+    std::stable_partition(shown.begin(), shown.end(), [](const Comparison& c) { return c.printed_unsafe; });
+    shown.resize(most);
+  }
+  for (const Comparison& c : shown) {
     const ShownUnit u = shown_unit(c.unit, display);
     const auto number = [&](double x) { return std::isnan(x) ? std::string{} : number_plain(u.of(x)); };
     rows.push_back({words(c.quantity), number(c.printed), number(c.corrected), number(c.exact), u.name,
@@ -238,12 +255,14 @@ std::string tables(const Result& r, const TerminalOptions& o) {
 int lines_of(const std::string& text) { return static_cast<int>(std::count(text.begin(), text.end(), '\n')); }
 
 /// What a summary leaves out, and where it is.
-std::string hint(const Result& r, std::size_t shown_values) {
+std::string hint(const Result& r, std::size_t shown_values, std::size_t shown_comparisons) {
   std::vector<std::string> more;
+  const std::size_t comparisons = r.comparisons.size() - std::min(shown_comparisons, r.comparisons.size());
+  if (comparisons > 0) more.push_back(fmt::format("{} more comparisons", comparisons));
   if (r.values.size() > shown_values) more.push_back(fmt::format("{} more values", r.values.size() - shown_values));
   if (!r.tables.empty()) more.push_back(fmt::format("{} table{}", r.tables.size(), r.tables.size() == 1 ? "" : "s"));
   if (more.empty()) return {};
-  return fmt::format("\nWith --all: {}. With -o DIR: the report and every table as CSV.\n", fmt::join(more, " and "));
+  return fmt::format("\nWith --all: {}. With -o DIR: the report and every table as CSV.\n", fmt::join(more, ", "));
 }
 
 }  // namespace
@@ -260,9 +279,10 @@ std::string to_terminal(const Result& r, const TerminalOptions& o) {
     const int left = most_lines - lines_of(out) - lines_of(end) - hint_lines - heading_lines;
     return static_cast<std::size_t>(std::max(0, left));
   };
-  if (room() > 0) out += comparison_lines(r, std::min(most_comparisons, room()));
+  const std::size_t compared = std::min(most_comparisons, room());
+  if (compared > 0) out += comparison_lines(r, compared);
   const std::size_t shown = std::min(r.values.size(), room());
-  out += value_lines(r, shown, o) + hint(r, shown);
+  out += value_lines(r, shown, o) + hint(r, shown, compared);
   return out + end;
 }
 

@@ -47,6 +47,25 @@ TEST(TransientBegin, LinesOverARoundAreItsTangents) {
   EXPECT_NEAR(built.mechanism.size_of_machine, std::max(1.0, l), 1e-12);
 }
 
+/// The mean of the capstan law's tension over a round, by quadrature, is that of its ends times the share.
+TEST(TransientBegin, OnAFixedRoundTheShareIsTheMeanOfTheCapstanLaw) {
+  for (const double mu : {0.05, 0.3, 1.0}) {
+    for (const double wrap : {0.2, pi, 3 * pi}) {
+      machine::Node post;
+      post.law = {.friction = mu, .efficiency = 0};
+      double mean = 0;
+      constexpr int n = 20000;
+      for (int k = 0; k < n; ++k) mean += std::exp(-mu * wrap * (k + 0.5) / n) / n;
+      EXPECT_NEAR(share_that_stretches(post, wrap) * (1 + std::exp(-mu * wrap)) / 2 / mean, 1, 1e-7);
+    }
+  }
+  machine::Node sheave;
+  EXPECT_EQ(share_that_stretches(sheave, pi), 1) << "it turns without loss";
+  machine::Node clamp;
+  clamp.law.efficiency = 0;
+  EXPECT_EQ(share_that_stretches(clamp, pi), 0) << "the rope cannot slip";
+}
+
 TEST(TransientBegin, ALengthThatIsASlipIsRefusedByName) {
   const machine::Model m = over_the_top();
   DynamicState start = assembled(m);

@@ -24,8 +24,8 @@ double start_length(const Mechanism& m, const DynamicState& start, int line);
 double lumped_length(const Mechanism& m, const DynamicState& start, int line);
 
 /// What of the rope on half of a round has the strain of the line at its side at the start: on a rim that turns with
-/// the rope all of it. On one that does not, each tension falls towards the middle as the friction lets it, g = mu
-/// theta: the mean of the strain over the half is tanh(g/2)/(g/2) of that of the line, to first order in the strain.
+/// the rope all of it. On one that does not, the tension goes from that of one line to that of the other by the capstan
+/// law, T = T_1 exp(-mu s), g = mu theta: its mean over the round is f (T_1 + T_2)/2 with f = tanh(g/2)/(g/2).
 double share_that_stretches(const machine::Node& node, double wrap);
 
 /// The state as described, at rest: each rope straight from round to round.
