@@ -71,6 +71,7 @@ struct Value {
   std::string symbol;
   std::string label;
   std::string source;
+  bool detail = false;  ///< shown in the appendix of a report only: the analysis is not about it
 };
 
 struct Column {
@@ -85,6 +86,7 @@ struct Table {
   std::vector<Column> columns;
   std::vector<std::vector<Cell>> rows;
   std::shared_ptr<const LongRows> long_rows = nullptr;  ///< rows of a long series; `rows` is then empty
+  bool detail = false;  ///< shown in the appendix of a report only
 };
 
 /// A line of a machine in space, over time. Its number of points may differ from frame to frame.
@@ -123,6 +125,7 @@ struct Given {
   std::vector<double> numbers;
   std::string text;
   bool is_default = false;
+  bool chosen = false;  ///< not given by the deck: found by its `design:`
 };
 
 /// A quantity as the source prints it, as corrected, and from the exact solution where there is one. NaN: no value.
