@@ -39,6 +39,7 @@ void add_run(CLI::App& app, std::function<int()>& action) {
   verb->add_option("--set", options->set, "put a value over the deck's, as in --set 'input.span=200 m'")->take_all();
   verb->add_flag("--json", options->json, "the result as JSON, and nothing else, on standard output");
   verb->add_flag("-q,--quiet", options->quiet, "print nothing but errors");
+  verb->add_flag("--si", options->si, "CSV files in SI units; else in those of the report. Series are SI always");
   verb->add_flag("-a,--all", options->all, "print every check, value and short table, not the summary of 40 lines");
   verb->add_flag("--strict", options->strict, "exit with 4 where a part has no limit, too");
   verb->callback([options, &action] { action = [options] { return run(*options); }; });
@@ -52,6 +53,7 @@ void add_compare(CLI::App& app, std::function<int()>& action) {
       ->check(a_name());
   verb->add_flag("--json", options->json, "the result as JSON, and nothing else, on standard output");
   verb->add_flag("-q,--quiet", options->quiet, "print nothing but errors");
+  verb->add_flag("--si", options->si, "CSV files in SI units; else in those of the report. Series are SI always");
   verb->add_flag("-a,--all", options->all, "print every check, value and short table, not the summary of 40 lines");
   verb->callback([options, &action] { action = [options] { return compare(*options); }; });
 }

@@ -62,7 +62,8 @@ void print_mistakes(const Diagnostics& mistakes) {
 }
 
 int write_report(const Result& result, const RunOptions& options) {
-  const auto written = app::write_files(result, options.folder);
+  const auto written =
+      app::write_files(result, options.folder, options.si ? app::FileUnits::si : app::FileUnits::display);
   if (!written) {
     say("taut: {}\n", written.error().message);
     return file_trouble;

@@ -23,6 +23,7 @@ struct RunOptions {
   bool json = false;
   bool quiet = false;
   bool all = false;     ///< every value on the screen, not the summary
+  bool si = false;      ///< CSV files in SI units
   bool strict = false;  ///< a part without a limit is no success
 };
 

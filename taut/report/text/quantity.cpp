@@ -5,8 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
-#include <utility>
 
 #include "taut/report/text/text.hpp"
 
@@ -66,18 +64,6 @@ std::string pretty(const std::string& text) {
 }
 
 }  // namespace
-
-Display display_of(const Result& r) {
-  std::map<std::string, std::string> units;
-  for (const auto& [kind, unit] : r.display) {
-    if (check_display(kind, unit)) units.emplace(kind, unit);
-  }
-  return Display(std::move(units));
-}
-
-ShownUnit shown_unit(const Unit& unit, const Display& display) {
-  return {.display = display, .unit = unit, .name = display.unit(unit)};
-}
 
 std::string unit_text(std::string_view name) {
   if (name == "1") return {};

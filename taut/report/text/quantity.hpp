@@ -4,22 +4,11 @@
 #include <vector>
 
 #include "taut/calc/result.hpp"
+#include "taut/calc/shown.hpp"
 #include "taut/units/display.hpp"
 #include "taut/units/unit.hpp"
 
 namespace taut::report {
-
-/// How the result wants its numbers shown; units of `display` that fit nothing are left out.
-Display display_of(const Result& r);
-
-/// The unit that a quantity is shown in.
-struct ShownUnit {
-  Display display;
-  Unit unit;
-  std::string name;  ///< of the unit list, "kN m"; empty for a plain number
-  double of(double stored) const { return display.from_si(stored, unit); }
-};
-ShownUnit shown_unit(const Unit& unit, const Display& display);
 
 /// A unit's name for print: "kN·m", "N/mm²", "°"; empty for a plain number.
 std::string unit_text(std::string_view name);
