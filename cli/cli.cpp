@@ -85,7 +85,9 @@ void add_list(CLI::App& app, std::function<int()>& action) {
   auto* verb = app.add_subcommand("list", "List methods, machines, ropes, sections, steels, rules or units");
   auto what = std::make_shared<std::string>();
   auto f = std::make_shared<app::ListFilter>();
-  verb->add_option("what", *what, "methods | machines | ropes | sections | steels | rules | units")->required();
+  verb->add_option("what", *what,
+                   "methods | machines | ropes | sections | steels | rules | carriages | yarders | units")
+      ->required();
   verb->add_option("--construction", f->construction, "ropes: 6x36, 6x19S, 18x7, ...");
   verb->add_option("--core", f->core, "ropes: FC, IWRC, WSC");
   verb->add_option("--grade", f->grade, "ropes: '1960 MPa'");
@@ -98,7 +100,7 @@ void add_list(CLI::App& app, std::function<int()>& action) {
   verb->add_option("--max-height", f->max_height, "sections: largest outer side, '400 mm'");
   verb->add_option("--min-section-modulus", f->min_section_modulus, "sections: elastic, '500 cm3'");
   verb->add_option("--standard", f->standard, "beginning of the standard's name: EN, 'GOST 2688'");
-  verb->add_option("--name", f->name, "methods, steels, rules, units: part of the name");
+  verb->add_option("--name", f->name, "methods, steels, rules, carriages, yarders, units: part of the name");
   verb->add_flag("--verified", f->verified_only, "only rows whose numbers were read in a public source");
   verb->callback([what, f, &action] { action = [what, f] { return print_list(*what, *f); }; });
 }

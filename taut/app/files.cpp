@@ -139,7 +139,7 @@ tl::expected<void, FileError> check_folder(const std::string& folder) {
 }
 
 tl::expected<std::vector<std::string>, FileError> write_files(const Result& result, const std::string& folder,
-                                                             FileUnits units) {
+                                                              FileUnits units) {
   return or_file_error(io::replace_folder(
       folder, result_list, [&](const std::string& place) { return write_result(result, place, units); },
       earlier_files(folder)));

@@ -46,9 +46,14 @@ TEST(Files, CsvHasTheUnitsOfTheReportOrSi) {
   std::filesystem::remove_all(folder);
   Result r = sample();
   r.display = {{"length", "cm"}};
-  r.comparisons.push_back(
-      {.quantity = "pull", .symbol = "P", .unit = si::N, .printed = 1500, .corrected = 2000, .exact = std::nan(""),
-       .build_by = "corrected", .printed_unsafe = false});
+  r.comparisons.push_back({.quantity = "pull",
+                           .symbol = "P",
+                           .unit = si::N,
+                           .printed = 1500,
+                           .corrected = 2000,
+                           .exact = std::nan(""),
+                           .build_by = "corrected",
+                           .printed_unsafe = false});
   r.series.push_back({.name = "time", .title = "", .columns = {{.name = "x", .unit = si::m}}, .rows = {{0.5}}});
   ASSERT_TRUE(write_files(r, folder.string()).has_value());
   EXPECT_EQ(text_of(folder / "positions.csv"), "x [cm]\r\n100\r\n200\r\n");

@@ -48,7 +48,7 @@ std::optional<double> metres_of(std::string_view rest) {
 
 /// Which cell of the head has one of these names, and a unit of length.
 std::optional<TerrainColumn> column_of(const std::vector<std::string_view>& head,
-                                     std::initializer_list<std::string_view> names) {
+                                       std::initializer_list<std::string_view> names) {
   for (std::size_t i = 0; i < head.size(); ++i) {
     for (const std::string_view name : names) {
       const bool begins = head[i].size() >= name.size() &&
@@ -123,7 +123,8 @@ class TerrainReader {
     columns_ = columns_by_count(cells);
     if (columns_.known()) return take_row(cells), true;
     wrong(
-        "the first line names the columns: 'chainage' (or 'x') and 'z' of a profile, or 'x', 'y' and 'z' of a survey, in "
+        "the first line names the columns: 'chainage' (or 'x') and 'z' of a profile, or 'x', 'y' and 'z' of a survey, "
+        "in "
         "metres, or with a unit of length as in 'x [ft]'; without names two columns are chainage and z, three are x, y "
         "and z");
     return false;

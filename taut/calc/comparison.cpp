@@ -11,7 +11,8 @@ const Quantities<Comparison>& comparison_quantities() {
   static const Quantities<Row> all = {
       {"quantity", "", si::one, "what is compared, with the equation of the source", &Row::quantity},
       {"symbol", "", si::one, "its letter in the source", &Row::symbol},
-      {"unit", "", si::one, "unit of the three numbers: SI, in CSV files the unit of print", [](const Row& c) { return std::string(c.unit.symbol); }},
+      {"unit", "", si::one, "unit of the three numbers: SI, in CSV files the unit of print",
+       [](const Row& c) { return std::string(c.unit.symbol); }},
       {"printed", "", si::one, "by the equation as the source prints it", &Row::printed},
       {"corrected", "", si::one, "by the corrected equation", &Row::corrected},
       {"exact", "", si::one, "of the engine, where it solves the same machine", &Row::exact},
@@ -30,7 +31,8 @@ Table comparison_table(const std::vector<Comparison>& all, const Display& displa
     for (double* number : {&c.printed, &c.corrected, &c.exact}) *number = unit.of(*number);
   }
   Table table = comparison_table(shown);
-  const auto at = std::find_if(table.columns.begin(), table.columns.end(), [](const Column& c) { return c.name == "unit"; });
+  const auto at =
+      std::find_if(table.columns.begin(), table.columns.end(), [](const Column& c) { return c.name == "unit"; });
   const auto column = static_cast<std::size_t>(at - table.columns.begin());
   for (std::size_t i = 0; i < all.size(); ++i) {
     const std::string name = display.unit(all[i].unit);

@@ -3,12 +3,15 @@
 #include <string>
 #include <vector>
 
+#include "taut/checks/anchor/support_checks.hpp"
 #include "taut/checks/checked_deck.hpp"
 #include "taut/checks/drive_uses.hpp"
 #include "taut/checks/guy/guy_checks.hpp"
 #include "taut/checks/judge.hpp"
 #include "taut/checks/mast/machine_masts.hpp"
 #include "taut/checks/rope/rope_uses.hpp"
+#include "taut/checks/yarder/carriage_checks.hpp"
+#include "taut/checks/yarder/yarder_checks.hpp"
 
 namespace taut::checks {
 
@@ -33,6 +36,11 @@ struct CheckedParts {
   void take(const machine::Model& model, const solve::TransientResult& motion,
             const std::vector<study::TransientRecord::Slip>& slips, const std::string& words);
 
+  /// Shows a state to the parts that are named in `checks:` or have a rating.
+  void show(const CheckState& seen);
+  /// Whether there are any of them.
+  bool any_shown() const;
+
   std::shared_ptr<const CheckedDeck> deck;
   bool judged = true;  ///< false: the analysis that runs says `judge: false`, and its states do not count
   Judge judge;
@@ -41,6 +49,9 @@ struct CheckedParts {
   std::vector<GuyStates> guys;
   std::vector<AnchorStates> anchors;
   std::vector<LineStates> lines;
+  std::vector<SupportStates> supports;
+  std::vector<YarderLineStates> yarders;
+  std::vector<CarriageStates> carriages;
   std::vector<MastStates> masts;
 };
 

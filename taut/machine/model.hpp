@@ -171,9 +171,11 @@ struct Carriage {
   /// The reeving whose length determines its position. Without one a force along the track holds a rolling carriage,
   /// and its clamp a clamped one.
   std::optional<int> mainline;
-  int rollers = 1;                             ///< number of its nodes: node ... node + rollers - 1
-  std::optional<Grip> grip = std::nullopt;     ///< where it is also fixed to a running rope
-  std::optional<int> haulback = std::nullopt;  ///< the reeving that pulls it against the mainline
+  int rollers = 1;                                     ///< number of its nodes: node ... node + rollers - 1
+  std::optional<Grip> grip = std::nullopt;             ///< where it is also fixed to a running rope
+  std::optional<int> haulback = std::nullopt;          ///< the reeving that pulls it against the mainline
+  double mass = 0;                                     ///< its own, kg; that of its body may have a payload in it
+  std::optional<double> rated_payload = std::nullopt;  ///< kg
 };
 
 /// A point of the terrain, a polyline with x increasing. x is the distance from `Model::terrain_from` along

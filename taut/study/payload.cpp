@@ -187,6 +187,7 @@ void resolve_limits(const LimitsRequest& request, std::optional<int> carriage, c
   if (request.break_angle) l.break_angle = *request.break_angle;
   if (request.least_break_angle) l.least_break_angle = *request.least_break_angle;
   l.lift_off = request.lift_off;
+  if (carriage) l.rated_payload = p.model.carriages[*carriage].rated_payload;
   l.rope_between = {.along = run.way.along, .from = run.way.from, .to = run.way.to};
   if (request.rope_clearance && carriage) {
     l.rope_clearance[p.model.carriages[*carriage].reeving] = *request.rope_clearance;
@@ -203,7 +204,7 @@ void resolve_limits(const LimitsRequest& request, std::optional<int> carriage, c
   needs_ground(request.rope_clearance.has_value(), "rope_clearance");
   for (const RopeLimitRequest& one : request.named) needs_ground(one.clearance.has_value(), one.name + ".clearance");
   const bool any = !request.named.empty() || request.clearance || request.rope_clearance || request.break_angle ||
-                   request.least_break_angle || request.lift_off;
+                   request.least_break_angle || request.lift_off || l.rated_payload;
   if (!any) p.complaints.push_back({path, "say at least one limit, such as 'skyline: {safety_factor: 3}'"});
 }
 

@@ -116,6 +116,21 @@ class Contract(unittest.TestCase):
                 self.assertNotIn("http://", html.replace("http://www.w3.org/", ""))
                 self.assertNotIn("https://", html)
 
+    def test_csv_in_the_units_of_the_report_or_si(self):
+        with tempfile.TemporaryDirectory() as folder:
+            out = pathlib.Path(folder)
+            deck = str(EXAMPLES / "machines" / "base_tension.yaml")
+            heads = {}
+            for name, more in (("shown", ()), ("si", ("--si",))):
+                self.assertIn(taut("run", deck, "-q", "-o", str(out / name), *more).returncode, (0, 4))
+                heads[name] = {p.name: p.read_text(encoding="utf-8").splitlines() for p in (out / name).glob("*.csv")}
+            self.assertEqual((out / "shown" / "result.json").read_text(), (out / "si" / "result.json").read_text())
+            self.assertIn("T_max [kN]", heads["shown"]["ropes.csv"][0])
+            self.assertIn("T_max [N]", heads["si"]["ropes.csv"][0])
+            column = heads["si"]["ropes.csv"][0].split(",").index("T_max [N]")
+            for kilonewton, newton in zip(heads["shown"]["ropes.csv"][1:], heads["si"]["ropes.csv"][1:]):
+                self.assertAlmostEqual(float(kilonewton.split(",")[column]) * 1e3, float(newton.split(",")[column]), places=3)
+
     def test_unreadable_and_unwritable(self):
         self.assertEqual(taut("run", "/nowhere/deck.yaml").returncode, 5)
         self.assertEqual(taut("run", "/").returncode, 5)
@@ -157,7 +172,7 @@ class Contract(unittest.TestCase):
         rows = [row for row in ropes.splitlines() if "6x36" in row]
         self.assertGreater(len(rows), 5)
         self.assertTrue(all(any(t in row for t in ("verified", "derived", "unverified")) for row in rows))
-        for what in ("methods", "sections", "steels", "rules", "units"):
+        for what in ("methods", "sections", "steels", "rules", "carriages", "yarders", "units"):
             self.assertGreater(len(taut("list", what).stdout.splitlines()), 4, what)
 
     def test_quiet_prints_nothing(self):

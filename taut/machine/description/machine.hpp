@@ -130,6 +130,8 @@ enum class Hold { rolling, clamped, fixed_to };
 
 struct Carriage {
   std::string name;
+  std::optional<std::string> library = std::nullopt;    ///< its name in the catalogue of carriages
+  std::optional<std::string> catalogue = std::nullopt;  ///< a file of the user's in place of the built-in carriages
   double mass = 0;
   std::string rides;  ///< a reeving
   Hold hold = Hold::rolling;
@@ -143,6 +145,10 @@ struct Carriage {
   double height = 0;                    ///< of the rollers above the origin, m; its mass acts at the origin
   std::optional<double> length_before;  ///< of a clamp: unstretched rope from the reeving's start, m
   std::optional<Triple> at;             ///< first guess of its place; default: between its neighbours
+  std::optional<double> rated_payload = std::nullopt;  ///< kg
+  std::vector<double> rope_diameters = {};             ///< least and largest, of the rope on which it rides, m
+  /// Not of the deck: trust of the two, and what was taken from the catalogue, in words.
+  std::string rating_trust = "user", from_library = {};
   static const Description& describe();
 };
 
