@@ -46,7 +46,7 @@ void CheckedParts::take(const machine::Model& model, const solve::EquilibriumRes
 }
 
 void CheckedParts::take_empty(const machine::Model& model, const solve::EquilibriumResult& state,
-                              const std::string& line, const std::string& words) {
+                              const std::string& line, const std::string& words, bool put_up) {
   if (!judged) return;
   judge.take_ropes(model, state, words);
   ropes.take_tensions(model, state, words);
@@ -54,7 +54,7 @@ void CheckedParts::take_empty(const machine::Model& model, const solve::Equilibr
                                  [&](const machine::Reeving& one) { return one.name == line; });
   if ((lines.empty() && yarders.empty()) || rope == model.reevings.end()) return;
   const CheckState seen = state_of(model, state, words, "installation");
-  for (YarderLineStates& one : yarders) take_put_up(seen, line, one);
+  for (YarderLineStates& one : yarders) take_empty_line(seen, line, put_up, one);
   for (LineStates& one : lines) {
     if (one.request->name != line) continue;
     const int own = one.reeving;

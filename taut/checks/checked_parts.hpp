@@ -23,9 +23,10 @@ struct CheckedParts {
   /// `words`: which state it is; `analysis`: the name of its analysis, for load combinations.
   void take(const machine::Model& model, const solve::EquilibriumResult& state, const std::string& words,
             const std::string& analysis);
-  /// A line as it is put up, empty, in a model without what hangs on it: for its tension, bends, angles and clearance.
+  /// A line that is empty, in a model without what hangs on it: for its tension, bends, angles and clearance.
+  /// `put_up`: it is being put up, which its winch has to do.
   void take_empty(const machine::Model& model, const solve::EquilibriumResult& state, const std::string& line,
-                  const std::string& words);
+                  const std::string& words, bool put_up = false);
   /// A motion at an output step, the last frame of the result so far: forces and places.
   void take_moment(const machine::Model& model, const solve::TransientResult& so_far, const std::string& words,
                    const std::string& analysis);

@@ -56,7 +56,7 @@ void add_supports(const machine::Model& model, const PayloadLimits& limits, cons
 }  // namespace
 
 Array<LimitState> limits_at(const machine::Model& model, int body, const PayloadLimits& limits,
-                            const solve::EquilibriumResult& r) {
+                            const solve::EquilibriumResult& r, double payload) {
   Array<LimitState> all;
   if (!r.outcome.ok()) {
     all.push_back({.kind = LimitKind::none, .margin = -1, .fails = true});
@@ -93,7 +93,7 @@ Array<LimitState> limits_at(const machine::Model& model, int body, const Payload
   if (limits.rated_payload) {
     for (const machine::Carriage& car : model.carriages) {
       if (car.body != body) continue;
-      const double load = load_on(model, car);
+      const double load = load_on(model, car) + payload;
       all.push_back({.kind = LimitKind::rated_payload,
                      .value = load,
                      .limit = *limits.rated_payload,

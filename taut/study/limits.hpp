@@ -64,9 +64,9 @@ struct LimitState {
 };
 
 /// All limits in one state, in the order of the members of PayloadLimits. A state without equilibrium gives one entry
-/// with `fails`.
+/// with `fails`. `payload`: a mass on the body that the state has and the model has not, kg.
 Array<LimitState> limits_at(const machine::Model& model, int body, const PayloadLimits& limits,
-                            const solve::EquilibriumResult& result);
+                            const solve::EquilibriumResult& result, double payload = 0);
 
 /// "tension of 'skyline'", "break angle at 'jack1'".
 std::string limit_words(const machine::Model& model, int body, const LimitState& limit);

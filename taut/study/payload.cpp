@@ -244,7 +244,7 @@ Payload payload(const machine::Model& model, int body, const PayloadLimits& limi
   static_cast<void>(find_root([&](double mass) { return search.margin(mass); }, *search.holds, search.stops));
   answer.mass = *search.holds;
   answer.at = std::move(search.result);
-  answer.limit = governing_of(search, limits_at(model, body, limits, answer.at));
+  answer.limit = governing_of(search, limits_at(model, body, limits, answer.at, answer.mass));
   answer.governing = limit_words(model, body, search.stopped);
   answer.reeving = search.stopped.kind == LimitKind::tension ? search.stopped.reeving : std::nullopt;
   return answer;
@@ -390,7 +390,7 @@ void solve(const machine::Model& model, PayloadRun& run, Watch& watch) {
     if (part.last == part.first && points.size() > 1) points.resize(1);
     const int body = part.model.carriages[run.way.carriage].body;
     for (PayloadPoint& point : points) {
-      Array<LimitState> states = limits_at(part.model, body, run.limits, point.payload.at);
+      Array<LimitState> states = limits_at(part.model, body, run.limits, point.payload.at, point.payload.mass);
       run.positions.push_back({&part.model, std::move(point), std::move(states), {}});
     }
   }

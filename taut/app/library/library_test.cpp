@@ -89,6 +89,7 @@ TEST(Library, TheRatingLimitsAPayload) {
   EXPECT_NEAR(cell(t, 0, "payload"), 2500, 0.01);
   EXPECT_EQ(taut_test::text_cell(t, 0, "governing"), "rated payload of 'car'");
   EXPECT_TRUE(check_of(r, "car.payload").passes) << "it lies on its own limit";
+  EXPECT_NEAR(check_of(r, "car.payload").value, 2500, 0.01);
   // what hangs on it already counts
   Span loaded = span;
   loaded.load = "400 kg";

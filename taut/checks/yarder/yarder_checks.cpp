@@ -180,14 +180,14 @@ void take(const CheckState& state, YarderLineStates& line) {
   if (!std::isnan(T)) line.tension.largest(T, state.words);
 }
 
-void take_put_up(const CheckState& state, const std::string& reeving, YarderLineStates& line) {
+void take_empty_line(const CheckState& state, const std::string& reeving, bool put_up, YarderLineStates& line) {
   if (line.line.reeving != reeving) return;
   const machine::Reeving* rope = reeving_of_yarder(*state.model, reeving);
   if (rope == nullptr) return;
   const int index = static_cast<int>(rope - state.model->reevings.data());
   line.in_use.largest(length_in_use(state, index), state.words);
   const double T = tension_at_yarder(state, index);
-  if (!std::isnan(T)) line.put_up.largest(T, state.words);
+  if (!std::isnan(T)) (put_up ? line.put_up : line.tension).largest(T, state.words);
 }
 
 void add_yarder_checks(const std::vector<YarderLineStates>& lines, Result& r) {

@@ -23,8 +23,8 @@ struct YarderLineStates {
 std::vector<YarderLineStates> yarder_states(const std::vector<YarderCheckRequest>& yarders,
                                             const machine::Model& model);
 void take(const CheckState& state, YarderLineStates& line);
-/// While the line is put up, in a model of its own.
-void take_put_up(const CheckState& state, const std::string& reeving, YarderLineStates& line);
+/// An empty line in a model of its own. `put_up`: its winch gives it the tension.
+void take_empty_line(const CheckState& state, const std::string& reeving, bool put_up, YarderLineStates& line);
 
 /// Rope of that diameter (m) that a drum takes, m: by its measures the layers within the flanges, else its capacity
 /// times the square of the ratio of the diameters.

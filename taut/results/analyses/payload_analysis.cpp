@@ -172,7 +172,9 @@ void add_results(MachineRun& machine, const study::PayloadRun& run, Result& r) {
     }
     missing.take(one.answered() ? Outcome() : one.point.payload.outcome, one.point.x);
     if (!one.answered()) continue;
-    machine.checked->take(*one.model, one.point.payload.at, where, checks::analysis_name(run.ending, "payload"));
+    machine::Model loaded = *one.model;
+    loaded.bodies[loaded.carriages[run.way.carriage].body].mass += one.point.payload.mass;
+    machine.checked->take(loaded, one.point.payload.at, where, checks::analysis_name(run.ending, "payload"));
     if (!one.point.payload.outcome.ok()) nothing[one.point.payload.governing].push_back(one.point.x);
     if (least == nullptr || one.point.payload.mass < least->point.payload.mass) least = &one;
   }
