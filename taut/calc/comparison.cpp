@@ -1,6 +1,10 @@
 #include "taut/calc/comparison.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <cmath>
+#include <string>
 
 #include "taut/calc/shown.hpp"
 
@@ -28,7 +32,10 @@ Table comparison_table(const std::vector<Comparison>& all, const Display& displa
   std::vector<Comparison> shown = all;
   for (Comparison& c : shown) {
     const ShownUnit unit = shown_unit(c.unit, display);
-    for (double* number : {&c.printed, &c.corrected, &c.exact}) *number = unit.of(*number);
+    if (unit.name.empty()) continue;
+    // a factor leaves 0.30000000000000004 of 0.3
+    for (double* number : {&c.printed, &c.corrected, &c.exact})
+      *number = std::isnan(*number) ? *number : std::stod(fmt::format("{:.12g}", unit.of(*number)));
   }
   Table table = comparison_table(shown);
   const auto at =

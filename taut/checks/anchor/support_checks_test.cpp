@@ -57,7 +57,7 @@ TEST(SupportChecks, TreeByForceAndHeight) {
 TEST(SupportChecks, HeightFromTheTerrain) {
   const std::string ground = "  terrain: {x: [-100 m, 100 m], z: [11 m, 11 m]}\n";
   EXPECT_NEAR(value_of(run_text(over_jack({.checks = "{}", .machine = ground})), "jack.tree_diameter"), 0.345, 1e-12);
-  const std::string beside = "  terrain: {x: [50 m, 100 m], z: [0 m, 0 m]}\n";
+  const std::string beside = "  terrain: {x: [50 m, 100 m], z: [-50 m, -50 m]}\n";
   const Result unknown = run_text(over_jack({.checks = "{tree_diameter: 80 cm}", .machine = beside}));
   EXPECT_EQ(verdict_of(unknown)->kind, VerdictKind::not_judged);
   EXPECT_NE(verdict_of(unknown)->reason.find("height"), std::string::npos) << verdict_of(unknown)->reason;
