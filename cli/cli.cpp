@@ -241,7 +241,7 @@ int main(int argc, char** argv) {
   take_interrupts();
   take_failures();
   CLI::App app("taut: checked, explained calculations of rope-driven machines", "taut");
-  app.set_version_flag("--version", std::string("taut ") + std::string(version));
+  app.set_version_flag("--version", std::string("taut ") + std::string(version), "print the version and exit");
   app.require_subcommand(1);
   app.set_help_flag("-h,--help", "print help and exit");
   app.footer(exit_codes());

@@ -40,23 +40,23 @@ std::string quoted(const std::string& text, const char* quote, const char* backs
   return all + "'";
 }
 
-// ---- bash
-
-/// For bash and POSIX shells.
-std::string sh_quoted(const std::string& text) { return quoted(text, "'\\''", "\\"); }
-
-/// Names that bash can offer as one word each. It would split others at their blanks and expand what they contain.
+/// Names that bash and fish offer as one word each. They would split others at their blanks and expand what they
+/// contain.
 std::vector<std::string> plain(const std::vector<std::string>& names) {
   std::vector<std::string> all;
   for (const std::string& name : names) {
     const bool as_is = std::all_of(name.begin(), name.end(), [](unsigned char c) {
-      return std::isalnum(c) != 0 ||
-             std::string_view("_-+.,/|@%()").find(static_cast<char>(c)) != std::string_view::npos;
+      return std::isalnum(c) != 0 || std::string_view("_-+.,/@%").find(static_cast<char>(c)) != std::string_view::npos;
     });
     if (as_is) all.push_back(name);
   }
   return all;
 }
+
+// ---- bash
+
+/// For bash and POSIX shells.
+std::string sh_quoted(const std::string& text) { return quoted(text, "'\\''", "\\"); }
 
 /// The command that fills COMPREPLY; empty where nothing can be offered.
 std::string bash_offer(const Choices& choices) {
@@ -169,8 +169,10 @@ std::string zsh_field(const std::string& text, std::string_view separators) {
 
 std::string zsh_action(const Choices& choices) {
   switch (choices.kind) {
-    case Kind::deck: return "_files -g \"*.(yaml|yml)\"";
-    case Kind::folder: return "_files -/";
+    case Kind::deck:
+      return "_files -g \"*.(yaml|yml)\"";
+    case Kind::folder:
+      return "_files -/";
     case Kind::names: {
       std::string all = "(";
       for (const std::string& name : choices.names) all += zsh_field(name, " ()|:;<>&$`\"'*?[]{}~#") + " ";

@@ -21,7 +21,7 @@ struct ExitWords {
 
 /// What each exit code means, for --help and the man page.
 inline constexpr std::array<ExitWords, 7> exit_words{{
-    {.code = computed, .words = "computed, and nothing speaks against it"},
+    {.code = computed, .words = "computed; nothing fails"},
     {.code = our_fault, .words = "a bug in taut"},
     {.code = usage_or_deck, .words = "a mistake in the command or the deck"},
     {.code = says_no,

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <string_view>
 
 #include "cli/exit_code.hpp"
@@ -76,9 +77,31 @@ std::string argument(std::string_view words) {
   return "\"" + all + "\"";
 }
 
+/// The same in lines of at most 78 characters. A line of roff must not begin with a dot or a quote of the text.
+std::string filled(std::string_view words) {
+  constexpr std::size_t width = 78;
+  std::string all;
+  std::size_t column = 0;
+  for (std::size_t from = 0; from < words.size();) {
+    const std::size_t end = std::min(words.find(' ', from), words.size());
+    const std::string word = text(words.substr(from, end - from));
+    if (column > 0 && column + 1 + word.size() > width) {
+      all += '\n';
+      column = 0;
+    } else if (column > 0) {
+      all += ' ';
+      ++column;
+    }
+    all += word;
+    column += word.size();
+    from = end + 1;
+  }
+  return all + "\n";
+}
+
 /// A paragraph with a tag before it.
 std::string tagged(const std::string& tag, std::string_view words) {
-  return fmt::format(".TP\n{}\n{}\n", tag, text(words));
+  return fmt::format(".TP\n{}\n{}", tag, filled(words));
 }
 
 std::string bold(std::string_view words) { return fmt::format("\\fB{}\\fR", text(words)); }
@@ -90,15 +113,19 @@ std::string option_tag(const OptionWords& o) {
   return o.value.empty() ? all : fmt::format("{} {}", all, italic(o.value));
 }
 
-/// "Given: closed_loop, mast_section ..." for an operand of few names; a long list is in `taut list`.
+/// With the names that can stand there where they are few and not in the words already.
 std::string operand_words(const OptionWords& o) {
   std::string words = o.words;
   constexpr std::size_t few = 10;
-  if (o.choices.kind == Choices::Kind::names && o.choices.names.size() <= few) {
-    words += fmt::format(" ({})", fmt::join(o.choices.names, ", "));
+  const std::vector<std::string>& names = o.choices.names;
+  if (!names.empty() && names.size() <= few && words.find(names.front()) == std::string::npos) {
+    words += fmt::format(" ({})", fmt::join(names, ", "));
   }
   return words;
 }
+
+/// Every verb has it; the page names it once.
+bool is_help(const OptionWords& o) { return std::find(o.names.begin(), o.names.end(), "--help") != o.names.end(); }
 
 std::string synopsis(const std::string& program, const VerbWords& verb) {
   std::string line = fmt::format("{} {}", bold(program), bold(verb.name));
@@ -108,16 +135,19 @@ std::string synopsis(const std::string& program, const VerbWords& verb) {
   bool optional = false;
   for (const OptionWords& o : verb.options) {
     if (o.required) line += fmt::format(" {} {}", bold(o.names.front()), italic(o.value));
-    if (!o.required) optional = true;
+    if (!o.required && !is_help(o)) optional = true;
   }
   if (optional) line += fmt::format(" [{}]", italic("OPTION") + "...");
   return line + "\n";
 }
 
 std::string verb_text(const std::string& program, const VerbWords& verb) {
-  std::string all = fmt::format(".SS {}\n{}.PP\n{}.\n", argument(verb.name), synopsis(program, verb), text(verb.words));
+  std::string all =
+      fmt::format(".SS {}\n{}.PP\n{}", argument(verb.name), synopsis(program, verb), filled(verb.words + "."));
   for (const OptionWords& o : verb.operands) all += tagged(italic(o.value), operand_words(o));
-  for (const OptionWords& o : verb.options) all += tagged(option_tag(o), o.words);
+  for (const OptionWords& o : verb.options) {
+    if (!is_help(o)) all += tagged(option_tag(o), o.words);
+  }
   return all;
 }
 
@@ -133,7 +163,7 @@ std::string entries(const char* heading, const Entry (&list)[N]) {
 std::string man_page(const CommandWords& command, const std::string& date) {
   std::string all =
       fmt::format(".\\\" Made by '{} man' from the descriptions of its verbs and options.\n", command.name);
-  all += fmt::format(".TH TAUT 1 {} {} \"User Commands\"\n", argument(date), argument(fmt::format("taut {}", version)));
+  all += fmt::format(".TH TAUT 1 \"{}\" {} \"User Commands\"\n", date, argument(fmt::format("taut {}", version)));
   all += fmt::format(".SH NAME\n{} \\- checked, explained calculations of rope\\-driven machines\n", command.name);
   all += ".SH SYNOPSIS\n";
   bool first = true;
@@ -143,13 +173,12 @@ std::string man_page(const CommandWords& command, const std::string& date) {
     all += synopsis(command.name, verb);
   }
   all += ".SH DESCRIPTION\n";
-  all +=
-      text(
-          "taut calculates rope-driven machines: cable yarders, skylines, rope saws, telescopic booms, tackles, guyed "
-          "masts. The input is a text file in YAML, the deck. It describes a machine or names a published method. "
-          "The answer is a checked calculation: formulas with their numbers, limits, drawings, and a verdict.") +
-      "\n.PP\n" +
-      text("Progress and messages go to standard error, results to standard output. A closed pipe is no error.") + "\n";
+  all += filled(
+      "taut calculates rope-driven machines: cable yarders, skylines, rope saws, telescopic booms, tackles, guyed "
+      "masts. The input is a text file in YAML, the deck. It describes a machine or names a published method. "
+      "The answer is a checked calculation: formulas with their numbers, limits, drawings, and a verdict.");
+  all += ".PP\n";
+  all += filled("Progress and messages go to standard error, results to standard output. A closed pipe is no error.");
   all += ".SH OPTIONS\n";
   for (const OptionWords& o : command.options) all += tagged(option_tag(o), o.words);
   all += ".SH VERBS\n";
