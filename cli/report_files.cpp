@@ -23,7 +23,7 @@ constexpr const char* pdf_name = "report.pdf";
 /// The PDF of the report in `place`; why there is none.
 tl::expected<void, std::string> print_report(const std::string& place) {
   const auto chromium = io::find_chromium();
-  if (!chromium) return tl::unexpected(chromium.error());
+  if (!chromium) return tl::unexpected(std::string("no Chromium"));
   return io::print_pdf({.chromium = *chromium,
                         .page = (fs::path(place) / "report.html").string(),
                         .pdf = (fs::path(place) / pdf_name).string(),
@@ -129,10 +129,7 @@ int write_report(const Result& result, const RunOptions& options) {
   }
   const std::string report = (fs::path(options.folder) / "report.html").string();
   if (!no_pdf.empty()) say("taut: {} is not written: {}\n", pdf_name, no_pdf);
-  if (!options.quiet) {
-    const bool has_pdf = options.pdf && no_pdf.empty();
-    say("report: {}{}\n", report, has_pdf ? fmt::format(" and {}", pdf_name) : std::string());
-  }
+  if (!options.quiet) say("report: {}{}\n", report, options.pdf && no_pdf.empty() ? " and report.pdf" : "");
   if (options.pdf && !InterruptHeld::goes_on()) return interrupted;
   if (options.open) open_report(report);
   return no_pdf.empty() ? computed : file_trouble;
