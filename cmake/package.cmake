@@ -3,15 +3,9 @@
 set(pages ${PROJECT_BINARY_DIR}/pages)
 set(doc_folder ${CMAKE_INSTALL_DATADIR}/doc/taut)
 install(TARGETS taut_cli RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT program)
-# The licences of what is compiled into the program and asks to be named, as the distribution states them.
-set(compiled_in libhdf5-dev libsundials-dev libeigen3-dev libcli11-dev nlohmann-json3-dev)
-install(CODE "
-  set(program \"$<TARGET_FILE:taut_cli>\")
-  set(root \"${PROJECT_SOURCE_DIR}\")
-  set(pages \"${pages}\")
-  set(version \"${PROJECT_VERSION}\")
-  set(compiled_in ${compiled_in})
-  include(\"${PROJECT_SOURCE_DIR}/cmake/package_pages.cmake\")" COMPONENT program)
+install(CODE "execute_process(COMMAND \"${CMAKE_COMMAND}\" \"-DPROGRAM=$<TARGET_FILE:taut_cli>\"
+  \"-DROOT=${PROJECT_SOURCE_DIR}\" \"-DPAGES=${pages}\" -DVERSION=${PROJECT_VERSION}
+  -P \"${PROJECT_SOURCE_DIR}/cmake/package_pages.cmake\" COMMAND_ERROR_IS_FATAL ANY)" COMPONENT program)
 install(FILES ${pages}/taut.1.gz DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT program)
 install(FILES ${pages}/completion.bash RENAME taut DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions
   COMPONENT program)
@@ -29,11 +23,11 @@ install(DIRECTORY examples DESTINATION ${doc_folder} COMPONENT program PATTERN c
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME taut)
 set(CPACK_PACKAGE_VERSION ${PROJECT_VERSION})
-set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "${PROJECT_DESCRIPTION}")
-set(CPACK_PACKAGE_DESCRIPTION "taut calculates cable yarders, skylines, rope saws, telescopic booms, tackles and guyed
-masts. A text file describes the machine or names a published method. The answer
-is a report that an engineer can sign: formulas with their numbers, limits,
-drawings, and a verdict.")
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "checked, explained calculations of rope-driven machines")
+set(CPACK_PACKAGE_DESCRIPTION "taut calculates cable yarders, skylines, rope saws, telescopic booms,
+tackles and guyed masts. A text file describes the machine or names a
+published method. The answer is a report that an engineer can sign:
+formulas with their numbers, limits, drawings, and a verdict.")
 set(CPACK_PACKAGE_CONTACT "The taut authors <authors@taut.invalid>")
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_COMPONENTS_ALL program) # the library is installed with `cmake --install`

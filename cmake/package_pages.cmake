@@ -1,13 +1,18 @@
-# The files of an installation that the program prints or that are written for a package: into ${pages}, from
-# ${program}, the source tree ${root} and the distribution's licences of ${compiled_in}. Part of the install script.
-file(REMOVE_RECURSE ${pages})
-file(MAKE_DIRECTORY ${pages}/third-party)
+# cmake -DPROGRAM=<taut> -DROOT=<source tree> -DPAGES=<folder> -DVERSION=<x.y.z> -P package_pages.cmake
+#
+# The files of an installation that the program prints or that are written for a package, in the folder PAGES. The
+# install script runs it (cmake/package.cmake).
+cmake_minimum_required(VERSION 3.25)
+# Libraries that are compiled into the program and whose licences ask to be named.
+set(compiled_in libhdf5-dev libsundials-dev libeigen3-dev libcli11-dev nlohmann-json3-dev)
+file(REMOVE_RECURSE ${PAGES})
+file(MAKE_DIRECTORY ${PAGES}/third-party)
 
 function(print_page name)
-  execute_process(COMMAND ${program} ${ARGN} OUTPUT_FILE ${pages}/${name} COMMAND_ERROR_IS_FATAL ANY)
+  execute_process(COMMAND ${PROGRAM} ${ARGN} OUTPUT_FILE ${PAGES}/${name} COMMAND_ERROR_IS_FATAL ANY)
 endfunction()
 function(compress name)
-  execute_process(COMMAND gzip -9nf ${pages}/${name} COMMAND_ERROR_IS_FATAL ANY)
+  execute_process(COMMAND gzip -9nf ${PAGES}/${name} COMMAND_ERROR_IS_FATAL ANY)
 endfunction()
 # A text as a field of a Debian control file: a blank before each line, a dot for an empty one.
 function(indented file result)
@@ -26,20 +31,20 @@ foreach(shell bash zsh fish)
 endforeach()
 print_page(taut.schema.json schema)
 
-file(COPY_FILE ${root}/CHANGELOG.md ${pages}/changelog)
+file(COPY_FILE ${ROOT}/CHANGELOG.md ${PAGES}/changelog)
 compress(changelog)
 string(TIMESTAMP date "%a, %d %b %Y %H:%M:%S +0000" UTC)
-file(WRITE ${pages}/changelog.Debian "taut (${version}-1) unstable; urgency=medium
+file(WRITE ${PAGES}/changelog.Debian "taut (${VERSION}-1) unstable; urgency=medium
 
-  * Package of taut ${version}; changelog.gz says what is new in it.
+  * Package of taut ${VERSION}; changelog.gz says what is new in it.
 
  -- The taut authors <authors@taut.invalid>  ${date}
 ")
 compress(changelog.Debian)
 
-indented(${root}/LICENSE licence)
-indented(${root}/taut/report/assets/taut_math.LICENSE.txt font_licence)
-file(WRITE ${pages}/copyright "Format: https://www.debian.org/doc/packaging-manuals/copyright-format/1.0/
+indented(${ROOT}/LICENSE licence)
+indented(${ROOT}/taut/report/assets/taut_math.LICENSE.txt font_licence)
+file(WRITE ${PAGES}/copyright "Format: https://www.debian.org/doc/packaging-manuals/copyright-format/1.0/
 Upstream-Name: taut
 Comment: The licences of the libraries that are compiled into the program are in the folder third-party.
 
@@ -61,7 +66,7 @@ ${font_licence}
 ")
 foreach(package IN LISTS compiled_in)
   if(EXISTS /usr/share/doc/${package}/copyright)
-    file(COPY_FILE /usr/share/doc/${package}/copyright ${pages}/third-party/${package}.txt)
+    file(COPY_FILE /usr/share/doc/${package}/copyright ${PAGES}/third-party/${package}.txt)
   else()
     message(WARNING "the licence of ${package} is missing; it belongs into a package that is passed on")
   endif()
