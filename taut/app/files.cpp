@@ -63,9 +63,9 @@ Written write_all(const std::vector<std::pair<std::string, std::string>>& files,
   return names;
 }
 
-Written write_result(const Result& result, const std::string& place, FileUnits units) {
+Written write_result(const Result& result, const std::string& place, const FileOptions& options) {
   const Display display = display_of(result);
-  const bool si = units == FileUnits::si;
+  const bool si = options.units == FileUnits::si;
   const auto csv = [&](const Table& t) { return si ? io::to_csv(t) : io::to_csv(t, display); };
   std::vector<std::pair<std::string, std::string>> files = {
       {"result.json", io::to_json(result, io::SeriesFiles::named)},
@@ -139,10 +139,14 @@ tl::expected<void, FileError> check_folder(const std::string& folder) {
 }
 
 tl::expected<std::vector<std::string>, FileError> write_files(const Result& result, const std::string& folder,
-                                                              FileUnits units) {
-  return or_file_error(io::replace_folder(
-      folder, result_list, [&](const std::string& place) { return write_result(result, place, units); },
-      earlier_files(folder)));
+                                                              const FileOptions& options) {
+  const auto fill = [&](const std::string& place) {
+    Written names = write_result(result, place, options);
+    if (!names || !options.more) return names;
+    for (std::string& name : options.more(place)) names->push_back(std::move(name));
+    return names;
+  };
+  return or_file_error(io::replace_folder(folder, result_list, fill, earlier_files(folder)));
 }
 
 tl::expected<std::vector<std::string>, FileError> write_vtk(const Result& result, const std::string& folder) {

@@ -60,7 +60,7 @@ TEST(Files, CsvHasTheUnitsOfTheReportOrSi) {
   EXPECT_EQ(text_of(folder / "size.csv"), "x [cm],D [cm]\r\n0,100\r\n100,200\r\n");
   EXPECT_NE(text_of(folder / "comparison.csv").find("pull,P,kN,1.5,2,,corrected"), std::string::npos);
   EXPECT_EQ(text_of(folder / "time.csv"), "x [m]\r\n0.5\r\n") << "series are SI always";
-  ASSERT_TRUE(write_files(r, folder.string(), FileUnits::si).has_value());
+  ASSERT_TRUE(write_files(r, folder.string(), {.units = FileUnits::si}).has_value());
   EXPECT_EQ(text_of(folder / "positions.csv"), "x [m]\r\n1\r\n2\r\n");
   EXPECT_EQ(text_of(folder / "size.csv"), "x [m],D [m]\r\n0,1\r\n1,2\r\n");
   EXPECT_NE(text_of(folder / "comparison.csv").find("pull,P,N,1500,2000,,corrected"), std::string::npos);

@@ -190,8 +190,7 @@ Listing rows_of(const std::string& what, const ListFilter& f) {
   if (what == "yarders") return yarders(f);
   if (what == "units") return units(f);
   if (what == "machines") return machines(f);
-  const std::vector<std::string> lists = {"methods", "machines",  "ropes",   "sections", "steels",
-                                          "rules",   "carriages", "yarders", "units"};
+  const std::vector<std::string> lists = list_names();
   return tl::unexpected(fmt::format("there is no list of '{}'{}; the lists are {}", what, did_you_mean(what, lists),
                                     fmt::join(lists, ", ")));
 }
@@ -228,6 +227,10 @@ std::string aligned(const std::vector<std::vector<std::string>>& rows) {
     text += line + "\n";
   }
   return text;
+}
+
+std::vector<std::string> list_names() {
+  return {"methods", "machines", "ropes", "sections", "steels", "rules", "carriages", "yarders", "units"};
 }
 
 tl::expected<std::string, std::string> list_text(const std::string& what, const ListFilter& filter) {
