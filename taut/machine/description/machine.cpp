@@ -160,8 +160,7 @@ const Description& Round::describe() {
           .at_most(strongest)
           .field(&Round::holds, "holds",
                  "'ahead_of CARRIAGE': it holds a rope that ends at this carriage only while the carriage has not "
-                 "passed it; "
-                 "default: always")
+                 "passed it; default: always")
           .record(&Round::motor, "motor", "the sheave drives its rope");
   return d;
 }
