@@ -100,6 +100,13 @@ std::vector<std::pair<std::string, const void*>> records_in(const Field& f, cons
   return keyed;
 }
 
+/// The struct of the map that replaces a triple; nullptr where the deck has the triple.
+const void* map_of(const Field& f, const void* object) {
+  if (!f.map_form) return nullptr;
+  const auto present = f.map_form(const_cast<void*>(object)).all();
+  return present.empty() ? nullptr : present.front();
+}
+
 void collect(std::vector<Given>& all, const std::string& prefix, const Description& d, const void* object) {
   for (const Field& f : d.fields) {
     const Slot slot = slot_of(f, object);
@@ -107,6 +114,10 @@ void collect(std::vector<Given>& all, const std::string& prefix, const Descripti
       collect(all, fmt::format("{}{}.", prefix, key), *f.record, one);
     }
     if (std::holds_alternative<Record>(slot) || std::holds_alternative<NamedRecords>(slot)) continue;
+    if (const void* map = map_of(f, object)) {
+      collect(all, fmt::format("{}{}.", prefix, f.key), *f.record, map);
+      continue;
+    }
     Given g = given_head(prefix, d, f);
     const Given by_default = g;
     if (!std::visit(Filler{g}, slot)) continue;

@@ -47,6 +47,7 @@ VERDICTS = {
     "machines/rope_saw_drive.yaml": (WARNS, "saw.on_sheave"),
     "machines/running_skyline.yaml": (WARNS, "haulback.on_sheave"),
     "machines/six_part_tackle.yaml": (PASSES, "hoist.safety_factor"),
+    "machines/skyline_over_jacks.yaml": (PASSES, "carries 1.65"),
     "machines/three_span_skyline.yaml": (PASSES, "carries 2.957"),
     "machines/tower_yarder.yaml": (WARNS, "mainline.on_sheave"),
     "machines/two_section_loop.yaml": (WARNS, "return.on_sheave"),

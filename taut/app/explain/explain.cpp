@@ -41,7 +41,8 @@ std::string kind_text(const Field& f) {
     case FieldKind::records:
       return "list of maps";
     case FieldKind::triple:
-      return fmt::format("[x, y, z], each {}", f.unit.needs_text() ? f.unit.shown : "number");
+      return fmt::format("[x, y, z], each {}{}", f.unit.needs_text() ? f.unit.shown : "number",
+                         f.map_form ? ", or map" : "");
     case FieldKind::texts:
       return "text, one or a list";
     case FieldKind::named_records:

@@ -32,6 +32,7 @@ constexpr const char* laws[][3] = {
      "equilibrium.md"}};
 
 constexpr const char* equilibrium_tables[][2] = {
+    {"places", "places given over the ground: x, y, z"},
     {"spans", "tensions at both ends, their components H and V, chord, unstretched and stretched length, sag"},
     {"sheaves", "T_in and T_out by the order of the path, wrap, force on it, state"},
     {"bodies", "place, rotation, force that holds each body"},

@@ -9,6 +9,7 @@
 #include "taut/machine/description/beam_keys.hpp"
 #include "taut/machine/description/measure_keys.hpp"
 #include "taut/machine/description/motion_keys.hpp"
+#include "taut/machine/description/over_ground.hpp"
 
 /// A machine as a deck describes it: plain values, references by name, one `describe` table each. SI, right-handed
 /// axes, z up. A `describe` table checks single fields only; `compile` (compile.hpp) checks everything that needs
@@ -20,6 +21,7 @@ struct Point {
   std::string name;
   std::optional<std::string> body;
   Triple at{};
+  std::optional<OverGround> over_ground = std::nullopt;  ///< in place of `at`
   static const Description& describe();
 };
 
@@ -57,6 +59,7 @@ struct Body {
   std::optional<BodyMotion> motion;
   std::optional<Turned> turned = std::nullopt;   ///< how it stands at the start; of a free body a first guess
   std::optional<std::string> on = std::nullopt;  ///< the body in whose frame `at`, the axes and the guide are given
+  std::optional<OverGround> over_ground = std::nullopt;  ///< in place of `at`
   static const Description& describe();
 };
 
@@ -89,6 +92,10 @@ struct Round {
   std::optional<double> inertia;   ///< kg m2, for dynamics
   double drag = 0;                 ///< N m s, for dynamics
   std::optional<Motor> motor;
+  std::optional<OverGround> over_ground = std::nullopt;  ///< in place of `at`
+  /// "ahead_of CARRIAGE": it is in the path of a rope that ends at this carriage only where it lies between the
+  /// carriage and what the rope comes from.
+  std::optional<std::string> holds = std::nullopt;
   static const Description& describe();
 };
 
@@ -123,6 +130,7 @@ struct Drum {
   std::optional<double> flange_diameter;  ///< m; default: not limited
   std::optional<double> pitch;            ///< from wrap to wrap, m; default: the rope's diameter
   std::optional<double> layer_height;     ///< m; default: the rope's diameter
+  std::optional<OverGround> over_ground = std::nullopt;  ///< in place of `at`
   static const Description& describe();
 };
 
@@ -149,6 +157,7 @@ struct Carriage {
   std::vector<double> rope_diameters = {};             ///< least and largest, of the rope on which it rides, m
   /// Not of the deck: trust of the two, and what was taken from the catalogue, in words.
   std::string rating_trust = "user", from_library = {};
+  std::optional<OverGround> over_ground = std::nullopt;  ///< in place of `at`
   static const Description& describe();
 };
 

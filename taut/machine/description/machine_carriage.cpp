@@ -40,6 +40,7 @@ const Description& Carriage::describe() {
           .field(&Carriage::at, "at", "", si::m, "a first guess of its place")
           .at_least(-farthest)
           .at_most(farthest)
+          .or_map(&Carriage::over_ground)
           .field(&Carriage::rollers, "rollers", "n", si::one,
                  "number of rollers, at equal distances; with more than one the carriage pitches")
           .at_least(1)

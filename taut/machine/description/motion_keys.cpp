@@ -101,6 +101,7 @@ const Description& Marker::describe() {
           .field(&Marker::at, "at", "", si::m, "place in the frame of its body, or of the ground")
           .at_least(-farthest)
           .at_most(farthest)
+          .or_map(&Marker::over_ground)
           .required()
           .field(&Marker::body, "body", "the body to which it belongs; default: the ground");
   return d;

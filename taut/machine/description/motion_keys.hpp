@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "taut/calc/field.hpp"
+#include "taut/machine/description/over_ground.hpp"
 
 /// The keys of a machine in motion: plain values, references by name, one `describe` table each. A text described as "a
 /// signal, or a ..." is the name of a signal, or a constant with its unit.
@@ -66,6 +67,7 @@ struct Marker {
   std::string name;
   std::optional<std::string> body;
   Triple at{};
+  std::optional<OverGround> over_ground = std::nullopt;  ///< in place of `at`
   static const Description& describe();
 };
 
