@@ -10,6 +10,7 @@
 #include "taut/catalogue/rope.hpp"
 #include "taut/catalogue/section.hpp"
 #include "taut/design/design_deck.hpp"
+#include "taut/units/display.hpp"
 
 /// The block `design:` of machines and methods: what both need to be searched is a DesignTask; design_space.hpp makes
 /// its candidates, design_machine.hpp and design_method.hpp the rest of it, design_search.hpp searches it.
@@ -87,6 +88,7 @@ struct DesignTask {
   std::function<bool(const Progress&)> progress;
   std::string method_title;
   std::vector<Given> given;
+  Display display;  ///< units for the sentences of the result
 };
 
 /// The first of all candidates, every unknown at the beginning of its grid.

@@ -43,6 +43,7 @@ struct Asked {
   Question question;
   std::string name;    ///< the deck's own, or the kind of the analysis
   bool judged = true;  ///< false: its states do not count for the verdict
+  std::string heading;  ///< kind and name, "sweep cold": over its tables in a report
 };
 
 /// What all analyses of a deck ask for.

@@ -106,6 +106,8 @@ design::DesignTask method_task(MethodDeck deck, design::DesignSpace space,
   task.request = *deck.blocks.design;
   task.space = std::move(space);
   task.progress = std::move(progress);
+  task.display = deck.display;
+  task.given = given_of(*deck.method->input, deck.input.place());
   for (std::size_t k = 0; k < task.space.ropes.size(); ++k) task.list_of[task.space.ropes[k].name] = k;
   for (std::size_t k = 0; k < task.space.sections.size(); ++k) {
     const std::string& name = task.space.sections[k].name;
