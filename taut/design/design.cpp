@@ -82,19 +82,16 @@ void add_warnings(const DesignTask& task, const DesignFound& found, Result& r) {
   if (r.checks.empty()) r.warnings.emplace_back("design: no check holds the choice; the deck asks for none");
 }
 
-/// Marks the inputs that are not the deck's own. What a load case has set is not chosen.
-void mark_chosen(const DesignTask& task, std::vector<Given>& given) {
-  const auto of_case = [&](const std::string& key) {
-    return std::any_of(task.space.cases.begin(), task.space.cases.end(), [&](const DesignCase& one) {
-      return std::any_of(one.settings.begin(), one.settings.end(),
-                         [&](const auto& setting) { return key.ends_with(setting.first); });
-    });
-  };
-  for (Given& g : given) {
-    const auto own =
-        std::find_if(task.given.begin(), task.given.end(), [&](const Given& one) { return one.key == g.key; });
-    const bool same = own != task.given.end() && own->numbers == g.numbers && own->text == g.text;
-    g.chosen = g.chosen || (!same && !of_case(g.key));
+/// Marks the inputs that the choice has changed. What a load case has set is not chosen.
+void mark_chosen(const DesignTask& task, const DesignPlace& best, std::vector<Given>& given) {
+  if (!task.given_with) return;
+  const auto same = [](const Given& a, const Given& b) { return a.numbers == b.numbers && a.text == b.text; };
+  for (const Given& one : task.given_with(best)) {
+    const auto of_key = [&](const Given& g) { return g.key == one.key; };
+    const auto before = std::find_if(task.given.begin(), task.given.end(), of_key);
+    if (before != task.given.end() && same(*before, one)) continue;
+    const auto used = std::find_if(given.begin(), given.end(), of_key);
+    if (used != given.end()) used->chosen = true;
   }
 }
 
@@ -124,10 +121,11 @@ Result run_design(const DesignTask& task) {
   const DesignFound found = search_design(task);
   if (!found.feasible) return no_design(task, found);
   // not asked whether to go on: it is short beside the search, and all that an interrupted one leaves
-  Result r = task.run({.choice = found.best.answer.best.choice, .values = found.best.values}, Depth::report, {}).result;
+  const DesignPlace best{.choice = found.best.answer.best.choice, .values = found.best.values};
+  Result r = task.run(best, Depth::report, {}).result;
   add_design(task, found, r);
-  mark_chosen(task, r.given);
-  add_chosen(task, {.choice = found.best.answer.best.choice, .values = found.best.values}, r);
+  mark_chosen(task, best, r.given);
+  add_chosen(task, best, r);
   add_warnings(task, found, r);
   if (found.ended) {
     r.interrupted = true;

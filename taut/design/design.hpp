@@ -87,7 +87,9 @@ struct DesignTask {
   std::function<DesignRun(const DesignPlace&, Depth, const std::function<bool(const Progress&)>& ask)> run;
   std::function<bool(const Progress&)> progress;
   std::string method_title;
-  std::vector<Given> given;
+  std::vector<Given> given;  ///< the deck's own
+  /// The inputs of a design without any load case; may be empty.
+  std::function<std::vector<Given>(const DesignPlace&)> given_with;
   Display display;  ///< units for the sentences of the result
 };
 

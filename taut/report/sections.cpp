@@ -69,8 +69,8 @@ std::string profiles_html(const Result& r) {
   for (const Figure& f : r.figures) {
     const auto* p = std::get_if<Profile>(&f);
     if (p == nullptr) continue;
-    out += fmt::format("<figure class=\"landscape\">{}{}</figure>\n", profile_svg(*p, display),
-                       caption_html(p->title, p->caption, profile_scale_words(*p) + fmt::format(" Data: {}.csv", p->name)));
+    out += fmt::format("<figure class=\"landscape\">{}{}</figure>\n", profile_svg(*p, display, turned_width),
+                       caption_html(p->title, p->caption, profile_scale_words(*p, turned_width) + fmt::format(" Data: {}.csv", p->name)));
   }
   return out;
 }

@@ -283,6 +283,10 @@ design::DesignTask machine_task(std::shared_ptr<const MachineDeck> deck, design:
   task.display = deck->display;
   const auto own = std::make_shared<const design::DesignSpace>(task.space);
   task.lengths = [deck, own](const std::vector<double>& values) { return lengths_of(*deck, *own, values); };
+  task.given_with = [deck, own](const design::DesignPlace& place) {
+    const MachineDeck chosen = with_design(*deck, *own, place);
+    return given_of(MachineDeck::describe(), &chosen);
+  };
   task.list_of = lists_by_name(deck->machine, task.space);
   const auto memory = std::make_shared<Memory>();
   task.run = [deck, own, memory, run = std::move(run)](const design::DesignPlace& place, design::Depth depth,

@@ -122,6 +122,10 @@ design::DesignTask method_task(MethodDeck deck, design::DesignSpace space,
   };
   const auto own = std::make_shared<Shared>(Shared{.deck = std::move(deck), .space = task.space});
   task.lengths = [own](const std::vector<double>& values) { return lengths_of(own->deck, own->space, values); };
+  task.given_with = [own](const design::DesignPlace& place) {
+    MethodDeck chosen = with_design(own->deck, own->space, place);
+    return given_of(*chosen.method->input, chosen.input.place());
+  };
   task.run = [own](const design::DesignPlace& place, design::Depth depth, const std::function<bool(const Progress&)>&) {
     const auto one = [&](const design::DesignCase* load_case, design::Depth) -> design::DesignRun {
       const MethodDeck changed = with_design(own->deck, own->space, place, load_case);

@@ -15,13 +15,12 @@
 namespace taut::report {
 namespace {
 
-constexpr double profile_wide = 960;     ///< pixels of the whole picture: a page on its side
 constexpr double left_room = 62;         ///< for the names and numbers of the axes
 constexpr double right_room = 16;
-constexpr double least_line_height = 170;  ///< of the picture of the line
-constexpr double most_line_height = 330;
-constexpr double band_height = 150;
-constexpr double head_room = 16;          ///< above the highest thing, as a share of nothing: pixels
+constexpr double least_line_height = 0.2;  ///< of the picture of the line, as a share of the width
+constexpr double most_line_height = 0.36;
+constexpr double band_height = 0.18;
+constexpr double head_room = 16;          ///< above both pictures, pixels
 constexpr std::size_t most_kinds = 6;     ///< colours
 constexpr int longest_kind = 60;          ///< characters of a name in the legend
 
@@ -103,9 +102,9 @@ struct ProfileLayout {
 };
 
 /// Height of the upper picture for these sizes in metres, and how many times heights are larger than lengths in it.
-std::pair<double, double> height_of_line(double wide, double high) {
-  const double scale = (profile_wide - left_room - right_room) / wide;
-  const double height = std::clamp(high * scale, least_line_height, most_line_height);
+std::pair<double, double> height_of_line(double paper, double wide, double high) {
+  const double scale = (paper - left_room - right_room) / wide;
+  const double height = std::clamp(high * scale, least_line_height * paper, most_line_height * paper);
   return {height, high > 0 ? height / (high * scale) : 1};
 }
 
@@ -127,7 +126,7 @@ std::vector<double> ticks_within(double low, double high, int count) {
   return all;
 }
 
-ProfileLayout profile_layout(const Profile& p, const Display& display, double legend_height) {
+ProfileLayout profile_layout(const Profile& p, const Display& display, double paper, double legend_height) {
   const ProfileExtents e = extents_of(p);
   ProfileLayout l{.x_ticks = {},
                   .z_ticks = {},
@@ -149,7 +148,7 @@ ProfileLayout profile_layout(const Profile& p, const Display& display, double le
   l.z_ticks = ticks_over(shown(e.z), 5);
   const double per_metre = l.length.of(1) - l.length.of(0);
   const auto [height, stretched] =
-      height_of_line(e.x.size(), (l.z_ticks.back() - l.z_ticks.front()) / per_metre);
+      height_of_line(paper, e.x.size(), (l.z_ticks.back() - l.z_ticks.front()) / per_metre);
   l.stretched = stretched;
   Extent values;
   values.add(0);
@@ -158,9 +157,9 @@ ProfileLayout profile_layout(const Profile& p, const Display& display, double le
   }
   if (std::isfinite(p.limit)) values.add(l.value.of(p.limit));
   l.value_ticks = ticks_over(values, 4);
-  l.line = {.left = left_room, .top = head_room, .right = profile_wide - right_room, .bottom = head_room + height};
+  l.line = {.left = left_room, .top = head_room, .right = paper - right_room, .bottom = head_room + height};
   const double top = l.line.bottom + 22 + legend_height;
-  l.band = {.left = l.line.left, .top = top, .right = l.line.right, .bottom = top + band_height};
+  l.band = {.left = l.line.left, .top = top, .right = l.line.right, .bottom = top + band_height * paper};
   return l;
 }
 
@@ -192,7 +191,7 @@ std::string with_unit(const std::string& name, const ShownUnit& unit) {
 std::string profile_axes(const Profile& p, const ProfileLayout& l) {
   std::string out = vertical_axis(l.line, l.z_ticks, with_unit("height", l.length));
   out += vertical_axis(l.band, l.value_ticks, with_unit(clean(p.value.label), l.value));
-  const auto ticks = ticks_within(l.x_ticks.front(), l.x_ticks.back(), 10);
+  const auto ticks = ticks_within(l.x_ticks.front(), l.x_ticks.back(), 8);
   for (const double v : ticks) {
     const double x =
         l.line.left + (v - l.x_ticks.front()) / (l.x_ticks.back() - l.x_ticks.front()) * l.line.width();
@@ -339,7 +338,8 @@ std::size_t tint_of(const std::vector<std::string>& kinds, const std::string& ki
 }
 
 /// Rows of boxes with names from (left, top) on; the height that they take.
-double profile_legend(std::string& out, const std::vector<std::string>& kinds, bool gaps, double left, double top) {
+double profile_legend(std::string& out, const std::vector<std::string>& kinds, bool gaps, Pixel from, double right) {
+  const double left = from.x, top = from.y;
   std::vector<std::pair<std::string, std::string>> entries;  // name, fill
   for (std::size_t i = 0; i < kinds.size() && i < tints.size(); ++i) {
     const bool shared = i + 1 == tints.size() && kinds.size() > tints.size();
@@ -350,7 +350,7 @@ double profile_legend(std::string& out, const std::vector<std::string>& kinds, b
   for (const auto& [name, fill] : entries) {
     const Runs runs = prose_runs(name);
     const double needed = 24 + width(runs) * font_size + 20;
-    if (x > left && x + needed > profile_wide) {
+    if (x > left && x + needed > right) {
       x = left;
       y += 19;
     }
@@ -450,15 +450,15 @@ std::string frame_svg(const Box& a) {
 
 }  // namespace
 
-std::string profile_svg(const Profile& p, const Display& display) {
+std::string profile_svg(const Profile& p, const Display& display, double wide) {
   if (!can_be_shown(p)) return "<p class=\"empty\">Nothing to draw.</p>";
   const std::vector<std::string> kinds = kinds_of(p);
   const bool gaps = std::any_of(p.places.begin(), p.places.end(), [](const auto& one) { return std::isnan(one.value); });
   std::string legend;
-  const double legend_height = profile_legend(legend, kinds, gaps, left_room, 0);
-  const ProfileLayout l = profile_layout(p, display, legend_height);
+  const double legend_height = profile_legend(legend, kinds, gaps, {.x = left_room, .y = 0}, wide);
+  const ProfileLayout l = profile_layout(p, display, wide, legend_height);
   legend.clear();
-  profile_legend(legend, kinds, gaps, left_room, l.line.bottom + 12);
+  profile_legend(legend, kinds, gaps, {.x = left_room, .y = l.line.bottom + 12}, wide);
   ProfileSheet s{.p = p, .l = l, .display = display, .svg = profile_axes(p, l), .obstacles = {}, .words = {}};
   draw_profile_ground(s);
   draw_profile_supports(s);
@@ -478,13 +478,13 @@ std::string profile_svg(const Profile& p, const Display& display) {
   return fmt::format(
       "<svg class=\"profile\" role=\"img\" aria-label=\"{}\" viewBox=\"0 0 {:.0f} {:.0f}\" width=\"{:.0f}\" "
       "height=\"{:.0f}\">\n{}{}{}{}{}{}</svg>\n",
-      escape(p.title), profile_wide, high, profile_wide, high, gap, s.svg, frame_svg(l.line), frame_svg(l.band), legend,
+      escape(p.title), wide, high, wide, high, gap, s.svg, frame_svg(l.line), frame_svg(l.band), legend,
       body);
 }
 
-std::string profile_scale_words(const Profile& p) {
+std::string profile_scale_words(const Profile& p, double wide) {
   if (!can_be_shown(p)) return {};
-  const double stretched = profile_layout(p, Display(), 0).stretched;
+  const double stretched = profile_layout(p, Display(), wide, 0).stretched;
   if (std::abs(stretched - 1) < 0.02) return {};
   return fmt::format("Heights are drawn {} times as large as lengths; angles are not true.",
                      number_shown(stretched, 2));
