@@ -293,9 +293,10 @@ void add_compared_answers(const std::vector<ComparedRow>& rows, const Display& d
     const std::string deviation =
         by_reference ? deviation_text(display, row.value, row.reference, row.reference_tolerance, row.unit)
                      : deviation_text(display, row.value, row.published, row.tolerance, row.unit);
-    add_answer_line(r, "Worst",
-                    {fmt::format("{}: {}{}{} from the {}", row.what, value.empty() ? row.message : value,
-                                 deviation.empty() ? "" : ", ", deviation, by_reference ? "reference" : "published value")});
+    add_answer_line(
+        r, "Worst",
+        {fmt::format("{}: {}{}{} from the {}", row.what, value.empty() ? row.message : value,
+                     deviation.empty() ? "" : ", ", deviation, by_reference ? "reference" : "published value")});
   }
 }
 

@@ -226,10 +226,11 @@ TEST(DesignUnknowns, what_is_chosen_is_marked_among_the_inputs) {
 }
 
 TEST(DesignUnknowns, a_rope_that_is_chosen_is_named_in_full) {
-  const Result r = run_text(saw("{}", "1 t", "design: {ropes: {saw: {construction: 6x36, core: IWRC, grade: 1960 MPa, modulus: 100 GPa}}}"));
+  const Result r = run_text(
+      saw("{}", "1 t", "design: {ropes: {saw: {construction: 6x36, core: IWRC, grade: 1960 MPa, modulus: 100 GPa}}}"));
   ASSERT_TRUE(passes(r)) << r.message << to_text(r.errors);
-  const auto row = std::find_if(r.given.begin(), r.given.end(),
-                                [](const Given& g) { return g.key == "machine.ropes.saw.rope"; });
+  const auto row =
+      std::find_if(r.given.begin(), r.given.end(), [](const Given& g) { return g.key == "machine.ropes.saw.rope"; });
   ASSERT_NE(row, r.given.end());
   EXPECT_TRUE(row->chosen);
   EXPECT_EQ(row->text, text_cell(table_of(r, "design"), 0, "designation"));

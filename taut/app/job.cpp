@@ -30,8 +30,8 @@ Prepared prepare(const Job& job) {
   if (p.deck->is_machine) p.calculate = prepare_machine(p.deck->input, p.mistakes, job.progress, display);
   if (const MethodEntry* method = find_method(p.deck->method)) {
     const io::Node* others = p.deck->others ? &*p.deck->others : nullptr;
-    p.calculate = prepare_method(*method, p.deck->input, others, {.progress = job.progress, .display = display},
-                                 p.mistakes);
+    p.calculate =
+        prepare_method(*method, p.deck->input, others, {.progress = job.progress, .display = display}, p.mistakes);
   }
   if (!p.mistakes.empty()) p.calculate = {};
   return p;

@@ -34,9 +34,9 @@ std::vector<const Check*> worst_checks(const Result& r) {
 /// "skyline.safety_factor 0.72", "mast: strength of CHS 610x25 0.97".
 std::string use_words(const Check& c) {
   const bool named = c.part.empty() || c.name.starts_with(c.part + ".") || c.name.ends_with(c.part);
-  const std::string number = std::isnan(c.utilisation) ? std::string("no number") : fmt::format("{:.3g}", c.utilisation);
-  return fmt::format("{}{}{} {}{}", named ? "" : c.part, named ? "" : ": ", c.name, number,
-                     c.passes ? "" : " (fails)");
+  const std::string number =
+      std::isnan(c.utilisation) ? std::string("no number") : fmt::format("{:.3g}", c.utilisation);
+  return fmt::format("{}{}{} {}{}", named ? "" : c.part, named ? "" : ": ", c.name, number, c.passes ? "" : " (fails)");
 }
 
 /// What comes first on the page.

@@ -85,7 +85,7 @@ struct Field {
   /// Named structs: the shorthand may replace the whole map; it is then one struct without a name.
   bool one_for_all = false;
   bool detail = false;  ///< outputs: not what the method is about, in the appendix of a report only
-  bool rest = false;  ///< named structs: their maps stand directly beside the other keys, without this key
+  bool rest = false;    ///< named structs: their maps stand directly beside the other keys, without this key
   std::function<Slot(void*)> slot;
 };
 

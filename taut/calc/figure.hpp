@@ -139,8 +139,8 @@ struct Animation {
   std::vector<std::pair<double, std::string>> events;  ///< time in s, description
 };
 
-/// A line over the ground, seen from its side, and below it over the same x what it bears at each place of the carriage,
-/// coloured by what governs there. SI. Its places are written to `name`.csv as a series.
+/// A line over the ground, seen from its side, and below it over the same x what it bears at each place of the
+/// carriage, coloured by what governs there. SI. Its places are written to `name`.csv as a series.
 struct Profile {
   struct Support {
     std::string name;
@@ -154,11 +154,11 @@ struct Profile {
   };
   /// One place of the carriage.
   struct Place {
-    double x = 0;        ///< m
-    double z = 0;        ///< of the carriage, m; NaN: no state
-    double ground = 0;   ///< height of the ground below it, m; NaN: not known
-    double value = 0;    ///< what is shown below the line; NaN: no answer
-    std::string governs; ///< what governs there, "tension of 'skyline'"; empty without an answer
+    double x = 0;         ///< m
+    double z = 0;         ///< of the carriage, m; NaN: no state
+    double ground = 0;    ///< height of the ground below it, m; NaN: not known
+    double value = 0;     ///< what is shown below the line; NaN: no answer
+    std::string governs;  ///< what governs there, "tension of 'skyline'"; empty without an answer
   };
   std::string name;
   std::string title;

@@ -18,7 +18,8 @@ struct QuantityWords {
   std::string symbol;  ///< the letter of the theory pages, "T_0"; may be empty
   Unit unit;           ///< SI, with the unit of print; texts and counts: si::one
   std::string words;   ///< one line: what it is, "tension where the branch begins"
-  bool detail = false;  ///< not what an analysis is about: its values and columns stand in the appendix of a report only
+  bool detail =
+      false;  ///< not what an analysis is about: its values and columns stand in the appendix of a report only
 };
 
 /// One result, described once. Columns of tables, values, and the reference follow from it, as inputs follow from
@@ -108,7 +109,8 @@ template <class Row>
 Table make_table(std::string name, std::string title, const Quantities<Row>& quantities, const std::vector<Row>& rows) {
   Table t{.name = std::move(name), .title = std::move(title), .columns = {}, .rows = {}};
   add_columns(t.columns, quantities);
-  t.detail = !t.columns.empty() && std::all_of(t.columns.begin(), t.columns.end(), [](const Column& c) { return c.detail; });
+  t.detail =
+      !t.columns.empty() && std::all_of(t.columns.begin(), t.columns.end(), [](const Column& c) { return c.detail; });
   for (const Row& row : rows) add_cells(t.rows.emplace_back(), quantities, row);
   return t;
 }
@@ -130,7 +132,12 @@ template <class Row>
 Value make_value(const Quantity<Row>& q, const Row& row, const std::string& part, const std::string& ending,
                  const std::string& state) {
   const std::string name = part + "." + q.about.name + ending;
-  return {name, std::get<double>(q.of(row)), q.about.unit, name, q.about.words + " of " + part + " (" + state + ")", {},
+  return {name,
+          std::get<double>(q.of(row)),
+          q.about.unit,
+          name,
+          q.about.words + " of " + part + " (" + state + ")",
+          {},
           q.about.detail};
 }
 

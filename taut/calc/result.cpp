@@ -183,8 +183,7 @@ std::vector<Value> values_of(const Description& d, const void* output) {
     const Slot slot = slot_of(f, output);
     const auto* number = std::get_if<double*>(&slot);
     if (number == nullptr || !std::isfinite(**number)) continue;
-    all.push_back({f.key, **number, f.unit, f.symbol.empty() ? f.key : f.symbol, f.words, f.source,
-                   f.detail});
+    all.push_back({f.key, **number, f.unit, f.symbol.empty() ? f.key : f.symbol, f.words, f.source, f.detail});
   }
   return all;
 }

@@ -72,7 +72,8 @@ struct Value {
   std::string label;
   std::string source;
   bool detail = false;  ///< shown in the appendix of a report only: the analysis is not about it
-  std::string heading = {};  ///< name of the analysis under which a report shows it, "equilibrium, inhaul"; may be empty
+  std::string heading =
+      {};  ///< name of the analysis under which a report shows it, "equilibrium, inhaul"; may be empty
 };
 
 struct Column {
@@ -88,8 +89,8 @@ struct Table {
   std::vector<Column> columns;
   std::vector<std::vector<Cell>> rows;
   std::shared_ptr<const LongRows> long_rows = nullptr;  ///< rows of a long series; `rows` is then empty
-  bool detail = false;  ///< shown in the appendix of a report only
-  std::string heading = {};  ///< as in Value
+  bool detail = false;                                  ///< shown in the appendix of a report only
+  std::string heading = {};                             ///< as in Value
 };
 
 /// A line of a machine in space, over time. Its number of points may differ from frame to frame.

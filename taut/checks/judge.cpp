@@ -333,11 +333,8 @@ std::vector<RopeSeen> Judge::ropes() const {
     const auto found = ropes_.find(rope.name);
     if (found == ropes_.end() || !found->second.seen) continue;
     const RopeWorst& own = found->second;
-    all.push_back({.name = rope.name,
-                   .T = own.T,
-                   .where = own.where,
-                   .shortest = own.shortest,
-                   .longest = own.longest});
+    all.push_back(
+        {.name = rope.name, .T = own.T, .where = own.where, .shortest = own.shortest, .longest = own.longest});
   }
   return all;
 }

@@ -70,7 +70,8 @@ std::string profiles_html(const Result& r) {
     const auto* p = std::get_if<Profile>(&f);
     if (p == nullptr) continue;
     out += fmt::format("<figure class=\"landscape\">{}{}</figure>\n", profile_svg(*p, display, turned_width),
-                       caption_html(p->title, p->caption, profile_scale_words(*p, turned_width) + fmt::format(" Data: {}.csv", p->name)));
+                       caption_html(p->title, p->caption,
+                                    profile_scale_words(*p, turned_width) + fmt::format(" Data: {}.csv", p->name)));
   }
   return out;
 }

@@ -89,8 +89,8 @@ void add_supports(const DrawnLine& line, Profile& p) {
   std::stable_partition(order.begin(), order.end(), [&](int i) { return i == carriage.reeving; });
   for (const int i : order) {
     for (const machine::Node& node : m.reevings[i].nodes) {
-      const bool is_carriage = std::any_of(m.carriages.begin(), m.carriages.end(),
-                                           [&](const auto& c) { return node.at.body == c.body; });
+      const bool is_carriage =
+          std::any_of(m.carriages.begin(), m.carriages.end(), [&](const auto& c) { return node.at.body == c.body; });
       if (is_carriage || node.kind == machine::NodeKind::load) continue;
       const Vector3 place = machine::in_ground(line.state.state, node.at);
       const Point top = seen(line.way, place);
@@ -98,13 +98,11 @@ void add_supports(const DrawnLine& line, Profile& p) {
         return s.name == node.name || std::hypot(s.top.x - top.x, s.top.y - top.y) < apart * (high - low);
       });
       if (known) continue;
-      const double ground =
-          p.ground.empty() ? none : study::ground_height(m.terrain, machine::terrain_x(m, place));
+      const double ground = p.ground.empty() ? none : study::ground_height(m.terrain, machine::terrain_x(m, place));
       p.supports.push_back({.name = node.name, .top = top, .ground = ground});
     }
   }
-  std::sort(p.supports.begin(), p.supports.end(),
-            [](const auto& a, const auto& b) { return a.top.x < b.top.x; });
+  std::sort(p.supports.begin(), p.supports.end(), [](const auto& a, const auto& b) { return a.top.x < b.top.x; });
 }
 
 /// What the rope that bears most of all bears in a state.
@@ -184,9 +182,9 @@ Profile load_path_profile(const MachineRun& run, const study::LoadPathRun& path)
   Profile p = line_profile({.model = *worst->model, .state = worst->point->at, .way = path.way});
   p.name = "load_path_profile" + path.ending;
   p.title = fmt::format("The line and what its ropes bear, {}", path.words);
-  p.caption = fmt::format("Drawn where the {} is largest, carriage at x = {}.",
-                          as_share ? "tension over breaking force" : "tension",
-                          run.display.quantity(worst->point->x, si::m));
+  p.caption =
+      fmt::format("Drawn where the {} is largest, carriage at x = {}.",
+                  as_share ? "tension over breaking force" : "tension", run.display.quantity(worst->point->x, si::m));
   p.value = as_share ? Axis{.label = "tension over breaking force", .unit = si::one}
                      : Axis{.label = "largest tension", .unit = si::N};
   p.places = std::move(shown);

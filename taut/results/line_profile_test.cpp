@@ -50,8 +50,9 @@ TEST(LineProfile, HasGroundSupportsRopesAndTheWayOfTheCarriage) {
 }
 
 TEST(LineProfile, ShowsThePayloadAndItsLimits) {
-  const Result r = run_text(skyline_deck("  - payload: {carriage: car, from: 140 m, to: 170 m, steps: 3, motion: in, "
-                                         "limits: {skyline: {safety_factor: 3.5}, clearance: 2 m}}"));
+  const Result r =
+      run_text(skyline_deck("  - payload: {carriage: car, from: 140 m, to: 170 m, steps: 3, motion: in, "
+                            "limits: {skyline: {safety_factor: 3.5}, clearance: 2 m}}"));
   ASSERT_EQ(r.status, Status::ok) << r.message << to_text(r.errors);
   const Profile& p = profile_named(r, "payload_profile");
   EXPECT_EQ(p.clearance, 2);

@@ -18,8 +18,7 @@ const Quantities<solve::RopeRow>& rope_columns() {
 }
 
 const Quantities<solve::ContactRow>& contact_columns() {
-  static const auto all =
-      as_details(picked(solve::contact_quantities(), {"T_in", "T_out", "wrap", "Fx", "Fz"}));
+  static const auto all = as_details(picked(solve::contact_quantities(), {"T_in", "T_out", "wrap", "Fx", "Fz"}));
   return all;
 }
 
@@ -38,9 +37,9 @@ const Quantities<LoadPathRow>& place_columns() {
 }
 
 const Quantities<LoadPathRow>& closure_columns() {
-  static const auto all = as_details(
-      Quantities<LoadPathRow>{{"closure", "", si::m.in("mm"), "ends of branches and lengths of ropes",
-                               [](const LoadPathRow& r) { return r.point.at.closure.rope; }}});
+  static const auto all =
+      as_details(Quantities<LoadPathRow>{{"closure", "", si::m.in("mm"), "ends of branches and lengths of ropes",
+                                          [](const LoadPathRow& r) { return r.point.at.closure.rope; }}});
   return all;
 }
 

@@ -17,11 +17,12 @@ namespace {
 
 using checks::RopeSeen;
 
-constexpr double same_length = 1e-6;      ///< lengths that differ by less than this share are one length
+constexpr double same_length = 1e-6;  ///< lengths that differ by less than this share are one length
 constexpr std::size_t most_rope_lines = 3;
 
 const machine::description::Rope* rope_named(const machine::Machine& machine, const std::string& name) {
-  const auto at = std::find_if(machine.ropes.begin(), machine.ropes.end(), [&](const auto& r) { return r.name == name; });
+  const auto at =
+      std::find_if(machine.ropes.begin(), machine.ropes.end(), [&](const auto& r) { return r.name == name; });
   return at == machine.ropes.end() ? nullptr : &*at;
 }
 
@@ -178,7 +179,8 @@ void add_beams(const machine::Machine& machine, const MachineRun& run, Result& r
     if (given->section) text += " " + *given->section;
     if (given->steel) text += ", steel " + *given->steel;
     if (!std::isnan(worst[i].stress.value)) {
-      text += fmt::format(", stress {} ({})", run.display.quantity(worst[i].stress.value, si::Pa), worst[i].stress.when);
+      text +=
+          fmt::format(", stress {} ({})", run.display.quantity(worst[i].stress.value, si::Pa), worst[i].stress.when);
     }
     if (!std::isnan(worst[i].top_displacement.value)) {
       const Unit& unit = named(solve::beam_quantities(), "top_displacement").about.unit;

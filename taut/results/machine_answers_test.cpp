@@ -53,7 +53,8 @@ TEST(MachineAnswers, StatesThatAreNotJudgedStillHaveTensions) {
 
 TEST(MachineAnswers, ThePayloadComesFirst) {
   const std::string payload =
-      "  - payload: {carriage: car, from: 140 m, to: 170 m, steps: 3, motion: in, limits: {skyline: {safety_factor: 3.5}}}";
+      "  - payload: {carriage: car, from: 140 m, to: 170 m, steps: 3, motion: in, limits: {skyline: {safety_factor: "
+      "3.5}}}";
   const Result r = run_text(skyline_deck(payload), {"machine.loads[0].mass=200 kg"});
   ASSERT_EQ(r.status, Status::ok) << r.message << to_text(r.errors);
   ASSERT_FALSE(r.answers.empty());
@@ -67,8 +68,9 @@ TEST(MachineAnswers, ThePayloadComesFirst) {
 }
 
 TEST(MachineAnswers, WhereNothingIsCarriedIsSaidFirst) {
-  const Result r = run_text(skyline_deck("  - payload: {carriage: car, from: 130 m, to: 225 m, steps: 8, motion: in, "
-                                         "limits: {clearance: 5.5 m}, most: 30 t}"));
+  const Result r =
+      run_text(skyline_deck("  - payload: {carriage: car, from: 130 m, to: 225 m, steps: 8, motion: in, "
+                            "limits: {clearance: 5.5 m}, most: 30 t}"));
   ASSERT_EQ(r.status, Status::ok) << r.message << to_text(r.errors);
   const std::string& text = r.answers.front().text;
   EXPECT_EQ(r.answers.front().label, "Carries");
@@ -101,8 +103,9 @@ analyses:
 }
 
 TEST(MachineAnswers, SeveralAnalysesHaveTheirHeadings) {
-  const Result r = run_text(skyline_deck("  - equilibrium: {motion: at_rest}\n  - equilibrium: {motion: in, name: haul}\n"
-                                         "  - sweep: {parameter: \"loads[0].mass\", from: 0 kg, to: 200 kg, steps: 2}"));
+  const Result r =
+      run_text(skyline_deck("  - equilibrium: {motion: at_rest}\n  - equilibrium: {motion: in, name: haul}\n"
+                            "  - sweep: {parameter: \"loads[0].mass\", from: 0 kg, to: 200 kg, steps: 2}"));
   ASSERT_EQ(r.status, Status::ok) << r.message << to_text(r.errors);
   EXPECT_EQ(table_of(r, "spans").heading, "equilibrium, at rest");
   EXPECT_EQ(table_of(r, "spans_haul").heading, "equilibrium haul, in");
@@ -114,8 +117,9 @@ TEST(MachineAnswers, SeveralAnalysesHaveTheirHeadings) {
 }
 
 TEST(MachineAnswers, WhatAnAnalysisIsNotAboutIsDetail) {
-  const Result r = run_text(skyline_deck("  - equilibrium: {motion: at_rest}\n"
-                                         "  - load_path: {carriage: car, from: 140 m, to: 220 m, steps: 2}"));
+  const Result r =
+      run_text(skyline_deck("  - equilibrium: {motion: at_rest}\n"
+                            "  - load_path: {carriage: car, from: 140 m, to: 220 m, steps: 2}"));
   ASSERT_EQ(r.status, Status::ok) << r.message << to_text(r.errors);
   EXPECT_TRUE(table_of(r, "closure").detail);
   EXPECT_TRUE(table_of(r, "bodies").detail);
@@ -126,7 +130,8 @@ TEST(MachineAnswers, WhatAnAnalysisIsNotAboutIsDetail) {
   EXPECT_FALSE(table_of(r, "load_path").detail);
   std::vector<std::string> names;
   for (const taut::Column& c : shown.columns) names.push_back(c.name);
-  EXPECT_EQ(names, (std::vector<std::string>{"x", "z", "clearance", "skyline.T_max", "mainline.T_max", "rope_clearance"}));
+  EXPECT_EQ(names,
+            (std::vector<std::string>{"x", "z", "clearance", "skyline.T_max", "mainline.T_max", "rope_clearance"}));
   EXPECT_EQ(shown.rows.front().size(), names.size());
 }
 

@@ -121,8 +121,7 @@ void add_base(const machine::description::Beam& given, const MachineRun& run, st
   if (first == run.equilibria.end()) return;
   const solve::BeamRow row{first->model, first->result, first->result.beams[i]};
   for (const char* key : {"N_base", "Rx", "Mx", "Ry", "My", "Rz", "Mz"}) {
-    r.values.push_back(
-        make_value(named(as_details(solve::beam_quantities()), key), row, given.name, "", first->words));
+    r.values.push_back(make_value(named(as_details(solve::beam_quantities()), key), row, given.name, "", first->words));
   }
 }
 

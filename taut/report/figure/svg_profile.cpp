@@ -15,14 +15,14 @@
 namespace taut::report {
 namespace {
 
-constexpr double left_room = 62;         ///< for the names and numbers of the axes
+constexpr double left_room = 62;  ///< for the names and numbers of the axes
 constexpr double right_room = 16;
 constexpr double least_line_height = 0.2;  ///< of the picture of the line, as a share of the width
 constexpr double most_line_height = 0.36;
 constexpr double band_height = 0.18;
-constexpr double head_room = 16;          ///< above both pictures, pixels
-constexpr std::size_t most_kinds = 6;     ///< colours
-constexpr int longest_kind = 60;          ///< characters of a name in the legend
+constexpr double head_room = 16;       ///< above both pictures, pixels
+constexpr std::size_t most_kinds = 6;  ///< colours
+constexpr int longest_kind = 60;       ///< characters of a name in the legend
 
 struct Tint {
   std::string_view fill;
@@ -178,9 +178,10 @@ std::string vertical_axis(const Box& a, const std::vector<double>& ticks, const 
     out += fmt::format("<text class=\"tick\" x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"end\">{}</text>\n", a.left - 7,
                        y + 4, profile_tick(v, ticks));
   }
-  return out + fmt::format("<text class=\"label\" transform=\"translate(13 {:.1f}) rotate(-90)\" "
-                           "text-anchor=\"middle\">{}</text>\n",
-                           (a.top + a.bottom) / 2, escape(name));
+  return out + fmt::format(
+                   "<text class=\"label\" transform=\"translate(13 {:.1f}) rotate(-90)\" "
+                   "text-anchor=\"middle\">{}</text>\n",
+                   (a.top + a.bottom) / 2, escape(name));
 }
 
 std::string with_unit(const std::string& name, const ShownUnit& unit) {
@@ -193,8 +194,7 @@ std::string profile_axes(const Profile& p, const ProfileLayout& l) {
   out += vertical_axis(l.band, l.value_ticks, with_unit(clean(p.value.label), l.value));
   const auto ticks = ticks_within(l.x_ticks.front(), l.x_ticks.back(), 8);
   for (const double v : ticks) {
-    const double x =
-        l.line.left + (v - l.x_ticks.front()) / (l.x_ticks.back() - l.x_ticks.front()) * l.line.width();
+    const double x = l.line.left + (v - l.x_ticks.front()) / (l.x_ticks.back() - l.x_ticks.front()) * l.line.width();
     for (const Box& a : {l.line, l.band})
       out += fmt::format("<path class=\"grid\" d=\"M{:.1f} {:.1f}V{:.1f}\"/>", x, a.top, a.bottom);
     out += fmt::format("<text class=\"tick\" x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"middle\">{}</text>\n", x,
@@ -238,8 +238,8 @@ void draw_profile_ground(ProfileSheet& s) {
   std::vector<Pixel> edge = pixels_of(s.p.ground, s.l);
   const Pen& own = pen(Role::ground);
   const std::string top = path_data(edge, false);
-  s.svg += fmt::format("<path d=\"{}L{:.1f} {:.1f}L{:.1f} {:.1f}Z\" fill=\"{}\" stroke=\"none\"/>\n", top, edge.back().x,
-                       s.l.line.bottom, edge.front().x, s.l.line.bottom, own.fill);
+  s.svg += fmt::format("<path d=\"{}L{:.1f} {:.1f}L{:.1f} {:.1f}Z\" fill=\"{}\" stroke=\"none\"/>\n", top,
+                       edge.back().x, s.l.line.bottom, edge.front().x, s.l.line.bottom, own.fill);
   s.svg += fmt::format("<path d=\"{}\" fill=\"none\" {}/>\n", top, stroke_of(own));
   s.line(edge, own.weight);
 }
@@ -302,8 +302,8 @@ void draw_profile_way(ProfileSheet& s) {
   if (lowest == nullptr) return;
   const Pixel above = s.l.pixel({.x = lowest->x, .y = lowest->z}),
               below = s.l.pixel({.x = lowest->x, .y = lowest->ground});
-  s.svg += fmt::format("<path class=\"dimension\" d=\"M{:.1f} {:.1f}L{:.1f} {:.1f}\"/>", above.x, above.y, below.x,
-                       below.y);
+  s.svg +=
+      fmt::format("<path class=\"dimension\" d=\"M{:.1f} {:.1f}L{:.1f} {:.1f}\"/>", above.x, above.y, below.x, below.y);
   for (const auto& [tip, down] : {std::pair{above, -1.0}, std::pair{below, 1.0}})
     s.svg += arrow_head(tip, 0, down, 6, "#555d66");
   s.obstacles.push_back({above, below, 2});
@@ -384,8 +384,9 @@ void draw_band(ProfileSheet& s, const std::vector<std::string>& kinds) {
     const auto [from, to] = share_of(p, i);
     const double a = s.l.x(from), b = s.l.x(to);
     if (std::isnan(place.value)) {
-      s.svg += fmt::format("<rect x=\"{:.2f}\" y=\"{:.1f}\" width=\"{:.2f}\" height=\"{:.1f}\" fill=\"url(#profile-gap)\"/>",
-                           a, s.l.band.top, std::max(0.6, b - a), s.l.band.height());
+      s.svg +=
+          fmt::format("<rect x=\"{:.2f}\" y=\"{:.1f}\" width=\"{:.2f}\" height=\"{:.1f}\" fill=\"url(#profile-gap)\"/>",
+                      a, s.l.band.top, std::max(0.6, b - a), s.l.band.height());
       edge.push_back({.x = NAN, .y = NAN});
       continue;
     }
@@ -395,21 +396,23 @@ void draw_band(ProfileSheet& s, const std::vector<std::string>& kinds) {
     // a place where nothing is carried would not be seen
     const double least = place.value <= 0 && !place.governs.empty() ? 5 : 0;
     const auto& fill = tints[tint_of(kinds, place.governs)].fill;
-    s.svg += fmt::format("<path d=\"M{0:.2f} {1:.1f}L{0:.2f} {2:.1f}L{3:.2f} {4:.1f}L{5:.2f} {6:.1f}L{5:.2f} {1:.1f}Z\" "
-                         "fill=\"{7}\" stroke=\"{7}\" stroke-width=\"0.5\"/>",
-                         a, zero, s.l.y(left) - least, mid, top - least, b, s.l.y(right) - least, fill);
+    s.svg += fmt::format(
+        "<path d=\"M{0:.2f} {1:.1f}L{0:.2f} {2:.1f}L{3:.2f} {4:.1f}L{5:.2f} {6:.1f}L{5:.2f} {1:.1f}Z\" "
+        "fill=\"{7}\" stroke=\"{7}\" stroke-width=\"0.5\"/>",
+        a, zero, s.l.y(left) - least, mid, top - least, b, s.l.y(right) - least, fill);
     edge.push_back({.x = mid, .y = top});
   }
-  s.svg += fmt::format("\n<path d=\"{}\" fill=\"none\" stroke=\"#222a33\" stroke-width=\"1.6\"/>\n",
-                       path_data(edge, false));
+  s.svg +=
+      fmt::format("\n<path d=\"{}\" fill=\"none\" stroke=\"#222a33\" stroke-width=\"1.6\"/>\n", path_data(edge, false));
   s.line(edge, 3);
 }
 
 void draw_limit_of_band(ProfileSheet& s) {
   if (!std::isfinite(s.p.limit)) return;
   const double y = s.l.y(s.p.limit);
-  s.svg += fmt::format("<path d=\"M{:.1f} {:.1f}H{:.1f}\" stroke=\"{}\" stroke-width=\"1.4\" stroke-dasharray=\"6 3\"/>\n",
-                       s.l.band.left, y, s.l.band.right, asked_colour);
+  s.svg +=
+      fmt::format("<path d=\"M{:.1f} {:.1f}H{:.1f}\" stroke=\"{}\" stroke-width=\"1.4\" stroke-dasharray=\"6 3\"/>\n",
+                  s.l.band.left, y, s.l.band.right, asked_colour);
 }
 
 void draw_decisive(ProfileSheet& s) {
@@ -453,7 +456,8 @@ std::string frame_svg(const Box& a) {
 std::string profile_svg(const Profile& p, const Display& display, double wide) {
   if (!can_be_shown(p)) return "<p class=\"empty\">Nothing to draw.</p>";
   const std::vector<std::string> kinds = kinds_of(p);
-  const bool gaps = std::any_of(p.places.begin(), p.places.end(), [](const auto& one) { return std::isnan(one.value); });
+  const bool gaps =
+      std::any_of(p.places.begin(), p.places.end(), [](const auto& one) { return std::isnan(one.value); });
   std::string legend;
   const double legend_height = profile_legend(legend, kinds, gaps, {.x = left_room, .y = 0}, wide);
   const ProfileLayout l = profile_layout(p, display, wide, legend_height);
@@ -478,8 +482,7 @@ std::string profile_svg(const Profile& p, const Display& display, double wide) {
   return fmt::format(
       "<svg class=\"profile\" role=\"img\" aria-label=\"{}\" viewBox=\"0 0 {:.0f} {:.0f}\" width=\"{:.0f}\" "
       "height=\"{:.0f}\">\n{}{}{}{}{}{}</svg>\n",
-      escape(p.title), wide, high, wide, high, gap, s.svg, frame_svg(l.line), frame_svg(l.band), legend,
-      body);
+      escape(p.title), wide, high, wide, high, gap, s.svg, frame_svg(l.line), frame_svg(l.band), legend, body);
 }
 
 std::string profile_scale_words(const Profile& p, double wide) {

@@ -25,7 +25,8 @@ Profile profile_of_a_line() {
   p.limit = NAN;
   for (int i = 0; i <= 10; ++i) {
     const double x = 110 + 8 * i;
-    Profile::Place place{.x = x, .z = 10 + 0.2 * x, .ground = 10 + 0.3 * (x - 100), .value = 1000.0 + 100 * i, .governs = {}};
+    Profile::Place place{
+        .x = x, .z = 10 + 0.2 * x, .ground = 10 + 0.3 * (x - 100), .value = 1000.0 + 100 * i, .governs = {}};
     place.governs = i < 5 ? "tension of 'skyline'" : "clearance of the carriage";
     p.places.push_back(place);
   }
@@ -35,8 +36,8 @@ Profile profile_of_a_line() {
 
 TEST(SvgProfile, ShowsTheLineAndWhatItCarries) {
   const std::string svg = profile_svg(profile_of_a_line(), Display());
-  for (const char* words : {"class=\"profile\"", "jack, 10 m", "stump, 4 m", ">far<", ">skyline<", ">mainline<", ">car<",
-                            "least clearance", "height in m", "payload in t", "1 t at x = 110 m",
+  for (const char* words : {"class=\"profile\"", "jack, 10 m", "stump, 4 m", ">far<", ">skyline<", ">mainline<",
+                            ">car<", "least clearance", "height in m", "payload in t", "1 t at x = 110 m",
                             "clearance of the carriage", "aria-label=\"The line &amp; what it carries\""}) {
     EXPECT_TRUE(has(svg, words)) << words;
   }

@@ -172,8 +172,8 @@ void add_base_tension(const InstallationRun& run, const Display& display, Result
   for (const Row& row : run.rows) {
     if (row.at.outcome.ok()) rows.push_back(&row);
   }
-  const auto [cold, warm] = std::minmax_element(rows.begin(), rows.end(),
-                                                [](const Row* a, const Row* b) { return a->temperature < b->temperature; });
+  const auto [cold, warm] = std::minmax_element(
+      rows.begin(), rows.end(), [](const Row* a, const Row* b) { return a->temperature < b->temperature; });
   if (rows.empty()) return;
   add(**cold);
   if (*warm != *cold) add(**warm);

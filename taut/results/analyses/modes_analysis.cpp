@@ -167,7 +167,8 @@ void add_frequencies(const study::ModesRun& run, const Display& display, Result&
       parts.push_back(mode.frequency > 0 ? display.quantity(mode.frequency, si::per_s) : "nothing brings it back");
     }
     if (parts.empty()) continue;
-    if (run.result.sets.size() > 1) parts.front() = fmt::format("sheaves {}: {}", study::sheaves_words(run, set), parts.front());
+    if (run.result.sets.size() > 1)
+      parts.front() = fmt::format("sheaves {}: {}", study::sheaves_words(run, set), parts.front());
     add_answer_line(r, "Modes", parts);
   }
 }

@@ -135,7 +135,8 @@ void add_swept(const study::SweepRun& run, const solve::Sweep& s, const std::str
                Result& r) {
   const auto shown = [&](double value) { return display.quantity(value, run.unit); };
   std::vector<std::string> parts = {
-      end.empty() ? fmt::format("{} from {} to {}", run.parameter, shown(s.points.front().value), shown(s.value)) : end};
+      end.empty() ? fmt::format("{} from {} to {}", run.parameter, shown(s.points.front().value), shown(s.value))
+                  : end};
   const machine::Model& m = s.points.front().model;
   for (std::size_t i = 0; i < m.reevings.size(); ++i) {
     const auto most = std::max_element(s.points.begin(), s.points.end(), [&](const auto& a, const auto& b) {

@@ -69,7 +69,12 @@ void add_envelope(const study::TransientRun& run, Result& r) {
     const auto value = [&](const char* ending, double x, const std::string& words) {
       if (!std::isfinite(x)) return;
       const std::string name = fmt::format("{}_{}{}", o.name, ending, run.ending);
-      r.values.push_back({name, x, o.unit, name, fmt::format("{} of {} ({})", words, o.name, words_of(run)), {},
+      r.values.push_back({name,
+                          x,
+                          o.unit,
+                          name,
+                          fmt::format("{} of {} ({})", words, o.name, words_of(run)),
+                          {},
                           true});  // the table of the envelope has them in one line
     };
     value("min", e.min, fmt::format("smallest value, at t = {:.6g} s,", e.t_min));

@@ -1,6 +1,7 @@
+#include "taut/calc/answers.hpp"
+
 #include <fmt/format.h>
 
-#include "taut/calc/answers.hpp"
 #include "taut/methods/boom_ropes/boom_ropes.hpp"
 
 namespace taut::boom_ropes {

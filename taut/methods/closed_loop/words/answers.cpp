@@ -1,8 +1,9 @@
+#include "taut/calc/answers.hpp"
+
 #include <fmt/format.h>
 
 #include <cmath>
 
-#include "taut/calc/answers.hpp"
 #include "taut/catalogue/rope_search.hpp"
 #include "taut/catalogue/rope_words.hpp"
 #include "taut/methods/closed_loop/closed_loop.hpp"
@@ -37,10 +38,9 @@ std::vector<Answer> answers(const Input& in, const Result& r, const Display& dis
       const Value* length = r.find_value(role + "_length_exact");
       parts.push_back(fmt::format("{} rope {}{}", role, designation_words(text_in(*ropes, i, "designation")),
                                   length == nullptr ? "" : fmt::format(", {} unstretched", shown(*length))));
-      loads.push_back(fmt::format("{} rope {} ({}), factor {}", role,
-                                  display.quantity(number_in(*ropes, i, "largest_tension"), si::N),
-                                  text_in(*ropes, i, "where"),
-                                  display.number(number_in(*ropes, i, "safety_factor"), si::one)));
+      loads.push_back(fmt::format(
+          "{} rope {} ({}), factor {}", role, display.quantity(number_in(*ropes, i, "largest_tension"), si::N),
+          text_in(*ropes, i, "where"), display.number(number_in(*ropes, i, "safety_factor"), si::one)));
     }
     add_answer_line(lines, in.choose_ropes ? build_label : given_label, parts);
     add_answer_line(lines, "Load", loads);

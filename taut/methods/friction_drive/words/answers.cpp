@@ -1,6 +1,7 @@
+#include "taut/calc/answers.hpp"
+
 #include <fmt/format.h>
 
-#include "taut/calc/answers.hpp"
 #include "taut/catalogue/rope_words.hpp"
 #include "taut/methods/friction_drive/friction_drive.hpp"
 
@@ -25,11 +26,13 @@ std::vector<Answer> answers(const Input& in, const Result& r, const Display& dis
   if (in.rope) {
     const auto row = catalogue::find_rope_in_words(*in.rope);
     std::vector<std::string> parts = {fmt::format("rope {}", row ? catalogue::words_of_rope(*row) : *in.rope)};
-    if (has("safety_factor")) parts.push_back(fmt::format("breaking force over largest tension {}", shown("safety_factor")));
+    if (has("safety_factor"))
+      parts.push_back(fmt::format("breaking force over largest tension {}", shown("safety_factor")));
     add_answer_line(lines, given_label, parts);
   }
-  add_answer_line(lines, "Tension", {fmt::format("tight branch {}, slack branch {}, without slip", shown("T_1_no_slip"),
-                                                 shown("T_2_no_slip"))});
+  add_answer_line(
+      lines, "Tension",
+      {fmt::format("tight branch {}, slack branch {}, without slip", shown("T_1_no_slip"), shown("T_2_no_slip"))});
   std::vector<std::string> drive;
   if (has("torque_working")) drive.push_back(fmt::format("torque {}", shown("torque_working")));
   drive.push_back(fmt::format("power {} into the cut", shown("power_working")));

@@ -1,9 +1,10 @@
+#include "taut/calc/answers.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "taut/calc/answers.hpp"
 #include "taut/methods/mast_section/mast_section.hpp"
 #include "taut/methods/mast_section/tables.hpp"
 
@@ -53,10 +54,11 @@ std::vector<Answer> answers(const Input& in, const Result& r, const Display& dis
                     {section_words(in, *sections, row, display)});
   }
   if (const Check* c = worst_of_mast(r)) {
-    add_answer_line(lines, "Stress",
-                    {fmt::format("{} of {} allowed", std::isnan(c->value) ? "no equilibrium" : display.quantity(c->value, c->unit),
-                                 display.quantity(c->limit, c->unit)),
-                     c->name, c->where});
+    add_answer_line(
+        lines, "Stress",
+        {fmt::format("{} of {} allowed", std::isnan(c->value) ? "no equilibrium" : display.quantity(c->value, c->unit),
+                     display.quantity(c->limit, c->unit)),
+         c->name, c->where});
   }
   add_answer_line(lines, "Foot",
                   {fmt::format("moment {}, ropes paid out {}", shown("M"), shown("M_payout")),
