@@ -16,18 +16,18 @@ constexpr int points_on_span = 24;
 constexpr double apart = 0.03;   ///< supports nearer than this share of the length need one name
 constexpr double margin = 0.04;  ///< of ground beyond the ropes, as a share of the length
 
-Point seen(const study::Way& way, const Vector3& v) { return {.x = v.dot(way.along), .y = v.z()}; }
+Point seen_along(const study::Way& way, const Vector3& v) { return {.x = v.dot(way.along), .y = v.z()}; }
 
 void add_branch(const solve::BranchResult& branch, const study::Way& way, std::vector<Point>& points) {
   if (!points.empty()) points.push_back({none, none});
   if (branch.slack || branch.shape.rope.weight <= 0 || !(branch.shape.rope.length > 0)) {
-    points.push_back(seen(way, branch.start));
-    points.push_back(seen(way, branch.end));
+    points.push_back(seen_along(way, branch.start));
+    points.push_back(seen_along(way, branch.end));
     return;
   }
   for (int i = 0; i <= points_on_span; ++i) {
     const double s = branch.shape.rope.length * i / points_on_span;
-    points.push_back(seen(way, branch.start + rope::point_at(branch.shape, s)));
+    points.push_back(seen_along(way, branch.start + rope::point_at(branch.shape, s)));
   }
 }
 
@@ -93,7 +93,7 @@ void add_supports(const DrawnLine& line, Profile& p) {
           std::any_of(m.carriages.begin(), m.carriages.end(), [&](const auto& c) { return node.at.body == c.body; });
       if (is_carriage || node.kind == machine::NodeKind::load) continue;
       const Vector3 place = machine::in_ground(line.state.state, node.at);
-      const Point top = seen(line.way, place);
+      const Point top = seen_along(line.way, place);
       const bool known = std::any_of(p.supports.begin(), p.supports.end(), [&](const Profile::Support& s) {
         return s.name == node.name || std::hypot(s.top.x - top.x, s.top.y - top.y) < apart * (high - low);
       });
@@ -134,7 +134,7 @@ Profile line_profile(const DrawnLine& line) {
   Profile p;
   const machine::Carriage& carriage = line.model.carriages[line.way.carriage];
   p.carriage = carriage.name;
-  p.carriage_at = seen(line.way, line.state.state.bodies[carriage.body].position);
+  p.carriage_at = seen_along(line.way, line.state.state.bodies[carriage.body].position);
   p.clearance = none;
   p.limit = none;
   add_ropes(line, p);

@@ -38,7 +38,7 @@ constexpr std::array<Tint, most_kinds> tints{{{.fill = "#a9c9ec", .edge = "#1d5f
 constexpr std::string_view asked_colour = "#b3261e";
 
 /// Smallest and largest of numbers that may be missing.
-struct Extent {
+struct LineExtent {
   double low = HUGE_VAL;
   double high = -HUGE_VAL;
   void add(double v) {
@@ -52,7 +52,7 @@ struct Extent {
 
 /// What both pictures share, in metres: x, and the heights of the one above.
 struct ProfileExtents {
-  Extent x, z;
+  LineExtent x, z;
 };
 
 ProfileExtents extents_of(const Profile& p) {
@@ -108,7 +108,7 @@ std::pair<double, double> height_of_line(double paper, double wide, double high)
   return {height, high > 0 ? height / (high * scale) : 1};
 }
 
-std::vector<double> ticks_over(Extent e, int count) {
+std::vector<double> ticks_over(LineExtent e, int count) {
   if (e.empty()) e = {.low = 0, .high = 1};
   if (e.size() <= 1e-9 * std::max(std::abs(e.low), std::abs(e.high)) || e.size() <= 0) {
     e.low -= 1;
@@ -135,22 +135,22 @@ ProfileLayout profile_layout(const Profile& p, const Display& display, double pa
                   .value = shown_unit(p.value.unit, display),
                   .line = {},
                   .band = {}};
-  const auto shown = [&](const Extent& metres) {
-    Extent s;
+  const auto shown = [&](const LineExtent& metres) {
+    LineExtent s;
     if (!metres.empty()) {
       s.add(l.length.of(metres.low));
       s.add(l.length.of(metres.high));
     }
     return s;
   };
-  const Extent x = shown(e.x);
+  const LineExtent x = shown(e.x);
   l.x_ticks = {x.low, x.high};
   l.z_ticks = ticks_over(shown(e.z), 5);
   const double per_metre = l.length.of(1) - l.length.of(0);
   const auto [height, stretched] =
       height_of_line(paper, e.x.size(), (l.z_ticks.back() - l.z_ticks.front()) / per_metre);
   l.stretched = stretched;
-  Extent values;
+  LineExtent values;
   values.add(0);
   for (const Profile::Place& place : p.places) {
     if (std::isfinite(place.value)) values.add(l.value.of(place.value));
