@@ -8,6 +8,7 @@
 #include <map>
 
 #include "taut/app/fingerprint.hpp"
+#include "taut/calc/answers.hpp"
 #include "taut/io/deck/include.hpp"
 #include "taut/io/deck/override.hpp"
 #include "taut/io/deck/parameters.hpp"
@@ -262,6 +263,43 @@ void add_deviation_plot(const std::vector<ComparedRow>& rows, Result& r) {
   if (!p.curves.empty()) r.figures.emplace_back(std::move(p));
 }
 
+/// How far a row is off in the share that it may be off; 0: nothing is demanded of it.
+double off_by(const ComparedRow& row) {
+  const auto share = [&](double of, double by) {
+    return std::isnan(by) ? 0 : std::isnan(row.value) ? HUGE_VAL : std::abs(row.value - of) / by;
+  };
+  return std::max(share(row.published, row.tolerance), share(row.reference, row.reference_tolerance));
+}
+
+/// How many rows agree, and those that are off most.
+void add_compared_answers(const std::vector<ComparedRow>& rows, const Display& display, Result& r) {
+  std::vector<const ComparedRow*> demanded;
+  for (const ComparedRow& row : rows) {
+    if (row.demanded()) demanded.push_back(&row);
+  }
+  const auto kept = std::count_if(demanded.begin(), demanded.end(), [](const ComparedRow* row) {
+    return !std::isnan(row->value) && row->near_published() && row->near_reference();
+  });
+  add_answer_line(r, "Rows",
+                  {fmt::format("{} of {} rows agree within what they may be off", kept, demanded.size()),
+                   fmt::format("{} rows in all", rows.size())});
+  std::stable_sort(demanded.begin(), demanded.end(),
+                   [](const ComparedRow* a, const ComparedRow* b) { return off_by(*a) > off_by(*b); });
+  constexpr std::size_t most_rows = 4;
+  for (std::size_t i = 0; i < std::min(most_rows, demanded.size()); ++i) {
+    const ComparedRow& row = *demanded[i];
+    const bool by_reference = std::isnan(row.tolerance);
+    const std::string value = shown_value(display, row.value, row.unit);
+    const std::string deviation =
+        by_reference ? deviation_text(display, row.value, row.reference, row.reference_tolerance, row.unit)
+                     : deviation_text(display, row.value, row.published, row.tolerance, row.unit);
+    add_answer_line(
+        r, "Worst",
+        {fmt::format("{}: {}{}{} from the {}", row.what, value.empty() ? row.message : value,
+                     deviation.empty() ? "" : ", ", deviation, by_reference ? "reference" : "published value")});
+  }
+}
+
 /// What is off beside why: the note of its row.
 void tell_misses(const std::vector<ComparedRow>& rows, const Display& display, Result& r) {
   for (const ComparedRow& row : rows) {
@@ -340,6 +378,8 @@ Result compare(const Job& job) {
   add_compared_table(rows, Display(), r);
   add_compared_checks(rows, r);
   add_deviation_plot(rows, r);
+  if (!r.figures.empty()) r.key_figure = "deviations";
+  add_compared_answers(rows, Display(), r);
   tell_misses(rows, Display(), r);
   for (const ComparedRow& row : rows) {
     if (row.message.empty()) continue;
@@ -349,6 +389,7 @@ Result compare(const Job& job) {
   }
   for (const std::string& erratum : set.errata)
     r.assumptions.push_back(fmt::format("Erratum of the source: {}", erratum));
+  finish_answers(r);
   return r;
 }
 

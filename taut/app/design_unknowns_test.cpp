@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -203,6 +204,38 @@ TEST(DesignUnknowns, impossible_limits) {
       saw(saw_rope, "1 t", "design: {unknowns: {w: {parameter: take_up.slide.weight, from: 1 kg, to: 30 kg}}}"));
   EXPECT_EQ(exit_code(r), 3);
   EXPECT_THAT(r.message, HasSubstr("no choice passes all checks; the nearest, w = 30 kg, fails by"));
+  ASSERT_FALSE(r.answers.empty());
+  EXPECT_EQ(r.answers.front().label, "Nearest");
+  EXPECT_THAT(r.answers.front().text, HasSubstr("w = 30 kg; fails by"));
+}
+
+// What is chosen is in the inputs with its value, and first on the page; the rest of the inputs is the deck's.
+TEST(DesignUnknowns, what_is_chosen_is_marked_among_the_inputs) {
+  const Result r = run_text(saw(saw_rope, "1 t", fmt::format("design: {{seek: lightest, {}}}", free_weight)));
+  ASSERT_TRUE(passes(r)) << r.message << to_text(r.errors);
+  std::vector<std::string> chosen;
+  for (const Given& g : r.given) {
+    if (!g.chosen) continue;
+    chosen.push_back(g.key);
+    EXPECT_EQ(g.numbers, std::vector<double>{value_of(r, "design_weight")});
+  }
+  ASSERT_EQ(chosen.size(), 1U) << fmt::format("{}", fmt::join(chosen, ", "));
+  EXPECT_THAT(chosen[0], HasSubstr("weight"));
+  EXPECT_EQ(r.answers.front().label, "Build");
+  EXPECT_THAT(r.answers.front().text, HasSubstr("weight = "));
+}
+
+TEST(DesignUnknowns, a_rope_that_is_chosen_is_named_in_full) {
+  const Result r = run_text(
+      saw("{}", "1 t", "design: {ropes: {saw: {construction: 6x36, core: IWRC, grade: 1960 MPa, modulus: 100 GPa}}}"));
+  ASSERT_TRUE(passes(r)) << r.message << to_text(r.errors);
+  const auto row =
+      std::find_if(r.given.begin(), r.given.end(), [](const Given& g) { return g.key == "machine.ropes.saw.rope"; });
+  ASSERT_NE(row, r.given.end());
+  EXPECT_TRUE(row->chosen);
+  EXPECT_EQ(row->text, text_cell(table_of(r, "design"), 0, "designation"));
+  EXPECT_EQ(r.answers.front().label, "Build");
+  EXPECT_THAT(r.answers.front().text, HasSubstr("saw EN 12385-4 6x36-IWRC "));
 }
 
 // Interrupted before anything passes, and after: then the best so far is there, marked as such.

@@ -75,6 +75,8 @@ Written write_result(const Result& result, const std::string& place, const FileO
   for (const Figure& f : result.figures) {
     if (const auto* plot = std::get_if<Plot>(&f); plot != nullptr && !plot->name.empty())
       files.emplace_back(plot->name + ".csv", csv(io::series_table(*plot)));
+    if (const auto* profile = std::get_if<Profile>(&f))
+      files.emplace_back(profile->name + ".csv", csv(io::series_table(*profile)));
   }
   for (const Attachment& a : result.attachments) files.emplace_back(a.name, a.text);
   if (!result.comparisons.empty())

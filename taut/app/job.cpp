@@ -9,6 +9,7 @@
 #include "taut/app/fingerprint.hpp"
 #include "taut/app/method_deck.hpp"
 #include "taut/app/prepare_machine.hpp"
+#include "taut/calc/answers.hpp"
 #include "taut/io/deck/deck.hpp"
 
 namespace taut::app {
@@ -25,10 +26,12 @@ Prepared prepare(const Job& job) {
   Prepared p;
   p.deck = io::read_deck(job.text, job.name, job.set, method_names(), p.mistakes);
   if (!p.deck) return p;
-  if (p.deck->is_machine) p.calculate = prepare_machine(p.deck->input, p.mistakes, job.progress);
+  const Display& display = p.deck->display;
+  if (p.deck->is_machine) p.calculate = prepare_machine(p.deck->input, p.mistakes, job.progress, display);
   if (const MethodEntry* method = find_method(p.deck->method)) {
     const io::Node* others = p.deck->others ? &*p.deck->others : nullptr;
-    p.calculate = prepare_method(*method, p.deck->input, others, job.progress, p.mistakes);
+    p.calculate =
+        prepare_method(*method, p.deck->input, others, {.progress = job.progress, .display = display}, p.mistakes);
   }
   if (!p.mistakes.empty()) p.calculate = {};
   return p;
@@ -57,6 +60,7 @@ Result run(const Job& job) {
   r.display = p.deck->display.units();
   r.deck_hash = fingerprint(job.text, p.deck->reading ? p.deck->reading->texts : std::vector<std::string>{}, job.set);
   r.overrides = job.set;
+  finish_answers(r);
   return r;
 }
 

@@ -11,6 +11,7 @@
 #include "taut/design/design_deck.hpp"
 #include "taut/machine/description/machine.hpp"
 #include "taut/study/analyses.hpp"
+#include "taut/units/display.hpp"
 
 namespace taut::app {
 
@@ -22,6 +23,7 @@ struct MachineDeck {
   std::optional<design::DesignRequest> design;
   checks::AskedChecks asked;                         ///< not of the deck: what its checks name
   std::map<std::string, catalogue::RopeRow> chosen;  ///< not of the deck: rows of the ropes that a design has put in
+  Display display;                                   ///< not of the deck's machine: units for the sentences of a result
   static const Description& describe();
 
   /// What its checks see of it; it outlives that.

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "taut/base/suggest.hpp"
+#include "taut/calc/answers.hpp"
 #include "taut/catalogue/rope_search.hpp"
 #include "taut/catalogue/rope_words.hpp"
 #include "taut/checks/checks.hpp"
@@ -29,24 +30,6 @@ void raise_to(rope::RopeUse& use, const Result& r, const std::string& value) {
   if (v == nullptr || !(v->value > use.tension)) return;
   use.tension = v->value;
   use.where = v->label.empty() ? v->name : v->label;
-}
-
-double number_in(const Table& t, std::size_t row, const std::string& column) {
-  for (std::size_t i = 0; i < t.columns.size(); ++i) {
-    if (t.columns[i].name != column) continue;
-    const auto* number = std::get_if<double>(&t.rows[row][i]);
-    return number == nullptr ? 0 : *number;
-  }
-  return 0;
-}
-
-std::string text_in(const Table& t, std::size_t row, const std::string& column) {
-  for (std::size_t i = 0; i < t.columns.size(); ++i) {
-    if (t.columns[i].name != column) continue;
-    const auto* text = std::get_if<std::string>(&t.rows[row][i]);
-    return text == nullptr ? std::string{} : *text;
-  }
-  return {};
 }
 
 void one_end(rope::RopeUse& use) { use.ends = {{.name = "an end", .tension = use.tension}}; }

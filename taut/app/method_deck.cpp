@@ -32,6 +32,8 @@ tl::expected<study::Parameter, std::string> MethodDeck::parameter(const std::str
 
 Result MethodDeck::calculate() const {
   Result r = method->run(input);
+  if (r.status == Status::ok) r.answers = method->answers(input, r, display);
+  if (!r.figures.empty()) r.key_figure = std::visit([](const auto& one) { return one.name; }, r.figures.front());
   if (blocks.checks) add_method_checks(*blocks.checks, asked, ropes(&r), r);
   std::erase_if(r.unjudged, [&](const std::string& part) {
     return std::any_of(r.checks.begin(), r.checks.end(), [&](const Check& c) { return c.part == part && c.limits; });
@@ -50,8 +52,8 @@ checks::AskedChecks MethodDeck::resolve(const io::Node& node, const io::Node* ot
 }
 
 std::function<Result()> prepare_method(const MethodEntry& method, const io::Node& node, const io::Node* others,
-                                       const std::function<bool(const Progress&)>& progress, Diagnostics& mistakes) {
-  MethodDeck deck{.method = &method, .input = method.input_of_defaults()};
+                                       const MethodSurroundings& around, Diagnostics& mistakes) {
+  MethodDeck deck{.method = &method, .input = method.input_of_defaults(), .display = around.display};
   const std::size_t before = mistakes.size();
   io::read(node, *method.input, deck.input.place(), "the input of " + method.about->name, mistakes);
   if (others != nullptr) io::read(*others, MethodBlocks::describe(), &deck.blocks, "the deck", mistakes);
@@ -66,7 +68,7 @@ std::function<Result()> prepare_method(const MethodEntry& method, const io::Node
   // what is free is read as the first of its candidates
   deck.asked = with_design(deck, space, design::first_place(space)).resolve(node, others, mistakes);
   if (mistakes.size() > before) return {};
-  return [task = method_task(std::move(deck), std::move(space), progress)] { return design::run_design(task); };
+  return [task = method_task(std::move(deck), std::move(space), around.progress)] { return design::run_design(task); };
 }
 
 }  // namespace taut::app

@@ -12,6 +12,7 @@
 #include "taut/design/design.hpp"
 #include "taut/io/deck/node.hpp"
 #include "taut/study/deck/parameter.hpp"
+#include "taut/units/display.hpp"
 
 namespace taut::app {
 
@@ -29,6 +30,7 @@ struct MethodDeck {
   MethodBlocks blocks = {};
   checks::AskedChecks asked = {};                         ///< what its checks name, as resolve() has found it
   std::map<std::string, catalogue::RopeRow> chosen = {};  ///< ropes that a design has put in
+  Display display = Display();                            ///< units for the sentences of a result
 
   /// Its ropes; with a result also with the tensions in it.
   std::vector<rope::RopeUse> ropes(const Result* r) const;
@@ -44,10 +46,15 @@ struct MethodDeck {
   checks::AskedChecks resolve(const io::Node& node, const io::Node* others, Diagnostics& mistakes) const;
 };
 
+/// What a calculation needs besides its input.
+struct MethodSurroundings {
+  std::function<bool(const Progress&)> progress;  ///< as in a Job
+  Display display;
+};
+
 /// Reads `node`, the deck's input (and of the map `others` the blocks `checks` and `design`, where the deck has any)
 /// and notes every mistake; without mistakes returns the calculation, ready to be called; else an empty one.
-/// `progress`: as in a Job.
 std::function<Result()> prepare_method(const MethodEntry& method, const io::Node& node, const io::Node* others,
-                                       const std::function<bool(const Progress&)>& progress, Diagnostics& mistakes);
+                                       const MethodSurroundings& around, Diagnostics& mistakes);
 
 }  // namespace taut::app

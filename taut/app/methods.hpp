@@ -10,6 +10,7 @@
 #include "taut/calc/quantity.hpp"
 #include "taut/calc/result.hpp"
 #include "taut/rope/rope_use.hpp"
+#include "taut/units/display.hpp"
 
 namespace taut::app {
 
@@ -39,6 +40,8 @@ struct MethodEntry {
   std::function<std::vector<Complaint>(const MethodInput&)> complaints;
   /// The whole calculation, with the engine's values: each input is solved once. For inputs without complaints.
   std::function<Result(const MethodInput&)> run;
+  /// The lines of the main answer, of a result that is ok.
+  std::function<std::vector<Answer>(const MethodInput&, const Result&, const Display&)> answers;
   /// Its ropes by name for `checks`, with what the deck says of them; with a result also with the largest tensions in
   /// it.
   std::function<std::vector<rope::RopeUse>(const MethodInput&, const Result*)> ropes;

@@ -22,6 +22,7 @@
 #include "taut/machine/compile/carriage_span.hpp"
 #include "taut/machine/description/names.hpp"
 #include "taut/results/analyses/analyses.hpp"
+#include "taut/results/machine_answers.hpp"
 #include "taut/results/machine_beams.hpp"
 #include "taut/results/machine_figures.hpp"
 #include "taut/results/machine_run.hpp"
@@ -108,13 +109,21 @@ void solve_states(const MachineDeck& deck, results::MachineRun& run, Result& r) 
   }
 }
 
+/// The values and tables from these on belong to the analysis of that name.
+void put_under(const std::string& heading, std::size_t values, std::size_t tables, Result& r) {
+  for (std::size_t i = values; i < r.values.size(); ++i) r.values[i].heading = heading;
+  for (std::size_t i = tables; i < r.tables.size(); ++i) r.tables[i].heading = heading;
+}
+
 /// All other analyses. What they find comes behind the tables and values of the states that they leave.
 Result solve_more(const std::vector<study::Asked>& asked, results::MachineRun& run, Result& r) {
   Result more;
   for (const study::Asked& one : asked) {
     if (r.interrupted || more.interrupted) break;
     run.checked->judged = one.judged;
+    const std::size_t values = more.values.size(), tables = more.tables.size();
     std::visit([&](const auto& question) { results::add_answer(question, run, more); }, one.question);
+    if (run.several) put_under(one.heading, values, tables, more);
     run.checked->judged = true;
     if (!one.judged) more.left_out.push_back(one.name);
   }
@@ -134,6 +143,8 @@ Result compute(const MachineDeck& deck, const machine::Model& model, const study
   run.equilibria = asked.equilibria;
   run.paths = asked.paths;
   run.progress = progress;
+  run.display = deck.display;
+  run.several = asked.equilibria.size() + asked.paths.size() + asked.more.size() > 1;
   Result r;
   r.method_title = "Machine";
   if (!checks_only) r.given = given_of(MachineDeck::describe(), &deck);
@@ -169,6 +180,8 @@ Result compute(const MachineDeck& deck, const machine::Model& model, const study
     results::add_figures(run, r);
     results::add_beam_plots(run, r);
     results::add_scenes(run, r);
+    results::add_answers(deck, run, r);
+    r.key_figure = run.key_figure.name;
   }
   results::append(more, r);
   if (!checks_only) {
@@ -224,8 +237,9 @@ void place_in_machine(const io::Node& input, std::vector<Complaint> complaints, 
 }  // namespace
 
 std::function<Result()> prepare_machine(const io::Node& input, Diagnostics& mistakes,
-                                        std::function<bool(const Progress&)> progress) {
+                                        std::function<bool(const Progress&)> progress, const Display& display) {
   const auto deck = std::make_shared<MachineDeck>();
+  deck->display = display;
   const bool readable = io::read(input, MachineDeck::describe(), deck.get(), "the deck", mistakes);
   const std::size_t before = mistakes.size();
   load_terrain(input, deck->machine, mistakes);

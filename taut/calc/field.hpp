@@ -86,7 +86,8 @@ struct Field {
   std::string shorthand;  ///< nested structs: a value that is not a map is taken as this field, `head: [0 m, 0 m, 1 m]`
   /// Named structs: the shorthand may replace the whole map; it is then one struct without a name.
   bool one_for_all = false;
-  bool rest = false;  ///< named structs: their maps stand directly beside the other keys, without this key
+  bool detail = false;  ///< outputs: not what the method is about, in the appendix of a report only
+  bool rest = false;    ///< named structs: their maps stand directly beside the other keys, without this key
   std::function<Slot(void*)> slot;
 };
 
@@ -240,6 +241,7 @@ class Describe : public DescriptionBuilder {
   Describe& at_least(double low) { return last().range.low = low, last().range.low_included = true, *this; }
   Describe& below(double high) { return last().range.high = high, last().range.high_included = false, *this; }
   Describe& at_most(double high) { return last().range.high = high, last().range.high_included = true, *this; }
+  Describe& detail() { return last().detail = true, *this; }
   Describe& from(std::string_view source) { return last().source = source, *this; }
 
  private:

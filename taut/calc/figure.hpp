@@ -139,6 +139,42 @@ struct Animation {
   std::vector<std::pair<double, std::string>> events;  ///< time in s, description
 };
 
-using Figure = std::variant<Drawing, Plot, Animation>;
+/// A line over the ground, seen from its side, and below it over the same x what it bears at each place of the
+/// carriage, coloured by what governs there. SI. Its places are written to `name`.csv as a series.
+struct Profile {
+  struct Support {
+    std::string name;
+    Point top;          ///< where it holds the ropes, m
+    double ground = 0;  ///< height of the ground below it, m; NaN: not known
+  };
+  struct Rope {
+    std::string name;
+    Role role = Role::rope;
+    std::vector<Point> points;  ///< m; interrupted at NaN
+  };
+  /// One place of the carriage.
+  struct Place {
+    double x = 0;         ///< m
+    double z = 0;         ///< of the carriage, m; NaN: no state
+    double ground = 0;    ///< height of the ground below it, m; NaN: not known
+    double value = 0;     ///< what is shown below the line; NaN: no answer
+    std::string governs;  ///< what governs there, "tension of 'skyline'"; empty without an answer
+  };
+  std::string name;
+  std::string title;
+  std::string caption;
+  std::vector<Point> ground;      ///< m; empty: no terrain
+  std::vector<Support> supports;  ///< what holds the ropes, from the left to the right
+  std::vector<Rope> ropes;        ///< in the state that is drawn
+  std::string carriage;           ///< its name
+  Point carriage_at;              ///< in the state that is drawn, m
+  double clearance = 0;           ///< of the carriage that is asked for, m; NaN: none
+  std::vector<Place> places;      ///< in the order of x
+  Axis value;                     ///< of Place::value
+  double limit = 0;               ///< of that value, drawn across; NaN: none
+  std::size_t decisive = 0;       ///< index of the place that the answer names
+};
+
+using Figure = std::variant<Drawing, Plot, Animation, Profile>;
 
 }  // namespace taut

@@ -10,8 +10,13 @@ std::vector<QuantityWords> prefixed(const std::string& prefix, std::vector<Quant
   return all;
 }
 
+std::vector<QuantityWords> as_details(std::vector<QuantityWords> words) {
+  for (QuantityWords& one : words) one.detail = true;
+  return words;
+}
+
 void add_columns(std::vector<Column>& columns, const std::vector<QuantityWords>& words) {
-  for (const QuantityWords& one : words) columns.push_back({.name = one.name, .unit = one.unit});
+  for (const QuantityWords& one : words) columns.push_back({.name = one.name, .unit = one.unit, .detail = one.detail});
 }
 
 void no_such_quantity(std::string_view name) {

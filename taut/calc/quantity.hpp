@@ -18,6 +18,8 @@ struct QuantityWords {
   std::string symbol;  ///< the letter of the theory pages, "T_0"; may be empty
   Unit unit;           ///< SI, with the unit of print; texts and counts: si::one
   std::string words;   ///< one line: what it is, "tension where the branch begins"
+  bool detail =
+      false;  ///< not what an analysis is about: its values and columns stand in the appendix of a report only
 };
 
 /// One result, described once. Columns of tables, values, and the reference follow from it, as inputs follow from
@@ -73,6 +75,14 @@ Quantities<Row> picked(const Quantities<Row>& quantities, const std::vector<std:
   return all;
 }
 
+/// The same, all of them details.
+template <class Row>
+Quantities<Row> as_details(Quantities<Row> quantities) {
+  for (Quantity<Row>& q : quantities) q.about.detail = true;
+  return quantities;
+}
+std::vector<QuantityWords> as_details(std::vector<QuantityWords> words);
+
 template <class Row>
 Quantities<Row> joined(Quantities<Row> first, const Quantities<Row>& second) {
   first.insert(first.end(), second.begin(), second.end());
@@ -82,7 +92,7 @@ Quantities<Row> joined(Quantities<Row> first, const Quantities<Row>& second) {
 /// Their columns behind those that are there, under `prefix` and their names.
 template <class Row>
 void add_columns(std::vector<Column>& columns, const Quantities<Row>& quantities, const std::string& prefix = {}) {
-  for (const Quantity<Row>& q : quantities) columns.push_back({prefix + q.about.name, q.about.unit});
+  for (const Quantity<Row>& q : quantities) columns.push_back({prefix + q.about.name, q.about.unit, q.about.detail});
 }
 
 /// Columns for what is described without a getter.
@@ -94,11 +104,13 @@ void add_cells(std::vector<Cell>& cells, const Quantities<Row>& quantities, cons
   for (const Quantity<Row>& q : quantities) cells.push_back(q.of(row));
 }
 
-/// A table with a column for each quantity and a line for each row.
+/// A table with a column for each quantity and a line for each row; all of its columns details: so is the table.
 template <class Row>
 Table make_table(std::string name, std::string title, const Quantities<Row>& quantities, const std::vector<Row>& rows) {
   Table t{.name = std::move(name), .title = std::move(title), .columns = {}, .rows = {}};
   add_columns(t.columns, quantities);
+  t.detail =
+      !t.columns.empty() && std::all_of(t.columns.begin(), t.columns.end(), [](const Column& c) { return c.detail; });
   for (const Row& row : rows) add_cells(t.rows.emplace_back(), quantities, row);
   return t;
 }
@@ -120,8 +132,13 @@ template <class Row>
 Value make_value(const Quantity<Row>& q, const Row& row, const std::string& part, const std::string& ending,
                  const std::string& state) {
   const std::string name = part + "." + q.about.name + ending;
-  return {name, std::get<double>(q.of(row)), q.about.unit, name, q.about.words + " of " + part + " (" + state + ")",
-          {}};
+  return {name,
+          std::get<double>(q.of(row)),
+          q.about.unit,
+          name,
+          q.about.words + " of " + part + " (" + state + ")",
+          {},
+          q.about.detail};
 }
 
 }  // namespace taut

@@ -169,6 +169,20 @@ const Table* Result::find_table(const std::string& name) const {
   return at == tables.end() ? nullptr : &*at;
 }
 
+Table without_detail(const Table& t) {
+  Table shown = t;
+  shown.columns.clear();
+  shown.rows.assign(t.rows.size(), {});
+  for (std::size_t k = 0; k < t.columns.size(); ++k) {
+    if (t.columns[k].detail) continue;
+    shown.columns.push_back(t.columns[k]);
+    for (std::size_t i = 0; i < t.rows.size(); ++i) {
+      if (k < t.rows[i].size()) shown.rows[i].push_back(t.rows[i][k]);
+    }
+  }
+  return shown;
+}
+
 void warn_unsafe(Result& r, std::string sentence) {
   r.unsafe.push_back(sentence);
   r.warnings.push_back(std::move(sentence));
@@ -180,7 +194,7 @@ std::vector<Value> values_of(const Description& d, const void* output) {
     const Slot slot = slot_of(f, output);
     const auto* number = std::get_if<double*>(&slot);
     if (number == nullptr || !std::isfinite(**number)) continue;
-    all.push_back({f.key, **number, f.unit, f.symbol.empty() ? f.key : f.symbol, f.words, f.source});
+    all.push_back({f.key, **number, f.unit, f.symbol.empty() ? f.key : f.symbol, f.words, f.source, f.detail});
   }
   return all;
 }

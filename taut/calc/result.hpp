@@ -72,11 +72,14 @@ struct Value {
   std::string label;
   std::string source;
   bool detail = false;  ///< shown in the appendix of a report only: the analysis is not about it
+  std::string heading =
+      {};  ///< name of the analysis under which a report shows it, "equilibrium, inhaul"; may be empty
 };
 
 struct Column {
   std::string name;
   Unit unit;
+  bool detail = false;  ///< shown in the appendix of a report only
 };
 /// A number (SI; NaN: no value in this row) or a text.
 using Cell = std::variant<double, std::string>;
@@ -86,7 +89,8 @@ struct Table {
   std::vector<Column> columns;
   std::vector<std::vector<Cell>> rows;
   std::shared_ptr<const LongRows> long_rows = nullptr;  ///< rows of a long series; `rows` is then empty
-  bool detail = false;  ///< shown in the appendix of a report only
+  bool detail = false;                                  ///< shown in the appendix of a report only
+  std::string heading = {};                             ///< as in Value
 };
 
 /// A line of a machine in space, over time. Its number of points may differ from frame to frame.
@@ -213,6 +217,9 @@ struct Result {
   const Value* find_value(const std::string& name) const;
   const Table* find_table(const std::string& name) const;
 };
+
+/// The table without its columns of detail.
+Table without_detail(const Table& t);
 
 /// Exit code of the program, by the verdict (verdict.hpp): 0 computed; 2 bad deck; 3 no answer; 4 fails or not judged
 /// (class `unasked` only with `strict`); 130 interrupted.

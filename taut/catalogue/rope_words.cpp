@@ -3,6 +3,7 @@
 #include <sstream>
 
 #include "taut/catalogue/construction.hpp"
+#include "taut/units/display.hpp"
 #include "taut/units/parse.hpp"
 
 namespace taut::catalogue {
@@ -38,6 +39,15 @@ RopeDescription describe_rope(const std::string& words) {
     }
   }
   return wanted;
+}
+
+std::string words_of_rope(const RopeRow& row) {
+  const Display display;
+  std::string text = row.standard + (row.standard.empty() ? "" : " ") + row.construction;
+  if (!row.core.empty()) text += "-" + row.core;
+  text += " " + display.quantity(row.diameter, si::m.in("mm"));
+  if (row.grade) text += " " + display.quantity(*row.grade, si::Pa);
+  return text;
 }
 
 Found<RopeRow> find_rope_in_words(const std::string& text, const std::vector<RopeRow>& table) {

@@ -9,6 +9,9 @@ namespace taut::catalogue {
 /// a stress the grade; what is neither size, core nor construction belongs to the standard's name.
 RopeDescription describe_rope(const std::string& words);
 
+/// "EN 12385-4 6x36-IWRC 16 mm 1960 MPa": words that describe_rope understands, for people.
+std::string words_of_rope(const RopeRow& row);
+
 /// A rope by its id, or by words: construction, core, diameter and grade. Spaces and case don't count.
 Found<RopeRow> find_rope_in_words(const std::string& text, const std::vector<RopeRow>& table = ropes());
 

@@ -13,6 +13,19 @@ TEST(RopeWords, AnyOrder) {
   }
 }
 
+TEST(RopeWords, ItsOwnWordsNameTheRope) {
+  EXPECT_EQ(words_of_rope(*find_rope("EN 12385-4|6x36-IWRC|16|1960")), "EN 12385-4 6x36-IWRC 16 mm 1960 MPa");
+  int tried = 0;
+  for (const RopeRow& row : ropes()) {
+    if (row.construction.find('(') != std::string::npos || row.construction.find('x') == std::string::npos) continue;
+    const auto found = find_rope_in_words(words_of_rope(row));
+    ASSERT_TRUE(found.has_value()) << words_of_rope(row) << ": " << found.error().message;
+    EXPECT_EQ(found->id, row.id);
+    ++tried;
+  }
+  EXPECT_GT(tried, 50);
+}
+
 TEST(RopeWords, TakesTheWordsApart) {
   const RopeDescription d = describe_rope("EN 12385-4 6x36 FC 20 mm 1770 MPa");
   EXPECT_EQ(d.standard, "EN 12385-4");

@@ -236,6 +236,11 @@ void Judge::take_rest(const machine::Model& m, const solve::TransientResult& sti
 
 void Judge::take(const machine::Model& m, const solve::EquilibriumResult& e, const std::string& words) {
   take_ropes(m, e, words);
+  for (std::size_t i = 0; i < m.reevings.size(); ++i) {
+    RopeWorst& rope = ropes_[m.reevings[i].name];
+    rope.shortest = std::fmin(rope.shortest, e.ropes[i].unstretched);  // fmin and fmax pass over NaN
+    rope.longest = std::fmax(rope.longest, e.ropes[i].unstretched);
+  }
   take_heights(m, e, words);
   take_beams(e, words);
   take_contacts(m, e, words);
@@ -319,6 +324,18 @@ std::vector<std::string> Judge::strength_trusts() const {
   std::vector<std::string> all;
   all.reserve(model_->reevings.size());
   for (std::size_t i = 0; i < model_->reevings.size(); ++i) all.push_back(strength_trust(i));
+  return all;
+}
+
+std::vector<RopeSeen> Judge::ropes() const {
+  std::vector<RopeSeen> all;
+  for (const machine::Reeving& rope : model_->reevings) {
+    const auto found = ropes_.find(rope.name);
+    if (found == ropes_.end() || !found->second.seen) continue;
+    const RopeWorst& own = found->second;
+    all.push_back(
+        {.name = rope.name, .T = own.T, .where = own.where, .shortest = own.shortest, .longest = own.longest});
+  }
   return all;
 }
 

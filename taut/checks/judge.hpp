@@ -29,6 +29,15 @@ struct BeamWorst {
   WorstOf N_cr, alpha_cr;    ///< least, N, 1
 };
 
+/// One rope over all states that are judged.
+struct RopeSeen {
+  std::string name;
+  double T = 0;       ///< largest tension at rest, N
+  std::string where;  ///< the state that has it
+  /// Least and largest unstretched length while the machine works, m; NaN: no such state.
+  double shortest = std::numeric_limits<double>::quiet_NaN(), longest = std::numeric_limits<double>::quiet_NaN();
+};
+
 /// What the verdict keeps of every state of every judged analysis: the largest tension of each rope, what is below the
 /// ground, beams at their worst, and what makes a state unsafe. The deck outlives it.
 class Judge {
@@ -49,6 +58,8 @@ class Judge {
   void take(const machine::Model& model, const solve::TransientResult& motion, const std::string& words);
 
   const std::vector<BeamWorst>& beams() const { return beams_; }
+  /// Ropes that a state was shown of, in the order of the model.
+  std::vector<RopeSeen> ropes() const;
 
   /// By reeving: how far its breaking force may be trusted, "user" where the deck gives it.
   std::vector<std::string> strength_trusts() const;
@@ -67,6 +78,8 @@ class Judge {
     std::string where;
     double breaking_force = 0;  ///< of the state in which T is the largest share of it, N; 0: not known
     double T_of_share = 0;      ///< N
+    double shortest = std::numeric_limits<double>::quiet_NaN();  ///< m, as in RopeSeen
+    double longest = std::numeric_limits<double>::quiet_NaN();
     std::string where_of_share;
     bool seen = false;
     bool carries = false;

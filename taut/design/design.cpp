@@ -6,6 +6,8 @@
 #include <cmath>
 #include <utility>
 
+#include "taut/calc/answers.hpp"
+#include "taut/catalogue/rope_words.hpp"
 #include "taut/design/design_checks.hpp"
 #include "taut/design/design_search.hpp"
 #include "taut/design/design_tables.hpp"
@@ -15,18 +17,18 @@ namespace taut::design {
 namespace {
 
 /// "pull = 60 kN" of each unknown.
-std::string values_in_words(const DesignSpace& space, const std::vector<double>& values) {
+std::string values_in_words(const DesignSpace& space, const std::vector<double>& values, const Display& display) {
   std::string all;
   for (std::size_t k = 0; k < values.size(); ++k) {
     const UnknownValues& one = space.unknowns[k];
-    all += fmt::format("{}{} = {}", k == 0 ? "" : ", ", one.name, Display{}.quantity(values[k], one.unit));
+    all += fmt::format("{}{} = {}", k == 0 ? "" : ", ", one.name, display.quantity(values[k], one.unit));
   }
   return all;
 }
 
-std::string place_in_words(const DesignSpace& space, const DesignPlace& place) {
+std::string place_in_words(const DesignSpace& space, const DesignPlace& place, const Display& display) {
   const std::string choice = names_of(space, place.choice);
-  const std::string values = values_in_words(space, place.values);
+  const std::string values = values_in_words(space, place.values, display);
   return choice + (choice.empty() || values.empty() ? "" : " with ") + values;
 }
 
@@ -49,10 +51,12 @@ Result no_design(const DesignTask& task, const DesignFound& found) {
   r.message = "design: " + why;
   const design::SizingTrial& last = found.nearest.trial;
   if (!last.governs.empty()) {
-    r.message += fmt::format(
-        "; the nearest, {}, fails by {}{}",
-        place_in_words(task.space, {.choice = found.nearest.choice, .values = found.nearest_values}), last.governs,
-        std::isfinite(last.utilisation) ? fmt::format(" (utilisation {:.3g})", last.utilisation) : std::string{});
+    const std::string place =
+        place_in_words(task.space, {.choice = found.nearest.choice, .values = found.nearest_values}, task.display);
+    const std::string use =
+        std::isfinite(last.utilisation) ? fmt::format(" (utilisation {:.3g})", last.utilisation) : std::string{};
+    r.message += fmt::format("; the nearest, {}, fails by {}{}", place, last.governs, use);
+    add_answer_line(r, nearest_label, {place, fmt::format("fails by {}{}", last.governs, use)});
   }
   if (!found.points.empty()) add_runner_ups(task, found.points.front().answer, {}, r);
   if (found.points.size() > 1) add_trade_off(task, found.points, r);
@@ -66,7 +70,7 @@ void add_warnings(const DesignTask& task, const DesignFound& found, Result& r) {
     const double value = found.best.values[k];
     if (value != one.low && value != one.high) continue;
     r.warnings.push_back(fmt::format("design: {} is at an end of its range, {}: beyond it there may be a better design",
-                                     one.name, Display{}.quantity(value, one.unit)));
+                                     one.name, task.display.quantity(value, one.unit)));
   }
   for (const std::string& name : task.request.disregard) {
     Result without = r;
@@ -78,14 +82,50 @@ void add_warnings(const DesignTask& task, const DesignFound& found, Result& r) {
   if (r.checks.empty()) r.warnings.emplace_back("design: no check holds the choice; the deck asks for none");
 }
 
+/// Marks the inputs that the choice has changed. What a load case has set is not chosen.
+void mark_chosen(const DesignTask& task, const DesignPlace& best, std::vector<Given>& given) {
+  if (!task.given_with) return;
+  const auto same = [](const Given& a, const Given& b) { return a.numbers == b.numbers && a.text == b.text; };
+  for (const Given& one : task.given_with(best)) {
+    const auto of_key = [&](const Given& g) { return g.key == one.key; };
+    const auto before = std::find_if(task.given.begin(), task.given.end(), of_key);
+    if (before != task.given.end() && same(*before, one)) continue;
+    const auto used = std::find_if(given.begin(), given.end(), of_key);
+    if (used != given.end()) used->chosen = true;
+  }
+}
+
+/// What was chosen, where the calculation itself does not say it: ropes, sections, values.
+void add_chosen(const DesignTask& task, const DesignPlace& best, Result& r) {
+  const bool said =
+      std::any_of(r.answers.begin(), r.answers.end(), [](const Answer& a) { return a.label == build_label; });
+  const std::size_t ropes = task.space.ropes.size();
+  std::vector<std::string> parts;
+  for (std::size_t k = 0; k < ropes && !said; ++k) {
+    const RopeCandidates& one = task.space.ropes[k];
+    parts.push_back(fmt::format("{} {}", one.name, catalogue::words_of_rope(one.rows[best.choice[k]])));
+  }
+  for (std::size_t k = 0; k < task.space.sections.size(); ++k) {
+    const SectionCandidates& one = task.space.sections[k];
+    const catalogue::SectionRow& row = one.rows[best.choice[ropes + k]];
+    parts.push_back(fmt::format("{} {} ({})", one.name, row.name, row.standard));
+  }
+  const std::string values = values_in_words(task.space, best.values, task.display);
+  if (!values.empty()) parts.push_back(values);
+  add_answer_line(r, build_label, parts);
+}
+
 }  // namespace
 
 Result run_design(const DesignTask& task) {
   const DesignFound found = search_design(task);
   if (!found.feasible) return no_design(task, found);
   // not asked whether to go on: it is short beside the search, and all that an interrupted one leaves
-  Result r = task.run({.choice = found.best.answer.best.choice, .values = found.best.values}, Depth::report, {}).result;
+  const DesignPlace best{.choice = found.best.answer.best.choice, .values = found.best.values};
+  Result r = task.run(best, Depth::report, {}).result;
   add_design(task, found, r);
+  mark_chosen(task, best, r.given);
+  add_chosen(task, best, r);
   add_warnings(task, found, r);
   if (found.ended) {
     r.interrupted = true;

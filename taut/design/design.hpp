@@ -10,6 +10,7 @@
 #include "taut/catalogue/rope.hpp"
 #include "taut/catalogue/section.hpp"
 #include "taut/design/design_deck.hpp"
+#include "taut/units/display.hpp"
 
 /// The block `design:` of machines and methods: what both need to be searched is a DesignTask; design_space.hpp makes
 /// its candidates, design_machine.hpp and design_method.hpp the rest of it, design_search.hpp searches it.
@@ -86,7 +87,10 @@ struct DesignTask {
   std::function<DesignRun(const DesignPlace&, Depth, const std::function<bool(const Progress&)>& ask)> run;
   std::function<bool(const Progress&)> progress;
   std::string method_title;
-  std::vector<Given> given;
+  std::vector<Given> given;  ///< the deck's own
+  /// The inputs of a design without any load case; may be empty.
+  std::function<std::vector<Given>(const DesignPlace&)> given_with;
+  Display display;  ///< units for the sentences of the result
 };
 
 /// The first of all candidates, every unknown at the beginning of its grid.

@@ -276,7 +276,7 @@ void add_design(const DesignTask& task, const DesignFound& found, Result& r) {
     values.push_back(
         {"design_" + one.name, found.best.values[k], one.unit, one.name, fmt::format("{} chosen", one.parameter), {}});
   }
-  values.push_back({"design_trials", found.trials, si::one, "trials", "calculations that the search took", {}});
+  values.push_back({"design_trials", found.trials, si::one, "trials", "calculations that the search took", {}, true});
   r.values.insert(r.values.begin(), std::make_move_iterator(values.begin()), std::make_move_iterator(values.end()));
   Result own;
   if (!space.ropes.empty()) own.tables.push_back(chosen_table(space, best));

@@ -109,6 +109,9 @@ Json series(const Result& r, SeriesFiles files) {
   };
   for (const Table& t : r.series) map[t.name] = {{"columns", columns(t.columns)}, {"file", file(t.name)}};
   for (const Figure& f : r.figures) {
+    if (const auto* profile = std::get_if<Profile>(&f)) {
+      map[profile->name] = {{"columns", columns(series_table(*profile).columns)}, {"file", file(profile->name)}};
+    }
     const auto* plot = std::get_if<Plot>(&f);
     if (plot == nullptr || plot->name.empty()) continue;
     map[plot->name] = {{"columns", columns(series_table(*plot).columns)}, {"file", file(plot->name)}};
@@ -130,6 +133,13 @@ Json project(const Project& given) {
 Json answers(const std::vector<Answer>& all) {
   Json list = Json::array();
   for (const Answer& a : all) list.push_back({{"label", a.label}, {"text", a.text}});
+  return list;
+}
+
+/// Names of the figures of a report, in its order; some have none.
+Json figures(const std::vector<Figure>& all) {
+  Json list = Json::array();
+  for (const Figure& f : all) list.push_back(std::visit([](const auto& one) { return one.name; }, f));
   return list;
 }
 
@@ -165,6 +175,8 @@ std::string to_json(const Result& r, SeriesFiles files) {
   j["errors"] = errors(r.errors);
   j["project"] = project(r.project);
   j["answers"] = answers(r.answers);
+  j["key_figure"] = r.key_figure;
+  j["figures"] = figures(r.figures);
   // a text that is not UTF-8 (a file's name) must not stop the result
   return j.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }

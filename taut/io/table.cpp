@@ -130,6 +130,22 @@ std::string to_csv(const Table& t, const Display& display) {
   return csv;
 }
 
+Table series_table(const Profile& p) {
+  Table t;
+  t.name = p.name;
+  t.title = p.title;
+  t.columns = {{"x", si::m},
+               {"z", si::m},
+               {"ground", si::m},
+               {"clearance", si::m},
+               {column_name(p.value.label), p.value.unit},
+               {"governs", si::one}};
+  for (const Profile::Place& one : p.places) {
+    t.rows.push_back({one.x, one.z, one.ground, one.z - one.ground, one.value, one.governs});
+  }
+  return t;
+}
+
 Table series_table(const Plot& p) {
   Table t;
   t.name = p.name;

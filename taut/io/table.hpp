@@ -20,6 +20,9 @@ void to_csv(const Table& t, const std::function<void(const std::string&)>& write
 /// curves do not share their x, one row for each point instead: curve, x, y.
 Table series_table(const Plot& p);
 
+/// The places of a profile: x, z, ground, clearance, what is borne, what governs.
+Table series_table(const Profile& p);
+
 /// A word as a column's name: "boom length" -> "boom_length".
 std::string column_name(const std::string& label);
 

@@ -68,7 +68,8 @@ std::string errors(const Result& r) {
 std::string figures(const Result& r, bool plots) {
   std::string out;
   for (const Figure& f : r.figures) {
-    if (std::holds_alternative<Plot>(f) != plots) continue;
+    const bool has_data = std::holds_alternative<Plot>(f) || std::holds_alternative<Profile>(f);
+    if (has_data != plots) continue;
     const auto [title, caption, name] = std::visit(
         [](const auto& x) {
           return std::array<std::string, 3>{x.title, x.caption, x.name};

@@ -8,6 +8,7 @@
 #include "taut/report/figure/animation.hpp"
 #include "taut/report/figure/svg_drawing.hpp"
 #include "taut/report/figure/svg_plot.hpp"
+#include "taut/report/figure/svg_profile.hpp"
 #include "taut/report/given.hpp"
 #include "taut/report/html_table.hpp"
 #include "taut/report/steps.hpp"
@@ -57,6 +58,20 @@ std::string drawings_html(const Result& r) {
     if (d == nullptr) continue;
     out += fmt::format("<figure>{}{}</figure>\n", drawing_svg(*d, display),
                        caption_html(d->title, d->caption, scale_words(*d)));
+  }
+  return out;
+}
+
+/// Each on a page of its own, turned, in print.
+std::string profiles_html(const Result& r) {
+  const Display display = display_of(r);
+  std::string out;
+  for (const Figure& f : r.figures) {
+    const auto* p = std::get_if<Profile>(&f);
+    if (p == nullptr) continue;
+    out += fmt::format("<figure class=\"landscape\">{}{}</figure>\n", profile_svg(*p, display, turned_width),
+                       caption_html(p->title, p->caption,
+                                    profile_scale_words(*p, turned_width) + fmt::format(" Data: {}.csv", p->name)));
   }
   return out;
 }
@@ -197,6 +212,7 @@ std::string comparison_title(const Result& r) {
 std::vector<Section> sections(const Result& r) {
   std::vector<Section> all{{.id = "errors", .title = "Mistakes in the deck", .html = errors_html(r)},
                            {.id = "warnings", .title = "Warnings", .html = list_html(r.warnings)},
+                           {.id = "profiles", .title = "Profile of the line", .html = profiles_html(r)},
                            {.id = "drawings", .title = "Drawings", .html = drawings_html(r)},
                            {.id = "animation", .title = "Motion", .html = animations_html(r)},
                            {.id = "comparison", .title = comparison_title(r), .html = comparisons_html(r)},

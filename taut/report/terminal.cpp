@@ -20,6 +20,7 @@ constexpr int longest_words = 60;
 constexpr std::size_t shown_hash = 16;
 constexpr int most_lines = 38;  ///< of a summary: with the names of the written files 40
 constexpr std::size_t most_comparisons = 8;
+constexpr std::size_t few_answers = 4;  ///< so many have two lines each in a summary
 
 std::string padded(const std::string& text, int width, bool right) {
   const std::string space(static_cast<std::size_t>(std::max(0, width - length(text))), ' ');
@@ -72,10 +73,12 @@ std::string head(const Result& r, const TerminalOptions& o) {
   }
   int widest = 0;
   for (const Answer& a : r.answers) widest = std::max(widest, length(clean(a.label)));
+  const int lines_each = r.answers.size() <= few_answers ? 2 : 1;
   for (const Answer& a : r.answers) {
     const std::string label = clean(a.label);
     const auto gap = static_cast<std::size_t>(widest - length(label) + 2);
-    out += hanging(label + std::string(gap, ' '), a.text, o.width);
+    const int room = lines_each * (o.width - widest - 2) - 12 * (lines_each - 1);  // words are not cut at a line's end
+    out += hanging(label + std::string(gap, ' '), o.all ? a.text : shortened(clean(a.text), room), o.width);
   }
   return out;
 }

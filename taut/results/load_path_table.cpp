@@ -12,17 +12,18 @@ namespace taut::results {
 namespace {
 
 const Quantities<solve::RopeRow>& rope_columns() {
-  static const auto all = picked(solve::rope_quantities(), {"T_max", "unstretched"});
+  static const auto all = joined(picked(solve::rope_quantities(), {"T_max"}),
+                                 as_details(picked(solve::rope_quantities(), {"unstretched"})));
   return all;
 }
 
 const Quantities<solve::ContactRow>& contact_columns() {
-  static const auto all = picked(solve::contact_quantities(), {"T_in", "T_out", "wrap", "Fx", "Fz"});
+  static const auto all = as_details(picked(solve::contact_quantities(), {"T_in", "T_out", "wrap", "Fx", "Fz"}));
   return all;
 }
 
 const Quantities<solve::DrumRow>& drum_columns() {
-  static const auto all = picked(solve::drum_quantities(), {"length", "layer", "torque"});
+  static const auto all = as_details(picked(solve::drum_quantities(), {"length", "layer", "torque"}));
   return all;
 }
 
@@ -36,8 +37,9 @@ const Quantities<LoadPathRow>& place_columns() {
 }
 
 const Quantities<LoadPathRow>& closure_columns() {
-  static const Quantities<LoadPathRow> all = {{"closure", "", si::m.in("mm"), "ends of branches and lengths of ropes",
-                                               [](const LoadPathRow& r) { return r.point.at.closure.rope; }}};
+  static const auto all =
+      as_details(Quantities<LoadPathRow>{{"closure", "", si::m.in("mm"), "ends of branches and lengths of ropes",
+                                          [](const LoadPathRow& r) { return r.point.at.closure.rope; }}});
   return all;
 }
 
@@ -52,7 +54,8 @@ QuantityWords tension_at_end(const std::string& rope, const std::string& end) {
   return {.name = fmt::format("{}.T_{}", rope, end),
           .symbol = "",
           .unit = si::N,
-          .words = "tension at each end of its path"};
+          .words = "tension at each end of its path",
+          .detail = true};
 }
 
 /// One contact of a rope by its name and, as a tackle's block has several, the number of its turn.

@@ -26,7 +26,7 @@ Table beams(const machine::Model& m, const EquilibriumResult& e) {
   }
   return make_table("beams",
                     "Beams: forces, stress and deflection along their axes (N: tension positive; w: across the chord)",
-                    solve::beam_point_quantities(), rows);
+                    as_details(solve::beam_point_quantities()), rows);
 }
 
 Table ends(const machine::Model& m, const EquilibriumResult& e) {
@@ -121,7 +121,7 @@ void add_base(const machine::description::Beam& given, const MachineRun& run, st
   if (first == run.equilibria.end()) return;
   const solve::BeamRow row{first->model, first->result, first->result.beams[i]};
   for (const char* key : {"N_base", "Rx", "Mx", "Ry", "My", "Rz", "Mz"}) {
-    r.values.push_back(make_value(named(solve::beam_quantities(), key), row, given.name, "", first->words));
+    r.values.push_back(make_value(named(as_details(solve::beam_quantities()), key), row, given.name, "", first->words));
   }
 }
 
@@ -162,6 +162,7 @@ void add_beam_tables(const MachineRun& run, Result& r) {
     for (Table t : {beams(one.model, one.result), ends(one.model, one.result)}) {
       t.name += one.ending;
       if (run.equilibria.size() > 1) t.title += fmt::format(" ({})", one.words);
+      t.heading = heading_of(run, one);
       r.tables.push_back(std::move(t));
     }
   }

@@ -43,8 +43,10 @@ void add_drive_values(const MachineRun& run, Result& r) {
       const std::string& name = one.model.reevings[d.reeving].nodes[d.node].name;
       for (const char* what : {"torque", "power"}) {
         const solve::DriveRow row{one.model, one.result, d};
-        const Value value = make_value(named(solve::drive_quantities(), what), row, name, one.ending, one.words);
-        if (!std::isnan(value.value)) r.values.push_back(value);
+        Value value = make_value(named(solve::drive_quantities(), what), row, name, one.ending, one.words);
+        if (std::isnan(value.value)) continue;
+        value.heading = heading_of(run, one);
+        r.values.push_back(std::move(value));
       }
     }
   }

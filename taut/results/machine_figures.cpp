@@ -11,6 +11,7 @@
 #include <set>
 
 #include "taut/calc/none.hpp"
+#include "taut/results/line_profile.hpp"
 #include "taut/results/machine_beams.hpp"
 #include "taut/results/machine_tables.hpp"
 #include "taut/solve/quantities.hpp"
@@ -293,22 +294,13 @@ void add_plots(const machine::Model& m, const study::LoadPathRun& run, Result& r
     tensions.curves.push_back(curve(run, m.reevings[i].name, [&](const auto& p) { return p.at.ropes[i].T_max; }));
   }
   r.figures.emplace_back(std::move(tensions));
-  Plot way = plot(run, "load_path_height", "Way of the carriage", {.label = "height", .unit = si::m});
-  way.curves.push_back(curve(run, "carriage", [](const auto& p) { return p.z; }));
-  if (!m.terrain.empty()) {
-    way.curves.push_back(curve(
-        run, "ground", [](const auto& p) { return p.z - p.clearance; }, true));
-    Plot clearance =
-        plot(run, "load_path_clearance", "Clearance over the ground", {.label = "clearance", .unit = si::m});
-    clearance.curves.push_back(curve(run, "carriage", [](const auto& p) { return p.clearance; }));
-    clearance.curves.push_back(
-        curve(run, "lowest rope", [&](const auto& p) { return study::rope_clearance(m, p.at).height; }));
-    clearance.marks.push_back({0, 0, "ground", true});
-    r.figures.emplace_back(std::move(way));
-    r.figures.emplace_back(std::move(clearance));
-    return;
-  }
-  r.figures.emplace_back(std::move(way));
+  if (m.terrain.empty()) return;
+  Plot clearance = plot(run, "load_path_clearance", "Clearance over the ground", {.label = "clearance", .unit = si::m});
+  clearance.curves.push_back(curve(run, "carriage", [](const auto& p) { return p.clearance; }));
+  clearance.curves.push_back(
+      curve(run, "lowest rope", [&](const auto& p) { return study::rope_clearance(m, p.at).height; }));
+  clearance.marks.push_back({0, 0, "ground", true});
+  r.figures.emplace_back(std::move(clearance));
 }
 
 double largest_tension(const solve::EquilibriumResult& e) {
@@ -329,7 +321,7 @@ std::optional<Vector3> line_of(const MachineRun& run) {
 
 }  // namespace
 
-void add_figures(const MachineRun& run, Result& r) {
+void add_figures(MachineRun& run, Result& r) {
   const std::vector<Answer> all = answers_of(run);
   if (all.empty()) return;
   const bool has_equilibrium = all.front().point == nullptr && !run.equilibria.empty();
@@ -339,7 +331,15 @@ void add_figures(const MachineRun& run, Result& r) {
       });
   add_drawings(*drawn.model, *drawn.result, line_of(run),
                (has_equilibrium ? "Equilibrium, " : "Where the tension is largest: ") + drawn.words, r);
-  for (const study::LoadPathRun& path : run.paths) add_plots(run.model, path, r);
+  run.key_figure.offer(Pictured::machine, "machine");
+  for (const study::LoadPathRun& path : run.paths) {
+    Profile profile = load_path_profile(run, path);
+    if (profile.places.size() > 1) {
+      run.key_figure.offer(Pictured::load_path, profile.name);
+      r.figures.emplace_back(std::move(profile));
+    }
+    add_plots(run.model, path, r);
+  }
   add_path_plots(run, r);
 }
 

@@ -5,6 +5,16 @@
 #include "taut/checks/checked_parts.hpp"
 
 namespace taut::results {
+namespace {
+
+/// "equilibrium, at rest", "equilibrium inhaul, in".
+std::string heading(const char* kind, const std::string& ending, const std::string& words) {
+  const std::string name = ending.empty() ? std::string() : ending.substr(1);
+  const bool tells = !name.empty() && name != words;
+  return fmt::format("{}{}{}, {}", kind, tells ? " " : "", tells ? name : "", words);
+}
+
+}  // namespace
 
 std::vector<Answer> answers_of(const MachineRun& run) {
   std::vector<Answer> all;
@@ -27,6 +37,14 @@ std::vector<Answer> answers_of(const MachineRun& run) {
     }
   }
   return all;
+}
+
+std::string heading_of(const MachineRun& run, const study::EquilibriumRun& one) {
+  return run.several ? heading("equilibrium", one.ending, one.words) : std::string();
+}
+
+std::string heading_of(const MachineRun& run, const study::LoadPathRun& one) {
+  return run.several ? heading("load path", one.ending, one.words) : std::string();
 }
 
 void show_answers(const MachineRun& run, checks::CheckedParts& checked) {

@@ -7,7 +7,9 @@
 
 #include "taut/calc/progress.hpp"
 #include "taut/calc/result.hpp"
+#include "taut/results/key_figure.hpp"
 #include "taut/study/analyses.hpp"
+#include "taut/units/display.hpp"
 
 namespace taut::checks {
 struct CheckedParts;
@@ -32,6 +34,9 @@ struct MachineRun {
   std::vector<OtherAnswer> others;
   std::shared_ptr<checks::CheckedParts> checked;  ///< is shown every state that is judged
   std::function<bool(const Progress&)> progress;  ///< as in a Job
+  Display display;                                ///< units for the sentences of the result
+  KeyFigure key_figure;
+  bool several = false;  ///< the deck has several analyses: each has its heading
 };
 
 /// An equilibrium that was found.
@@ -44,6 +49,11 @@ struct Answer {
 
 /// All that were found, equilibria first.
 std::vector<Answer> answers_of(const MachineRun& run);
+
+/// Over the values and tables of one analysis, "equilibrium, at rest", "load path sag, in"; empty where the deck has
+/// only one.
+std::string heading_of(const MachineRun& run, const study::EquilibriumRun& one);
+std::string heading_of(const MachineRun& run, const study::LoadPathRun& one);
 
 /// Shows the checks its equilibria and load paths; other analyses show their states themselves.
 void show_answers(const MachineRun& run, checks::CheckedParts& checked);

@@ -37,7 +37,7 @@ Table bodies(const machine::Model& m, const EquilibriumResult& e) {
     if (!m.bodies[i].of_rope && is_listed(m.bodies[i])) rows.push_back({m, e, static_cast<int>(i)});
   }
   return make_table("bodies", "Bodies: places, rotations about x, then y, then z, and the force of what holds them",
-                    solve::body_quantities(), rows);
+                    as_details(solve::body_quantities()), rows);
 }
 
 Table anchors(const machine::Model& m, const EquilibriumResult& e) {
@@ -59,7 +59,7 @@ Table ropes(const machine::Model& m, const EquilibriumResult& e) {
 }
 
 Table closure(const EquilibriumResult& e) {
-  return make_table("closure", "How well the answer closes, worst of all", solve::closure_quantities(),
+  return make_table("closure", "How well the answer closes, worst of all", as_details(solve::closure_quantities()),
                     std::vector<solve::Closure>{e.closure});
 }
 
@@ -88,9 +88,10 @@ const Quantities<solve::BranchRow>& branch_terrain_quantities() {
 }
 
 void add_tables(const MachineRun& run, Result& r) {
-  const auto add = [&](Table t, const std::string& ending, const std::string& words) {
-    t.name += ending;
-    if (run.equilibria.size() > 1) t.title += fmt::format(" ({})", words);
+  const auto add = [&](Table t, const study::EquilibriumRun& one) {
+    t.name += one.ending;
+    if (run.equilibria.size() > 1) t.title += fmt::format(" ({})", one.words);
+    t.heading = heading_of(run, one);
     r.tables.push_back(std::move(t));
   };
   if (!run.model.over_ground.empty()) {
@@ -99,17 +100,18 @@ void add_tables(const MachineRun& run, Result& r) {
   }
   for (const study::EquilibriumRun& one : run.equilibria) {
     if (!one.result.outcome.ok()) continue;
-    add(spans(one.model, one.result), one.ending, one.words);
-    add(sheaves(one.model, one.result), one.ending, one.words);
-    add(bodies(one.model, one.result), one.ending, one.words);
-    add(anchors(one.model, one.result), one.ending, one.words);
-    add(ropes(one.model, one.result), one.ending, one.words);
-    add_drive_tables(one, [&](Table t) { add(std::move(t), one.ending, one.words); });
-    add(closure(one.result), one.ending, one.words);
+    add(spans(one.model, one.result), one);
+    add(sheaves(one.model, one.result), one);
+    add(bodies(one.model, one.result), one);
+    add(anchors(one.model, one.result), one);
+    add(ropes(one.model, one.result), one);
+    add_drive_tables(one, [&](Table t) { add(std::move(t), one); });
+    add(closure(one.result), one);
   }
   for (const study::LoadPathRun& one : run.paths) {
     Table t = load_path_table(run.model, one);
     t.name += one.ending;
+    t.heading = heading_of(run, one);
     r.tables.push_back(std::move(t));
   }
 }

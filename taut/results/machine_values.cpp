@@ -37,11 +37,12 @@ void add_ends(const MachineRun& run, Result& r) {
     for (std::size_t i = 0; i < run.model.reevings.size(); ++i) {
       const machine::Reeving& rope = one.model.reevings[i];
       const solve::RopeRow row{.model = one.model, .at = one.result, .reeving = static_cast<int>(i)};
-      for (const auto& q : solve::rope_end_tensions()) {
+      for (const auto& q : as_details(solve::rope_end_tensions())) {
         Value value = make_value(q, row, rope.name, one.ending, one.words);
         const int end = q.about.name == "T_start" ? solve::first_branch(one.result, row.reeving).from
                                                   : solve::last_branch(one.result, row.reeving).to;
         value.label = fmt::format("tension of {} at {} ({})", rope.name, rope.nodes[end].name, one.words);
+        value.heading = heading_of(run, one);
         r.values.push_back(std::move(value));
       }
     }

@@ -43,6 +43,7 @@ void append(Result& from, Result& to) {
   move_behind(from.exempt, to.exempt);
   move_behind(from.left_out, to.left_out);
   move_behind(from.beside, to.beside);
+  move_behind(from.answers, to.answers);
   to.preface += from.preface;
   if (to.headline.empty()) to.headline = from.headline;
 }

@@ -70,7 +70,8 @@ class AnalysesResolver {
   void add(const std::optional<Request>& request, const std::string& kind, const std::string& path) {
     if (!request) return;
     const std::string here = path + "." + kind;
-    all.more.push_back({question_of(*request, here), request->name.value_or(kind), request->judge});
+    all.more.push_back({question_of(*request, here), request->name.value_or(kind), request->judge,
+                        request->name ? kind + " " + *request->name : kind});
     check_judged(request->judge, here);
   }
   template <class Request>

@@ -41,8 +41,9 @@ using Question = std::variant<PayloadRun, InstallationRun, CycleRun, EnvelopeRun
 /// One of a deck's analyses, ready to be answered on the machine with its guys put up.
 struct Asked {
   Question question;
-  std::string name;    ///< the deck's own, or the kind of the analysis
-  bool judged = true;  ///< false: its states do not count for the verdict
+  std::string name;     ///< the deck's own, or the kind of the analysis
+  bool judged = true;   ///< false: its states do not count for the verdict
+  std::string heading;  ///< kind and name, "sweep cold": over its tables in a report
 };
 
 /// What all analyses of a deck ask for.

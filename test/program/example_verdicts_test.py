@@ -156,6 +156,20 @@ class ExampleVerdicts(unittest.TestCase):
                        and not any(named_by_the_deck(place, table, c, result) for place in places)]
             self.assertEqual(unknown, [], f"{name}: table {table}")
 
+    def check_answers(self, name, result):
+        """Page 1 has something to say and to show; nothing that fails or is not judged is to be built."""
+        answers = result["answers"]
+        self.assertTrue(answers, f"{name}: no answer")
+        self.assertLessEqual(len(answers), 8, name)
+        for answer in answers:
+            self.assertTrue(answer["label"] and answer["text"], f"{name}: {answer}")
+            self.assertLessEqual(len(answer["text"]), 240, f"{name}: {answer}")
+            self.assertNotRegex(answer["text"], r"\bnan\b|\binf\b", f"{name}: {answer}")
+        if result["verdict"] not in ("passes", "passes_with_warnings"):
+            self.assertNotIn("Build", [a["label"] for a in answers], name)
+        self.assertIn(result["key_figure"], result["figures"], name)
+        self.assertNotEqual(result["key_figure"], "", name)
+
     def test_every_example_has_a_row(self):
         rows = set(VERDICTS) | {name for name in decks() if name.startswith(BOOM)}
         self.assertEqual(decks(), rows)
@@ -165,6 +179,7 @@ class ExampleVerdicts(unittest.TestCase):
             with self.subTest(name):
                 self.check(name, got, *VERDICTS[name])
                 self.check_described(name, json.loads(got.stdout))
+                self.check_answers(name, json.loads(got.stdout))
 
     def test_the_screen(self):
         """At most 40 lines for any deck, with the names of the files; the last is the verdict's sentence."""
@@ -187,6 +202,7 @@ class ExampleVerdicts(unittest.TestCase):
                 if name in quick:
                     self.check(name, got, UNASKED, "limit")
                 self.check_described(name, json.loads(got.stdout))
+                self.check_answers(name, json.loads(got.stdout))
 
     def test_a_comparison_is_described(self):
         with tempfile.TemporaryDirectory() as place:
@@ -198,6 +214,7 @@ class ExampleVerdicts(unittest.TestCase):
         result = json.loads(got.stdout)
         self.assertIn("compared", result["tables"], result["message"])
         self.check_described("compare", result)
+        self.check_answers("compare", result)
 
     def test_the_ropes_of_the_boom_are_judged_once_they_have_limits(self):
         deck = (EXAMPLES / "boom_ropes.yaml").read_text()

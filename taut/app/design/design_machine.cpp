@@ -197,6 +197,21 @@ std::map<std::size_t, double> worst_places(const MachineDeck& deck, const Result
   return places;
 }
 
+/// The inputs name the rows of the catalogue that were put in, each before the values that it brings.
+void add_rows(const MachineDeck& deck, Result& r) {
+  for (const auto& [name, row] : deck.chosen) {
+    const std::string prefix = fmt::format("machine.ropes.{}.", name);
+    const auto first =
+        std::find_if(r.given.begin(), r.given.end(), [&](const Given& g) { return g.key.starts_with(prefix); });
+    Given one;
+    one.key = prefix + "rope";
+    one.words = "the rope of the catalogue that is chosen";
+    one.text = row.id;
+    one.chosen = true;
+    r.given.insert(first, std::move(one));
+  }
+}
+
 /// What a search keeps from one calculation to the next.
 struct Memory {
   std::map<const design::DesignCase*, std::map<std::size_t, double>>
@@ -265,8 +280,13 @@ design::DesignTask machine_task(std::shared_ptr<const MachineDeck> deck, design:
   task.progress = std::move(progress);
   task.method_title = "Machine";
   task.given = given_of(MachineDeck::describe(), deck.get());
+  task.display = deck->display;
   const auto own = std::make_shared<const design::DesignSpace>(task.space);
   task.lengths = [deck, own](const std::vector<double>& values) { return lengths_of(*deck, *own, values); };
+  task.given_with = [deck, own](const design::DesignPlace& place) {
+    const MachineDeck chosen = with_design(*deck, *own, place);
+    return given_of(MachineDeck::describe(), &chosen);
+  };
   task.list_of = lists_by_name(deck->machine, task.space);
   const auto memory = std::make_shared<Memory>();
   task.run = [deck, own, memory, run = std::move(run)](const design::DesignPlace& place, design::Depth depth,
@@ -281,6 +301,7 @@ design::DesignTask machine_task(std::shared_ptr<const MachineDeck> deck, design:
           return {.result = std::move(probe), .tension = std::nan("")};
       }
       design::DesignRun done{.result = run(whole, how != design::Depth::report, ask), .tension = 0};
+      if (how == design::Depth::report) add_rows(whole, done.result);
       if (depth != design::Depth::report) design::disregard(deck->design->disregard, done.result);
       if (how == design::Depth::quick && !design::trial_of(done.result).passes)
         places = worst_places(*deck, done.result);

@@ -106,6 +106,8 @@ design::DesignTask method_task(MethodDeck deck, design::DesignSpace space,
   task.request = *deck.blocks.design;
   task.space = std::move(space);
   task.progress = std::move(progress);
+  task.display = deck.display;
+  task.given = given_of(*deck.method->input, deck.input.place());
   for (std::size_t k = 0; k < task.space.ropes.size(); ++k) task.list_of[task.space.ropes[k].name] = k;
   for (std::size_t k = 0; k < task.space.sections.size(); ++k) {
     const std::string& name = task.space.sections[k].name;
@@ -120,6 +122,10 @@ design::DesignTask method_task(MethodDeck deck, design::DesignSpace space,
   };
   const auto own = std::make_shared<Shared>(Shared{.deck = std::move(deck), .space = task.space});
   task.lengths = [own](const std::vector<double>& values) { return lengths_of(own->deck, own->space, values); };
+  task.given_with = [own](const design::DesignPlace& place) {
+    MethodDeck chosen = with_design(own->deck, own->space, place);
+    return given_of(*chosen.method->input, chosen.input.place());
+  };
   task.run = [own](const design::DesignPlace& place, design::Depth depth, const std::function<bool(const Progress&)>&) {
     const auto one = [&](const design::DesignCase* load_case, design::Depth) -> design::DesignRun {
       const MethodDeck changed = with_design(own->deck, own->space, place, load_case);

@@ -164,7 +164,8 @@ const Description& FrictionDriveExact::describe() {
     d.field(&Exact::creep_speed_exact, "creep_speed_exact", "", si::m_per_s, "creep speed");
     d.field(&Exact::slips_exact, "slips_exact", "", si::one, "1: the drive slips on its whole arc; 0: it holds");
     d.field(&Exact::closure_exact, "closure_exact", "", si::one,
-            "error of the rope length with a screw take-up, over the length");
+            "error of the rope length with a screw take-up, over the length")
+        .detail();
     return Description(d);
   }();
   return description;

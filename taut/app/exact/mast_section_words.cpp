@@ -13,9 +13,10 @@ void describe_position(Describe<Exact>& d) {
   d.field(&Exact::M_max_exact, "M_max_exact", "M_max_exact", si::N_m, "largest bending moment along the mast");
   d.field(&Exact::M_max_height_exact, "M_max_height_exact", "z_M", si::m, "height of the largest bending moment");
   d.field(&Exact::top_displacement_exact, "top_displacement_exact", "u_top", mm, "horizontal displacement of the top");
-  d.field(&Exact::top_x_exact, "top_x_exact", "u_x", mm, "displacement of the top towards the span");
-  d.field(&Exact::top_y_exact, "top_y_exact", "u_y", mm, "displacement of the top normal to the span, to its left");
-  d.field(&Exact::top_drop_exact, "top_drop_exact", "u_z", mm, "drop of the top by shortening and bending");
+  d.field(&Exact::top_x_exact, "top_x_exact", "u_x", mm, "displacement of the top towards the span").detail();
+  d.field(&Exact::top_y_exact, "top_y_exact", "u_y", mm, "displacement of the top normal to the span, to its left")
+      .detail();
+  d.field(&Exact::top_drop_exact, "top_drop_exact", "u_z", mm, "drop of the top by shortening and bending").detail();
   d.field(&Exact::sigma_exact, "sigma_exact", "sigma_exact", si::Pa, "largest stress along the mast");
   d.field(&Exact::sigma_height_exact, "sigma_height_exact", "z_sigma", si::m, "height of the largest stress");
 }
@@ -29,11 +30,14 @@ void describe_worst(Describe<Exact>& d) {
           "smallest safety factor of any guy at any carriage position");
   d.field(&Exact::slack_guys_exact, "slack_guys_exact", "", si::one, "number of slack guys");
   d.field(&Exact::force_balance_exact, "force_balance_exact", "", si::N,
-          "resultant of all forces on the mast (0 in equilibrium), worst position");
+          "resultant of all forces on the mast (0 in equilibrium), worst position")
+      .detail();
   d.field(&Exact::moment_balance_exact, "moment_balance_exact", "", si::N_m,
-          "resultant of all moments about the foot (0 in equilibrium), worst position");
+          "resultant of all moments about the foot (0 in equilibrium), worst position")
+      .detail();
   d.field(&Exact::guy_closure_exact, "guy_closure_exact", "", si::m,
-          "distance of a guy's computed end from its place, worst guy and position");
+          "distance of a guy's computed end from its place, worst guy and position")
+      .detail();
 }
 
 }  // namespace

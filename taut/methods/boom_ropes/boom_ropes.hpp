@@ -10,6 +10,7 @@
 #include "taut/calc/outcome.hpp"
 #include "taut/calc/result.hpp"
 #include "taut/calc/sheet.hpp"
+#include "taut/units/display.hpp"
 
 /// Three-section telescopic boom: section 2 is driven by a cylinder, section 3 only by two ropes, the extension rope
 /// (two branches of tension S1) and the retraction rope (S2). After A. A. Reutov (2021), equations (1)-(8), with a
@@ -175,6 +176,8 @@ template <class T>
 Outcome compute(const Input& in, Sheet<T>& s, Output& out);
 Outcome solve(const Input& in, Output& out);
 Result run(const Input& in);
+/// The lines of the main answer, from a result of this input that is ok.
+std::vector<Answer> answers(const Input& in, const Result& r, const Display& display);
 
 /// C1 and C2 as printed (unit corrected), and kappa = C2/C1 from the tensions in Table 2.
 inline constexpr double printed_C1 = 2.72e6;

@@ -9,6 +9,7 @@
 #include "taut/calc/outcome.hpp"
 #include "taut/calc/result.hpp"
 #include "taut/calc/sheet.hpp"
+#include "taut/units/display.hpp"
 
 /// Statics of a closed loop of two ropes with parallel, jointly loaded branches, after V. D. Martynikhin, about 1971: a
 /// running skyline whose return rope is led back over the tail sheave, so that its upper branch carries part of the
@@ -183,5 +184,7 @@ Outcome solve(const Input& in, Output& out);
 Result run(const Input& in, const Engine& engine);
 /// The same without an engine: no exact values.
 Result run(const Input& in);
+/// The lines of the main answer, from a result of this input that is ok.
+std::vector<Answer> answers(const Input& in, const Result& r, const Display& display);
 
 }  // namespace taut::closed_loop

@@ -9,6 +9,7 @@
 #include "taut/calc/outcome.hpp"
 #include "taut/calc/result.hpp"
 #include "taut/calc/sheet.hpp"
+#include "taut/units/display.hpp"
 
 /// Friction drive of an endless rope with cutters (rope-saw), after Ryabukhin, Grigoriev, Ivanov (2022).
 ///
@@ -112,5 +113,7 @@ Outcome solve(const Input& in, Output& out);
 Result run(const Input& in);
 /// The same, with its values for whoever goes on from there.
 Result run(const Input& in, Output& out);
+/// The lines of the main answer, from a result of this input that is ok.
+std::vector<Answer> answers(const Input& in, const Result& r, const Display& display);
 
 }  // namespace taut::friction_drive

@@ -9,6 +9,7 @@
 #include "taut/calc/outcome.hpp"
 #include "taut/calc/result.hpp"
 #include "taut/calc/sheet.hpp"
+#include "taut/units/display.hpp"
 
 /// Section of the mast of a tractor-mounted cable yarder, after Shoshin, Dorozhko, Shtollmann, Yarmolik (2022).
 ///
@@ -158,5 +159,7 @@ Outcome solve(const Input& in, Output& out);
 /// The result for a report: values, steps, tables of positions and of catalogue sections, checks, figures. A section
 /// is chosen and checked for ropes hauled in and paid out, by first order; run.hpp has the same by second order.
 Result run(const Input& in);
+/// The lines of the main answer, from a result of this input that is ok.
+std::vector<Answer> answers(const Input& in, const Result& r, const Display& display);
 
 }  // namespace taut::mast_section

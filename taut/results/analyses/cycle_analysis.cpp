@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "taut/calc/answers.hpp"
 #include "taut/calc/none.hpp"
 #include "taut/checks/checked_parts.hpp"
 #include "taut/results/analyses/analyses.hpp"
@@ -19,7 +20,7 @@ const Quantities<study::WinchPull>& pull_of_winch() {
 }
 
 Table positions_table(const study::CycleRun& run) {
-  Table t{.name = "cycle" + run.ending, .title = "Pulls over the cycle", .columns = {}, .rows = {}};
+  Table t{.name = "cycle" + run.ending, .title = "Pulls over the cycle", .columns = {}, .rows = {}, .detail = true};
   add_columns(t.columns, study::cycle_quantities());
   for (const study::Winch& w : run.winches) add_columns(t.columns, pull_of_winch(), w.name + ".");
   for (std::size_t i = 0; i < run.answers.size(); ++i) {
@@ -47,11 +48,12 @@ Table works_table(const study::CycleRun& run) {
       study::winch_quantities(), rows);
 }
 
-void add_values(const study::CycleRun& run, Result& r) {
+void add_values(const study::CycleRun& run, const Display& display, Result& r) {
   const auto add = [&](const std::string& name, double v, const Unit& unit, const std::string& words) {
     r.values.push_back({name + run.ending, v, unit, name, words, {}});
   };
   double energy = 0, time = 0;
+  std::vector<std::string> parts;
   for (std::size_t w = 0; w < run.winches.size(); ++w) {
     double most = 0, own = 0, power = none;
     for (const study::PhaseAnswer& answer : run.answers) {
@@ -65,10 +67,15 @@ void add_values(const study::CycleRun& run, Result& r) {
     add(name + ".energy", own, si::J, fmt::format("energy that {} gives in the cycle", name));
     if (!std::isnan(power)) add(name + ".power_max", power, si::W, fmt::format("largest power of {}", name));
     energy += own;
+    const std::string at_power = std::isnan(power) ? "" : ", power up to " + display.quantity(power, si::W);
+    parts.push_back(fmt::format("{} pull up to {}{}", name, display.quantity(most, si::N), at_power));
   }
   for (const study::PhaseAnswer& answer : run.answers) time += answer.time;
   add("cycle_energy", energy, si::J, "energy of all winches in the cycle, what brakes take off it taken off");
   if (!std::isnan(time)) add("cycle_time", time, si::s, "time of all phases at their speeds");
+  parts.push_back(fmt::format("cycle {}{}", display.quantity(energy, si::J),
+                              std::isnan(time) ? "" : " in " + display.quantity(time, si::s)));
+  add_answer_line(r, "Winches", parts);
 }
 
 void add_plot(const study::CycleRun& run, Result& r) {
@@ -154,7 +161,7 @@ void add_answer(const study::CycleRun& asked, MachineRun& machine, Result& r) {
   if (complete && !gives) r.tables.push_back(works_table(run));  // else no machine does this work
   r.tables.push_back(positions_table(run));
   if (r.status != Status::ok || !complete) return;  // no sums over what is not there
-  add_values(run, r);
+  add_values(run, machine.display, r);
   add_plot(run, r);
 }
 

@@ -2,6 +2,7 @@
 
 #include <iterator>
 
+#include "taut/calc/answers.hpp"
 #include "taut/checks/checked_parts.hpp"
 #include "taut/results/analyses/analyses.hpp"
 #include "taut/study/deck/watch.hpp"
@@ -9,16 +10,17 @@
 namespace taut::results {
 namespace {
 
-/// Those extremes whose quantity has this unit.
-Table envelope_table(const study::EnvelopeRun& run, const std::string& kind, const Unit& unit) {
+/// Those extremes whose quantity has this unit. `about`: the analysis is about them.
+Table envelope_table(const study::EnvelopeRun& run, const std::string& kind, const Unit& unit, bool about) {
   std::vector<study::EnvelopeExtreme> rows;
   std::copy_if(run.extremes.begin(), run.extremes.end(), std::back_inserter(rows),
                [&](const auto& e) { return e.unit.symbol == unit.symbol; });
   return make_table(fmt::format("envelope{}{}", kind, run.ending), "Least and largest over all states, and where",
-                    study::envelope_quantities(unit), rows);
+                    about ? study::envelope_quantities(unit) : as_details(study::envelope_quantities(unit)), rows);
 }
 
-void add_tensions(const study::EnvelopeRun& run, Result& r) {
+void add_tensions(const study::EnvelopeRun& run, const Display& display, Result& r) {
+  std::vector<std::string> parts;
   for (const study::EnvelopeExtreme& e : run.extremes) {
     if (e.what != "tension") continue;
     const auto add = [&](const char* end, double value, const char* words) {
@@ -28,7 +30,11 @@ void add_tensions(const study::EnvelopeRun& run, Result& r) {
     };
     add("min", e.least, "least");
     add("max", e.most, "largest");
+    parts.push_back(
+        fmt::format("{} {} to {}", e.name, display.quantity(e.least, si::N), display.quantity(e.most, si::N)));
   }
+  if (!parts.empty()) parts.push_back(fmt::format("over {} states", run.states));
+  add_answer_line(r, "Envelope", parts);
 }
 
 }  // namespace
@@ -45,17 +51,18 @@ void add_answer(const study::EnvelopeRun& asked, MachineRun& machine, Result& r)
   run.missing.note(r, "envelope" + run.ending, machine.checked->judged);
   if (run.on_support) r.warnings.emplace_back("envelope: positions on a support are left out");
   if (run.extremes.empty()) return;
-  r.tables.push_back(envelope_table(run, "", si::N));
-  r.tables.push_back(envelope_table(run, "_lengths", si::m));
-  r.tables.push_back(envelope_table(run, "_angles", si::rad));
+  r.tables.push_back(envelope_table(run, "", si::N, true));
+  r.tables.push_back(envelope_table(run, "_lengths", si::m, false));
+  r.tables.push_back(envelope_table(run, "_angles", si::rad, false));
   if (r.tables.back().rows.empty()) r.tables.pop_back();
   r.values.push_back({"envelope_states" + run.ending,
                       static_cast<double>(run.states),
                       si::one,
                       "n",
                       "states of the envelope that were solved",
-                      {}});
-  add_tensions(run, r);
+                      {},
+                      true});
+  add_tensions(run, machine.display, r);
   for (study::WorstState& one : run.worst) {
     machine.others.push_back({std::move(one.words), std::move(one.model), std::move(one.result)});
   }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "taut/calc/answers.hpp"
 #include "taut/calc/none.hpp"
 #include "taut/checks/checked_parts.hpp"
 #include "taut/results/analyses/analyses.hpp"
@@ -157,7 +158,29 @@ void add_plots(const InstallationRun& run, std::size_t spans, Result& r) {
                    {"as cut at this temperature", [](const auto& i) { return i.cut; }}}));
 }
 
-void add_results(const InstallationRun& run, bool judged, Result& r) {
+/// Tension and length to put the rope up with, at the coldest and the warmest of its temperatures.
+void add_base_tension(const InstallationRun& run, const Display& display, Result& r) {
+  std::vector<std::string> parts;
+  const auto add = [&](const Row& row) {
+    const std::string at = std::isnan(row.temperature) ? "" : " at " + study::celsius(row.temperature);
+    const std::string name = parts.empty() ? run.words + " " : "";
+    parts.push_back(fmt::format("{}{} at its start, {} at its end, cut {}{}", name,
+                                display.quantity(row.at.T_start, si::N), display.quantity(row.at.T_end, si::N),
+                                display.quantity(row.at.cut, si::m), at));
+  };
+  std::vector<const Row*> rows;
+  for (const Row& row : run.rows) {
+    if (row.at.outcome.ok()) rows.push_back(&row);
+  }
+  const auto [cold, warm] = std::minmax_element(
+      rows.begin(), rows.end(), [](const Row* a, const Row* b) { return a->temperature < b->temperature; });
+  if (rows.empty()) return;
+  add(**cold);
+  if (*warm != *cold) add(**warm);
+  add_answer_line(r, "Put up", parts);
+}
+
+void add_results(const InstallationRun& run, bool judged, const Display& display, Result& r) {
   study::Missing missing;
   for (const Row& row : run.rows) missing.take(row.at.outcome, words_of(row, run));
   missing.note(r, "installation" + run.ending, judged);
@@ -177,6 +200,7 @@ void add_results(const InstallationRun& run, bool judged, Result& r) {
   r.tables.push_back(installation_table(run, first->at));
   r.tables.push_back(lengths_table(run, *first));
   if (run.rows.size() > 1) add_plots(run, first->at.sag.size(), r);
+  add_base_tension(run, display, r);
 }
 
 }  // namespace
@@ -192,7 +216,7 @@ std::vector<QuantityWords> lengths_words() { return words_of(lengths_of_ropes())
 void add_answer(const InstallationRun& asked, MachineRun& machine, Result& r) {
   InstallationRun run = asked;
   study::solve(machine.model, run);
-  add_results(run, machine.checked->judged, r);
+  add_results(run, machine.checked->judged, machine.display, r);
   for (const Row& row : run.rows) {
     if (!row.at.outcome.ok()) continue;
     machine.checked->take_empty(row.at.at.model, row.at.at.result, run.words, words_of(row, run));

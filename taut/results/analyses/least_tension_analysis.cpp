@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include "taut/calc/answers.hpp"
 #include "taut/checks/checked_parts.hpp"
 #include "taut/results/analyses/analyses.hpp"
 #include "taut/study/deck/missing.hpp"
@@ -29,6 +30,7 @@ Table least_tension_table(const study::LeastTensionRun& run) {
 void add_least_tension(const study::LeastTensionRun& run, MachineRun& machine, Result& r) {
   const study::LeastTensionResult& result = run.answer;
   r.tables.push_back(least_tension_table(run));
+  std::vector<std::string> parts;
   for (const study::LeastTension& one : result.ropes) {
     const std::string& name = result.models.front().reevings[one.reeving].name;
     const auto add = [&](const char* what, double value, const Unit& unit, const char* words) {
@@ -39,7 +41,11 @@ void add_least_tension(const study::LeastTensionRun& run, MachineRun& machine, R
     add("taken_out", one.taken_out, si::m, "rope taken out");
     add("T", one.T_min.front(), si::N, "least tension as put up");
     add("T_least", one.T_least, si::N, "least tension over all cases");
+    parts.push_back(fmt::format(
+        "{} {} unstretched, {} as put up, never below {}", name, machine.display.quantity(one.unstretched, si::m),
+        machine.display.quantity(one.T_min.front(), si::N), machine.display.quantity(one.T_least, si::N)));
   }
+  add_answer_line(r, "Lengths", parts);
   for (std::size_t c = 0; c < result.at.size(); ++c) {
     machine.checked->take(result.models[c], result.at[c], fmt::format("{}, {}", run.words, run.cases[c]), "pretension");
     machine.others.push_back({fmt::format("{}, {}", run.words, run.cases[c]), result.models[c], result.at[c], false});

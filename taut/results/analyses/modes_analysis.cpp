@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "taut/calc/answers.hpp"
 #include "taut/checks/checked_parts.hpp"
 #include "taut/results/analyses/analyses.hpp"
 #include "taut/results/motion/transient_scene.hpp"
@@ -44,7 +45,7 @@ void add_mode_shapes(const study::ModesRun& run, Result& r) {
   if (rows.empty()) return;
   r.tables.push_back(make_table("mode_shapes" + run.ending,
                                 "Shapes: shifts of the bodies' origins and turns (rad per metre of the largest shift)",
-                                study::mode_shape_quantities(), rows));
+                                as_details(study::mode_shape_quantities()), rows));
 }
 
 void add_mode_values(const study::ModesRun& run, Result& r) {
@@ -158,7 +159,21 @@ void add_mode_warnings(const study::ModesRun& run, Result& r) {
                   fmt::join(run.result.sets.front().held, ", ")));
 }
 
-void add_modes(const study::ModesRun& run, Result& r) {
+/// The frequencies, a line for each set.
+void add_frequencies(const study::ModesRun& run, const Display& display, Result& r) {
+  for (const solve::ModeSet& set : run.result.sets) {
+    std::vector<std::string> parts;
+    for (const solve::Mode& mode : set.modes) {
+      parts.push_back(mode.frequency > 0 ? display.quantity(mode.frequency, si::per_s) : "nothing brings it back");
+    }
+    if (parts.empty()) continue;
+    if (run.result.sets.size() > 1)
+      parts.front() = fmt::format("sheaves {}: {}", study::sheaves_words(run, set), parts.front());
+    add_answer_line(r, "Modes", parts);
+  }
+}
+
+void add_modes(const study::ModesRun& run, MachineRun& machine, Result& r) {
   study::note_failure(r, run.result.outcome, run.words);
   if (!run.result.outcome.ok()) return;
   add_modes_table(run, r);
@@ -168,11 +183,14 @@ void add_modes(const study::ModesRun& run, Result& r) {
     std::size_t drawn = 0;
     for (std::size_t i = 0; i < set.modes.size() && drawn < most_modes_drawn; ++i) {
       if (set.modes[i].shape.branches.empty()) continue;
-      r.figures.emplace_back(mode_drawing(run, set, i));
+      Drawing drawing = mode_drawing(run, set, i);
+      machine.key_figure.offer(Pictured::modes, drawing.name);
+      r.figures.emplace_back(std::move(drawing));
       ++drawn;
     }
   }
   add_mode_warnings(run, r);
+  add_frequencies(run, machine.display, r);
 }
 
 }  // namespace
@@ -185,7 +203,7 @@ void add_answer(const study::ModesRun& asked, MachineRun& machine, Result& r) {
     machine.checked->take_rest(run.model, run.result.rest, run.options.rope_mass,
                                checks::analysis_words(run.ending, "modes"), checks::analysis_name(run.ending, "modes"));
   }
-  add_modes(run, r);
+  add_modes(run, machine, r);
 }
 
 }  // namespace taut::results

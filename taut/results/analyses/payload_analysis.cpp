@@ -5,12 +5,14 @@
 #include <limits>
 #include <map>
 
+#include "taut/calc/answers.hpp"
 #include "taut/calc/none.hpp"
 #include "taut/calc/quantity.hpp"
 #include "taut/catalogue/rule.hpp"
 #include "taut/checks/checked_parts.hpp"
 #include "taut/math/index.hpp"
 #include "taut/results/analyses/analyses.hpp"
+#include "taut/results/line_profile.hpp"
 #include "taut/results/load_path_table.hpp"
 #include "taut/study/deck/missing.hpp"
 #include "taut/study/deck/watch.hpp"
@@ -45,31 +47,89 @@ Table payload_table(const machine::Model& model, const study::PayloadRun& run) {
   return t;
 }
 
-/// One curve for each limit that governs somewhere; where another takes over, its curve begins at the place before.
-Plot payload_plot(const study::PayloadRun& run) {
-  Plot p;
-  p.name = "payload_governing" + run.ending;
-  p.title = fmt::format("Payload and the limit that governs, {}", run.words);
-  p.x = {.label = "x of the carriage", .unit = si::m};
-  p.y = {.label = "payload", .unit = si::kg.in("t")};
-  std::vector<std::string> kinds;
+/// The line with the carriage where the payload is least, and the payload by place with the limit that governs.
+Profile payload_profile(const MachineRun& machine, const study::PayloadRun& run, const study::PayloadPosition& least) {
+  const study::Payload& worst = least.point.payload;
+  Profile p = line_profile({.model = *least.model, .state = worst.at, .way = run.way});
+  p.name = "payload_profile" + run.ending;
+  p.title = fmt::format("The line and what it carries, {}", run.words);
+  p.caption =
+      fmt::format("Drawn where the payload is least, {} at x = {}.",
+                  machine.display.quantity(worst.mass, si::kg.in("t")), machine.display.quantity(least.point.x, si::m));
+  if (std::isfinite(run.limits.clearance)) p.clearance = run.limits.clearance;
+  p.value = {.label = "payload", .unit = si::kg.in("t")};
   for (const study::PayloadPosition& one : run.positions) {
-    const std::string& name = one.point.payload.governing;
-    if (one.answered() && std::find(kinds.begin(), kinds.end(), name) == kinds.end()) kinds.push_back(name);
+    if (&one == &least) p.decisive = p.places.size();
+    const bool known = one.answered();
+    p.places.push_back({.x = one.point.x,
+                        .z = known ? one.point.z : none,
+                        .ground = known ? one.point.z - one.point.clearance : none,
+                        .value = known ? one.point.payload.mass : none,
+                        .governs = known ? one.point.payload.governing : std::string()});
   }
-  for (const std::string& kind : kinds) {
-    Curve c;
-    c.label = kind;
-    for (std::size_t i = 0; i < run.positions.size(); ++i) {
-      const study::PayloadPosition& one = run.positions[i];
-      const bool next = i + 1 < run.positions.size() && run.positions[i + 1].answered() &&
-                        run.positions[i + 1].point.payload.governing == kind;
-      c.x.push_back(one.point.x);
-      c.y.push_back(one.answered() && (one.point.payload.governing == kind || next) ? one.point.payload.mass : none);
-    }
-    p.curves.push_back(std::move(c));
-  }
+  sort_places(p);
   return p;
+}
+
+/// A limit that is exceeded without payload, and where.
+struct NothingCarried {
+  std::string limit;
+  std::string where;  ///< "from x = 12 m to 22 m"
+  std::size_t places = 0;
+};
+
+/// Where a payload is least, by all places and by those alone that carry something.
+struct LeastPayload {
+  const study::PayloadPosition* of_all = nullptr;
+  const study::PayloadPosition* of_some = nullptr;  ///< nullptr: nothing is carried anywhere
+  std::size_t answered = 0;
+};
+
+LeastPayload least_payload(const study::PayloadRun& run) {
+  LeastPayload least;
+  const auto less = [](const study::PayloadPosition& one, const study::PayloadPosition* than) {
+    return than == nullptr || one.point.payload.mass < than->point.payload.mass;
+  };
+  for (const study::PayloadPosition& one : run.positions) {
+    if (!one.answered()) continue;
+    ++least.answered;
+    if (less(one, least.of_all)) least.of_all = &one;
+    if (one.point.payload.outcome.ok() && less(one, least.of_some)) least.of_some = &one;
+  }
+  return least;
+}
+
+/// "2.96 t or more, least at x = 169 m; governed by tension of 'skyline'".
+std::string payload_words(const study::PayloadPosition& least, const Display& display) {
+  return fmt::format("{} or more, least at x = {}; governed by {}",
+                     display.quantity(least.point.payload.mass, si::kg.in("t")), display.quantity(least.point.x, si::m),
+                     least.point.payload.governing);
+}
+
+/// What the deck has put on the carriage besides, "1.5 t"; empty: nothing.
+std::string load_besides(const machine::Model& model, const study::PayloadRun& run, const Display& display) {
+  double weight = 0;
+  for (const machine::Load& load : model.loads) {
+    if (load.at.body == model.carriages[run.way.carriage].body) weight -= load.force.z();
+  }
+  return weight > 0 ? display.quantity(weight / model.gravity, si::kg.in("t")) : std::string();
+}
+
+void add_carried(const MachineRun& machine, const study::PayloadRun& run, const LeastPayload& least,
+                 const std::vector<NothingCarried>& nothing, Result& r) {
+  std::vector<std::string> parts;
+  for (const NothingCarried& one : nothing) parts.push_back(fmt::format("nothing {} ({})", one.where, one.limit));
+  if (least.of_some != nullptr) {
+    parts.push_back((nothing.empty() ? "" : "elsewhere ") + payload_words(*least.of_some, machine.display));
+  }
+  const auto places = static_cast<std::size_t>(
+      std::count_if(run.positions.begin(), run.positions.end(), [](const auto& one) { return one.support.empty(); }));
+  if (least.answered < places)
+    parts.push_back(fmt::format("at {} of {} places; the others have no answer", least.answered, places));
+  const std::string besides = load_besides(machine.model, run, machine.display);
+  if (!besides.empty()) parts.push_back(fmt::format("on top of the {} that the deck hangs on the carriage", besides));
+  if (!run.ending.empty()) parts.front() = fmt::format("{}: {}", run.ending.substr(1), parts.front());
+  add_answer_line(r, carries_label, parts);
 }
 
 /// How much of each limit is used; lengths are left to the clearance's own column.
@@ -160,9 +220,37 @@ void add_gaps(const machine::Model& model, const study::PayloadRun& run, Result&
   for (std::size_t i = 0; i < ropes.size(); ++i) tell(model.reevings[i].name, ropes[i]);
 }
 
+/// Where a limit is exceeded without payload: warnings, and checks that fail.
+std::vector<NothingCarried> add_nothing(const MachineRun& machine, const study::PayloadRun& run, Result& r) {
+  std::map<std::string, std::vector<double>> by_limit;
+  for (const study::PayloadPosition& one : run.positions) {
+    if (one.answered() && !one.point.payload.outcome.ok()) by_limit[one.point.payload.governing].push_back(one.point.x);
+  }
+  std::vector<NothingCarried> all;
+  for (const auto& [limit, places] : by_limit) {
+    const auto [low, high] = std::minmax_element(places.begin(), places.end());
+    const auto at = [&](double x) { return machine.display.quantity(x, si::m); };
+    all.push_back({.limit = limit,
+                   .where = places.size() == 1 ? fmt::format("at x = {}", at(*low))
+                                               : fmt::format("from x = {} to {}", at(*low), at(*high)),
+                   .places = places.size()});
+    const std::string words = fmt::format(
+        "nothing can be carried {} ({} place{}): without any payload the limit is exceeded already: {}; raise the "
+        "line, give it more rope or a stronger one",
+        all.back().where, places.size(), places.size() == 1 ? "" : "s", limit);
+    r.warnings.push_back("payload: " + words);
+    if (!machine.checked->judged) continue;
+    Check c = make_check("payload_min" + run.ending, 0, si::kg.in("t"),
+                         {.sense = Sense::at_least, .limit = 0, .rule = words, .trust = "user"});
+    c.utilisation = none;
+    c.passes = false;
+    c.part = machine.model.carriages[run.way.carriage].name;
+    r.checks.push_back(std::move(c));
+  }
+  return all;
+}
+
 void add_results(MachineRun& machine, const study::PayloadRun& run, Result& r) {
-  const study::PayloadPosition* least = nullptr;
-  std::map<std::string, std::vector<double>> nothing;  // where a limit is broken without payload
   study::Missing missing;
   for (const study::PayloadPosition& one : run.positions) {
     const std::string where = fmt::format("payload, x = {:.6g} m", one.point.x);
@@ -175,52 +263,34 @@ void add_results(MachineRun& machine, const study::PayloadRun& run, Result& r) {
     machine::Model loaded = *one.model;
     loaded.bodies[loaded.carriages[run.way.carriage].body].mass += one.point.payload.mass;
     machine.checked->take(loaded, one.point.payload.at, where, checks::analysis_name(run.ending, "payload"));
-    if (!one.point.payload.outcome.ok()) nothing[one.point.payload.governing].push_back(one.point.x);
-    if (least == nullptr || one.point.payload.mass < least->point.payload.mass) least = &one;
   }
-  for (const auto& [limit, places] : nothing) {
-    const auto [low, high] = std::minmax_element(places.begin(), places.end());
-    const std::string span = places.size() == 1 ? fmt::format("at x = {:.6g} m", *low)
-                                                : fmt::format("from x = {:.6g} m to {:.6g} m", *low, *high);
-    const std::string words = fmt::format(
-        "nothing can be carried {} ({} place{}): without any payload the limit is exceeded already: {}; raise the "
-        "line, give it more rope or a stronger one",
-        span, places.size(), places.size() == 1 ? "" : "s", limit);
-    r.warnings.push_back("payload: " + words);
-    if (!machine.checked->judged) continue;
-    Check c = make_check("payload_min" + run.ending, 0, si::kg.in("t"),
-                         {.sense = Sense::at_least, .limit = 0, .rule = words, .trust = "user"});
-    c.utilisation = none;
-    c.passes = false;
-    c.part = machine.model.carriages[run.way.carriage].name;
-    r.checks.push_back(std::move(c));
-  }
+  const std::vector<NothingCarried> nothing = add_nothing(machine, run, r);
   missing.note(r, fmt::format("payload{}, {}", run.ending, run.words), machine.checked->judged);
-  if (least == nullptr) return;
-  const study::Payload& worst = least->point.payload;
+  const LeastPayload least = least_payload(run);
+  if (least.of_all == nullptr) return;
+  add_carried(machine, run, least, nothing, r);
+  const study::Payload& worst = least.of_all->point.payload;
   r.values.push_back({"payload_min" + run.ending,
                       worst.mass,
                       si::kg.in("t"),
                       "m_min",
                       fmt::format("least payload ({}); governs: {}", run.words, worst.governing),
                       {}});
-  if (r.headline.empty()) {
-    r.headline = fmt::format("carries {} or more, least at x = {:.6g} m; governed by {}",
-                             Display().quantity(worst.mass, si::kg.in("t")), least->point.x, worst.governing);
-  }
-  r.values.push_back({"payload_min_x" + run.ending, least->point.x, si::m, "x", "where the payload is least", {}});
+  if (r.headline.empty()) r.headline = "carries " + payload_words(*least.of_all, machine.display);
+  r.values.push_back(
+      {"payload_min_x" + run.ending, least.of_all->point.x, si::m, "x", "where the payload is least", {}});
   r.tables.push_back(payload_table(machine.model, run));
   add_limits(machine.model, run, r);
   if (machine.checked->judged) add_gaps(machine.model, run, r);
-  Plot plot = payload_plot(run);
-  plot.marks.push_back({least->point.x, worst.mass, "least", false});
   if (run.positions.size() > 1) {
-    r.figures.emplace_back(std::move(plot));
+    Profile profile = payload_profile(machine, run, *least.of_all);
+    machine.key_figure.offer(Pictured::payload, profile.name);
+    r.figures.emplace_back(std::move(profile));
     Plot used = used_plot(machine.model, run);
     if (!used.curves.empty()) r.figures.emplace_back(std::move(used));
   }
-  machine.others.push_back(
-      {fmt::format("least payload, {:.5g} kg at x = {:.6g} m", worst.mass, least->point.x), *least->model, worst.at});
+  machine.others.push_back({fmt::format("least payload, {:.5g} kg at x = {:.6g} m", worst.mass, least.of_all->point.x),
+                            *least.of_all->model, worst.at});
 }
 
 }  // namespace

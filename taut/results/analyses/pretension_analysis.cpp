@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <set>
 
+#include "taut/calc/answers.hpp"
 #include "taut/checks/checked_parts.hpp"
 #include "taut/results/analyses/analyses.hpp"
 #include "taut/results/motion/transient_figures.hpp"
@@ -51,21 +52,24 @@ Table tensioning_table(const study::PretensionRun& run, const machine::Model& m)
   return t;
 }
 
-void add_pretension_value(Result& r, const std::string& name, double value, const Unit& unit, std::string words) {
-  r.values.push_back({name, value, unit, name, std::move(words), {}});
+void add_pretension_value(Result& r, const std::string& name, double value, const Unit& unit, std::string words,
+                          bool detail = false) {
+  r.values.push_back({name, value, unit, name, std::move(words), {}, detail});
 }
 
 /// Measures by step, and of each rope what it has at the end: its tensions, its length, what was taken out.
-void add_pretension_values(const study::PretensionRun& run, const machine::Model& m, Result& r) {
+void add_pretension_values(const study::PretensionRun& run, const machine::Model& m, const Display& display,
+                           Result& r) {
   const std::string of = run.words;
   for (std::size_t i = 0; run.answer.slowly && i < run.answer.ends.size(); ++i) {
     for (std::size_t k = 0; k < m.observed.size(); ++k) {
       if (m.observed[k].taken == machine::description::Taken::automatic) continue;
       add_pretension_value(r, fmt::format("{}_{}{}", m.observed[k].name, i + 1, run.ending),
                            run.answer.ends[i].observed[k], m.observed[k].unit,
-                           fmt::format("{} as pull {} ends ({})", m.observed[k].name, i + 1, of));
+                           fmt::format("{} as pull {} ends ({})", m.observed[k].name, i + 1, of), true);
     }
   }
+  std::vector<std::string> parts;
   std::set<int> pulled;
   for (const study::Pull& pull : run.pulls) pulled.insert(pull.reeving);
   const study::PullEnd& last = run.answer.ends.back();
@@ -83,7 +87,12 @@ void add_pretension_values(const study::PretensionRun& run, const machine::Model
     add("T_end", last.T_end[i], si::N, "tension at the end");
     add("length", last.unstretched[i], si::m, "unstretched length");
     add("taken_out", taken, si::m, "rope taken out");
+    parts.push_back(fmt::format("{} {} at its start, {} at its end, {} taken out", name,
+                                display.quantity(last.T_start[i], si::N), display.quantity(last.T_end[i], si::N),
+                                display.quantity(taken, si::m.in("mm"))));
   }
+  if (!run.ending.empty() && !parts.empty()) parts.front() = fmt::format("{}: {}", run.ending.substr(1), parts.front());
+  add_answer_line(r, "Pretension", parts);
 }
 
 Plot tensioning_plot(const study::PretensionRun& run, const machine::Model& m) {
@@ -153,7 +162,7 @@ void add_answer(const study::PretensionRun& asked, MachineRun& machine, Result& 
   study::note_failure(r, result.outcome, run.words);
   if (result.ends.empty()) return;
   r.tables.push_back(tensioning_table(run, machine.model));
-  add_pretension_values(run, machine.model, r);
+  add_pretension_values(run, machine.model, machine.display, r);
   r.figures.emplace_back(tensioning_plot(run, machine.model));
   r.assumptions.push_back(fmt::format("{}: {}.", run.words, how_words(run)));
   if (result.slowly) add_pretension_scene(run, machine.model, r);

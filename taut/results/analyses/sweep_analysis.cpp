@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "taut/calc/answers.hpp"
 #include "taut/calc/none.hpp"
 #include "taut/checks/checked_parts.hpp"
 #include "taut/results/analyses/analyses.hpp"
@@ -129,6 +130,24 @@ void note_values_lost(const study::SweepRun& run, const solve::Sweep& s, Result&
                        fmt::format("{} = {}", run.parameter, Display().quantity(first, run.unit)), s.outcome.message});
 }
 
+/// How far the parameter goes, and the largest tension of each rope on the way.
+void add_swept(const study::SweepRun& run, const solve::Sweep& s, const std::string& end, const Display& display,
+               Result& r) {
+  const auto shown = [&](double value) { return display.quantity(value, run.unit); };
+  std::vector<std::string> parts = {
+      end.empty() ? fmt::format("{} from {} to {}", run.parameter, shown(s.points.front().value), shown(s.value))
+                  : end};
+  const machine::Model& m = s.points.front().model;
+  for (std::size_t i = 0; i < m.reevings.size(); ++i) {
+    const auto most = std::max_element(s.points.begin(), s.points.end(), [&](const auto& a, const auto& b) {
+      return a.at.ropes[i].T_max < b.at.ropes[i].T_max;
+    });
+    parts.push_back(fmt::format("{} up to {} at {}", m.reevings[i].name,
+                                display.quantity(most->at.ropes[i].T_max, si::N), shown(most->value)));
+  }
+  add_answer_line(r, "Sweep", parts);
+}
+
 void add_results(MachineRun& machine, const study::SweepRun& run, const solve::Sweep& s, Result& r) {
   if (s.points.empty() && s.end == solve::SweepEnd::interrupted) return;
   if (s.points.empty()) {
@@ -156,6 +175,7 @@ void add_results(MachineRun& machine, const study::SweepRun& run, const solve::S
                       words.empty() ? fmt::format("last value of {}", run.parameter) : words,
                       {}});
   if (!words.empty()) r.warnings.push_back(fmt::format("the sweep {}", words));
+  add_swept(run, s, words, machine.display, r);
   if (machine.checked->judged) note_values_lost(run, s, r);
   if (s.points.size() > 1) add_plots(run, m, s, r);
   for (const auto& point : s.points) {

@@ -1,5 +1,10 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "taut/calc/answers.hpp"
 #include "taut/checks/checked_parts.hpp"
 #include "taut/results/analyses/analyses.hpp"
 #include "taut/results/motion/transient_figures.hpp"
@@ -34,6 +39,32 @@ void solve(study::TransientRun& run, MachineRun& machine) {
   study::solve(run, from, watchers);
 }
 
+/// The largest tensions with their times, and what is observed at the end.
+void add_motion(const study::TransientRun& run, const Display& display, Result& r) {
+  const solve::TransientResult& result = run.result;
+  std::vector<std::size_t> order(result.ropes.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(),
+                   [&](auto a, auto b) { return result.ropes[a].T.max > result.ropes[b].T.max; });
+  std::vector<std::string> parts;
+  for (const std::size_t i : order) {
+    const solve::RopeExtreme& rope = result.ropes[i];
+    const std::string still =
+        rope.T_static > 0 ? fmt::format(", {:.3g} times that at the start", rope.T.max / rope.T_static) : std::string();
+    parts.push_back(fmt::format("{} up to {} at t = {:.4g} s{}", run.model.reevings[i].name,
+                                display.quantity(rope.T.max, si::N), rope.T.t_max, still));
+  }
+  if (!run.ending.empty() && !parts.empty()) parts.front() = fmt::format("{}: {}", run.ending.substr(1), parts.front());
+  add_answer_line(r, "Motion", parts);
+  std::vector<std::string> end = {fmt::format("t = {:.4g} s", result.t_end)};
+  for (std::size_t i = 0; i < result.extremes.size(); ++i) {
+    const machine::Observable& o = run.model.observed[i];
+    if (std::isfinite(result.extremes[i].end))
+      end.push_back(fmt::format("{} {}", o.name, display.quantity(result.extremes[i].end, o.unit)));
+  }
+  add_answer_line(r, "At the end", end);
+}
+
 }  // namespace
 
 void add_answer(const study::TransientRun& asked, MachineRun& machine, Result& r) {
@@ -55,6 +86,8 @@ void add_answer(const study::TransientRun& asked, MachineRun& machine, Result& r
   if (result.frames.empty()) return;
   add_transient_tables(run, machine.checked->judge.strength_trusts(), r);
   add_transient_figures(run, r);
+  add_motion(run, machine.display, r);
+  machine.key_figure.offer(Pictured::motion, key_figure_of_motion(run, r));
   if (run.request.save) r.attachments.push_back({*run.request.save, to_json(result.state, run.model)});
 }
 

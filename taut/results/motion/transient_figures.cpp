@@ -295,9 +295,12 @@ Plot plot_of(const study::TransientRun& run, const std::string& title, const Axi
   return p;
 }
 
+std::string forces_name(const study::TransientRun& run) { return "forces_over_time" + run.ending; }
+
 void add_plots(const study::TransientRun& run, Result& r) {
   const auto& observed = run.model.observed;
   std::vector<bool> done(observed.size(), false);
+  bool named = false;
   for (std::size_t i = 0; i < observed.size(); ++i) {
     if (done[i]) continue;
     std::vector<OverTime> curves;
@@ -309,7 +312,11 @@ void add_plots(const study::TransientRun& run, Result& r) {
     const std::string kind(observed[i].unit.kind);
     const std::string title =
         fmt::format("Over time: {}{}", kind, run.ending.empty() ? "" : ", " + run.ending.substr(1));
-    r.figures.emplace_back(plot_of(run, title, {.label = kind, .unit = observed[i].unit}, curves));
+    Plot p = plot_of(run, title, {.label = kind, .unit = observed[i].unit}, curves);
+    const bool forces = observed[i].unit.symbol == si::N.symbol;
+    if (forces && !named) p.name = forces_name(run);  // the first ones: the picture of page 1
+    named = named || forces;
+    r.figures.emplace_back(std::move(p));
   }
 }
 
@@ -337,6 +344,17 @@ void add_energy_plot(const study::TransientRun& run, Result& r) {
 
 Drawing drawing_at(const study::TransientRun& run, std::size_t frame, const std::string& title) {
   return drawing_of(run, frame, views_of(run).front(), title);
+}
+
+std::string key_figure_of_motion(const study::TransientRun& run, const Result& r) {
+  const std::string forces = forces_name(run), motion = fmt::format("motion{}", run.ending);
+  for (const std::string& name : {forces, motion}) {
+    const bool there = std::any_of(r.figures.begin(), r.figures.end(), [&](const Figure& f) {
+      return std::visit([&](const auto& one) { return one.name == name; }, f);
+    });
+    if (there) return name;
+  }
+  return {};
 }
 
 void add_transient_figures(const study::TransientRun& run, Result& r) {

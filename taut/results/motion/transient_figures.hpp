@@ -9,6 +9,9 @@ namespace taut::results {
 /// marked; the energy over time.
 void add_transient_figures(const study::TransientRun& run, Result& r);
 
+/// Name of the motion's figure for page 1: its forces over time, else the animation; empty: it has neither.
+std::string key_figure_of_motion(const study::TransientRun& run, const Result& r);
+
 /// The machine in one frame, seen from its side, with the forces of its ropes.
 Drawing drawing_at(const study::TransientRun& run, std::size_t frame, const std::string& title);
 

@@ -69,7 +69,13 @@ void add_envelope(const study::TransientRun& run, Result& r) {
     const auto value = [&](const char* ending, double x, const std::string& words) {
       if (!std::isfinite(x)) return;
       const std::string name = fmt::format("{}_{}{}", o.name, ending, run.ending);
-      r.values.push_back({name, x, o.unit, name, fmt::format("{} of {} ({})", words, o.name, words_of(run)), {}});
+      r.values.push_back({name,
+                          x,
+                          o.unit,
+                          name,
+                          fmt::format("{} of {} ({})", words, o.name, words_of(run)),
+                          {},
+                          true});  // the table of the envelope has them in one line
     };
     value("min", e.min, fmt::format("smallest value, at t = {:.6g} s,", e.t_min));
     value("max", e.max, fmt::format("largest value, at t = {:.6g} s,", e.t_max));
@@ -107,7 +113,7 @@ void add_energy(const study::TransientRun& run, Result& r) {
   add("residual", &solve::EnergyLedger::residual);
   r.tables.push_back(make_table("energy" + run.ending,
                                 "Energy: what the machine holds, what was supplied and lost since the start",
-                                energy_quantities(), rows));
+                                as_details(energy_quantities()), rows));
   const std::string share = "energy_residual" + run.ending;
   if (last.turnover > 0) {
     r.values.push_back({share,
@@ -115,7 +121,8 @@ void add_energy(const study::TransientRun& run, Result& r) {
                         si::one,
                         share,
                         "energy that the ledger can't account for, over the largest that was stored, supplied or lost",
-                        {}});
+                        {},
+                        true});
   }
 }
 

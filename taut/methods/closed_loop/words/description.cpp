@@ -139,8 +139,8 @@ void describe_paper(Describe<Output>& d) {
   d.field(&Output::x, "x", "x", si::m, "position of the carriage for these values");
   d.field(&Output::f, "f", "f", si::m, "sag at the carriage");
   d.field(&Output::f_second, "f_second", "f_second", si::m, "a deeper sag with the same tension");
-  d.field(&Output::q_b, "q_b", "q_b", si::N_per_m, "weight of the return rope");
-  d.field(&Output::q_T, "q_T", "q_T", si::N_per_m, "weight of the traction rope");
+  d.field(&Output::q_b, "q_b", "q_b", si::N_per_m, "weight of the return rope").detail();
+  d.field(&Output::q_T, "q_T", "q_T", si::N_per_m, "weight of the traction rope").detail();
   d.field(&Output::P, "P", "P", si::N, "load across the chord, with the carriage's weight").from("(3)");
   d.field(&Output::K, "K", "K", si::N, "pull along the chord").from("(2)");
   d.field(&Output::P_b, "P_b", "P_b", si::N, "load on the upper branch, oblique (two sections: corrected system)")
@@ -151,17 +151,23 @@ void describe_paper(Describe<Output>& d) {
   d.field(&Output::T_up, "T_up", "T_up", si::N, "upper branch at its upper support, by the paper").from("(7)");
   d.field(&Output::T_lA_paper, "T_lA_paper", "T_lA_paper", si::N, "lower branch at A, by the paper, repaired")
       .from("(9*)");
-  d.field(&Output::P_b_4_printed, "P_b_4_printed", "P_b_4_printed", si::N, "(4) as printed, with - 2l").from("(4)");
+  d.field(&Output::P_b_4_printed, "P_b_4_printed", "P_b_4_printed", si::N, "(4) as printed, with - 2l")
+      .from("(4)")
+      .detail();
   d.field(&Output::T_n_printed, "T_n_printed", "T_n_printed", si::N, "(6) as printed, with cos(gamma) and T_b")
-      .from("(6)");
+      .from("(6)")
+      .detail();
   d.field(&Output::T_lA_printed, "T_lA_printed", "T_lA_printed", si::N, "(9) as printed, without the factor 4")
-      .from("(9)");
+      .from("(9)")
+      .detail();
   d.field(&Output::delta_f, "delta_f", "delta_f", si::m, "sag of section 2 under the line from section 1 to B")
       .from("(11*)-(16*)");
   d.field(&Output::P_b_printed, "P_b_printed", "P_b_printed", si::N, "(11)-(16) as printed, unrounded")
-      .from("(11)-(16)");
+      .from("(11)-(16)")
+      .detail();
   d.field(&Output::delta_f_printed, "delta_f_printed", "delta_f_printed", si::m, "(11)-(16) as printed, unrounded")
-      .from("(11)-(16)");
+      .from("(11)-(16)")
+      .detail();
 }
 
 void describe_sections(Describe<Output>& d) {
@@ -175,10 +181,12 @@ void describe_closed(Describe<Output>& d) {
   d.field(&Output::N, "N", "N", si::N, "roller force on the upper branch").from("closed-form tier");
   d.field(&Output::P_v, "P_v", "P_v", si::N, "its vertical part").from("closed-form tier");
   d.field(&Output::P_b_closed, "P_b_closed", "P_b_closed", si::N, "its oblique part, to compare with P_b")
-      .from("closed-form tier");
+      .from("closed-form tier")
+      .detail();
   d.field(&Output::delta_f_closed, "delta_f_closed", "delta_f_closed", si::m,
           "sag of section 2 under the line from section 1 to B")
-      .from("closed-form tier");
+      .from("closed-form tier")
+      .detail();
   d.field(&Output::phi, "phi", "phi", si::rad,
           "inclination of the link from clamp to roller, positive when its top is toward A")
       .from("closed-form tier");
@@ -192,13 +200,17 @@ void describe_closed(Describe<Output>& d) {
       .from("closed-form tier");
   d.field(&Output::T_12, "T_12", "T_12", si::N, "connecting rope between the sections").from("closed-form tier");
   d.field(&Output::H_1, "H_1", "H_1", si::N, "horizontal tension of the lower branch between A and the carriage")
-      .from("closed-form tier");
+      .from("closed-form tier")
+      .detail();
   d.field(&Output::H_2, "H_2", "H_2", si::N, "horizontal tension of the lower branch between the carriage and B")
-      .from("closed-form tier");
+      .from("closed-form tier")
+      .detail();
   d.field(&Output::H_3, "H_3", "H_3", si::N, "horizontal tension of the upper branch between A and the carriage")
-      .from("closed-form tier");
+      .from("closed-form tier")
+      .detail();
   d.field(&Output::H_4, "H_4", "H_4", si::N, "horizontal tension of the upper branch between the carriage and B")
-      .from("closed-form tier");
+      .from("closed-form tier")
+      .detail();
   d.field(&Output::T_max, "T_max", "T_max", si::N, "largest of the four end tensions").from("closed-form tier");
 }
 
@@ -225,18 +237,22 @@ void describe_exact(Describe<Output>& d) {
   const auto add = [&](double Output::*at, const char* name, const Unit& unit, const char* words) {
     d.field(at, name, name, unit, words).from("exact catenaries");
   };
+  const auto add_detail = [&](double Output::*at, const char* name, const Unit& unit, const char* words) {
+    add(at, name, unit, words);
+    d.detail();
+  };
   add(&Output::P_b_exact, "P_b_exact", si::N, "load on the upper branch, oblique");
-  add(&Output::P_v_exact, "P_v_exact", si::N, "vertical part of the roller force on the upper branch");
-  add(&Output::N_exact, "N_exact", si::N, "roller force on the upper branch");
-  add(&Output::phi_exact, "phi_exact", si::rad,
-      "inclination of the link from clamp to roller, positive when its top is toward A");
+  add_detail(&Output::P_v_exact, "P_v_exact", si::N, "vertical part of the roller force on the upper branch");
+  add_detail(&Output::N_exact, "N_exact", si::N, "roller force on the upper branch");
+  add_detail(&Output::phi_exact, "phi_exact", si::rad,
+             "inclination of the link from clamp to roller, positive when its top is toward A");
   add(&Output::T_uA_exact, "T_uA_exact", si::N, "upper branch at A");
   add(&Output::T_uB_exact, "T_uB_exact", si::N, "upper branch at B");
   add(&Output::T_lA_exact, "T_lA_exact", si::N, "lower branch (traction rope) at A");
   add(&Output::T_lB_exact, "T_lB_exact", si::N, "lower branch (return rope) at B");
-  add(&Output::T_U_exact, "T_U_exact", si::N, "upper branch at the carriage, the tighter side");
-  add(&Output::T_lLA_exact, "T_lLA_exact", si::N, "traction rope at the carriage");
-  add(&Output::T_lLB_exact, "T_lLB_exact", si::N, "return rope of the lower branch at the carriage");
+  add_detail(&Output::T_U_exact, "T_U_exact", si::N, "upper branch at the carriage, the tighter side");
+  add_detail(&Output::T_lLA_exact, "T_lLA_exact", si::N, "traction rope at the carriage");
+  add_detail(&Output::T_lLB_exact, "T_lLB_exact", si::N, "return rope of the lower branch at the carriage");
   add(&Output::delta_f_exact, "delta_f_exact", si::m, "sag of section 2 under the line from section 1 to B");
   add(&Output::upper_sag_exact, "upper_sag_exact", si::m, "sag of the upper branch at the roller, under its own chord");
   add(&Output::loop_length_exact, "loop_length_exact", si::m, "unstretched length of the whole loop");
@@ -244,10 +260,10 @@ void describe_exact(Describe<Output>& d) {
       "unstretched length of the traction rope between A and the carriage");
   add(&Output::return_length_exact, "return_length_exact", si::m,
       "unstretched length of the return rope from the carriage over B to A");
-  add(&Output::residual_exact, "residual_exact", si::one,
-      "largest unbalanced force at a node, over the largest tension; 1e-12: rounding level");
-  add(&Output::closure_exact, "closure_exact", si::one,
-      "largest distance of the end of a rope from its node, over the span; 1e-12: rounding level");
+  add_detail(&Output::residual_exact, "residual_exact", si::one,
+             "largest unbalanced force at a node, over the largest tension; 1e-12: rounding level");
+  add_detail(&Output::closure_exact, "closure_exact", si::one,
+             "largest distance of the end of a rope from its node, over the span; 1e-12: rounding level");
 }
 
 }  // namespace

@@ -1,0 +1,48 @@
+#include "taut/calc/answers.hpp"
+
+#include <fmt/format.h>
+
+#include "taut/methods/boom_ropes/boom_ropes.hpp"
+
+namespace taut::boom_ropes {
+
+std::vector<Answer> answers(const Input& in, const Result& r, const Display& display) {
+  Result lines;
+  const auto shown = [&](const char* value) {
+    const Value* v = r.find_value(value);
+    return v == nullptr ? std::string() : display.quantity(v->value, v->unit);
+  };
+  const auto has = [&](const char* value) { return r.find_value(value) != nullptr; };
+  if (has("S10_set") && has("S20_set")) {
+    add_answer_line(lines, in.S10 ? given_label : "Needs",
+                    {fmt::format("pretension of the extension rope {} (one branch)", shown("S10_set")),
+                     fmt::format("of the retraction rope {}", shown("S20_set"))});
+  }
+  if (has("S10_min_corrected") && has("S20_min_corrected")) {
+    add_answer_line(lines, "Least",
+                    {fmt::format("pretension of the extension rope {}, of the retraction rope {}, by the corrected "
+                                 "stiffness",
+                                 shown("S10_min_corrected"), shown("S20_min_corrected"))});
+  } else if (has("S10_min") && has("S20_min")) {
+    add_answer_line(lines, "Least",
+                    {fmt::format("pretension of the extension rope {}, of the retraction rope {}", shown("S10_min"),
+                                 shown("S20_min"))});
+  }
+  if (has("S1_max")) {
+    add_answer_line(lines, "Load",
+                    {fmt::format("extension rope up to {} (one branch)", shown("S1_max")),
+                     fmt::format("retraction rope up to {}", shown("S2_max"))});
+    add_answer_line(lines, "Cylinder",
+                    {fmt::format("force from {} to {}", shown("Fh_min"), shown("Fh_max")),
+                     fmt::format("largest at {}, boom {} long, {} suspended", shown("governing_angle"),
+                                 shown("governing_length"), shown("governing_weight"))});
+  }
+  if (lines.answers.empty() && has("lambda_1")) {
+    add_answer_line(lines, "Shares",
+                    {fmt::format("of a change of the force each extension branch takes {}, the retraction rope {}",
+                                 shown("lambda_1"), shown("lambda_2"))});
+  }
+  return lines.answers;
+}
+
+}  // namespace taut::boom_ropes

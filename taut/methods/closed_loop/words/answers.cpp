@@ -1,0 +1,70 @@
+#include "taut/calc/answers.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "taut/catalogue/rope_search.hpp"
+#include "taut/catalogue/rope_words.hpp"
+#include "taut/methods/closed_loop/closed_loop.hpp"
+
+namespace taut::closed_loop {
+namespace {
+
+std::string designation_words(const std::string& id) {
+  const catalogue::RopeRow* row = catalogue::rope_of_id(id);
+  return row == nullptr ? id : catalogue::words_of_rope(*row);
+}
+
+/// The largest of these values that exist, with its words; nullptr: none exists.
+const Value* largest(const Result& r, std::initializer_list<const char*> names) {
+  const Value* most = nullptr;
+  for (const char* name : names) {
+    const Value* v = r.find_value(name);
+    if (v != nullptr && (most == nullptr || v->value > most->value)) most = v;
+  }
+  return most;
+}
+
+}  // namespace
+
+std::vector<Answer> answers(const Input& in, const Result& r, const Display& display) {
+  Result lines;
+  const auto shown = [&](const Value& v) { return display.quantity(v.value, v.unit); };
+  if (const Table* ropes = r.find_table("ropes")) {
+    std::vector<std::string> parts, loads;
+    for (std::size_t i = 0; i < ropes->rows.size(); ++i) {
+      const std::string role = text_in(*ropes, i, "role");
+      const Value* length = r.find_value(role + "_length_exact");
+      parts.push_back(fmt::format("{} rope {}{}", role, designation_words(text_in(*ropes, i, "designation")),
+                                  length == nullptr ? "" : fmt::format(", {} unstretched", shown(*length))));
+      loads.push_back(fmt::format(
+          "{} rope {} ({}), factor {}", role, display.quantity(number_in(*ropes, i, "largest_tension"), si::N),
+          text_in(*ropes, i, "where"), display.number(number_in(*ropes, i, "safety_factor"), si::one)));
+    }
+    add_answer_line(lines, in.choose_ropes ? build_label : given_label, parts);
+    add_answer_line(lines, "Load", loads);
+  } else {
+    std::vector<std::string> areas;
+    for (const char* role : {"return", "traction"}) {
+      const Value* area = r.find_value(fmt::format("F_{}", role));
+      if (area != nullptr) areas.push_back(fmt::format("{} rope of {} metallic area", role, shown(*area)));
+    }
+    add_answer_line(lines, "Needs", areas);
+  }
+  const Value* x = r.find_value("x");
+  const std::string place = x == nullptr ? std::string() : fmt::format(", carriage at {}", shown(*x));
+  const Value* exact = largest(r, {"T_uA_exact", "T_uB_exact", "T_lA_exact", "T_lB_exact"});
+  if (const Value* T = exact != nullptr ? exact : largest(r, {"T_uA", "T_uB", "T_lA", "T_lB"})) {
+    add_answer_line(lines, "Tension", {fmt::format("{}, {}{}", shown(*T), T->label, place)});
+  }
+  if (const Value* f = r.find_value("f")) {
+    std::vector<std::string> parts = {fmt::format("{} at the carriage{}", shown(*f), place)};
+    const Value* loop = r.find_value("loop_length_exact");
+    if (loop != nullptr) parts.push_back(fmt::format("the loop is {} long, unstretched", shown(*loop)));
+    add_answer_line(lines, "Sag", parts);
+  }
+  return lines.answers;
+}
+
+}  // namespace taut::closed_loop

@@ -1,0 +1,48 @@
+#include <gtest/gtest.h>
+
+#include "taut/methods/mast_section/plain_mast_test.hpp"
+
+namespace taut::mast_section::answers_test {
+
+std::string line_of(const std::vector<Answer>& all, const std::string& label) {
+  for (const Answer& a : all) {
+    if (a.label == label) return a.text;
+  }
+  return {};
+}
+
+TEST(MastAnswers, NameTheSectionThatIsChosen) {
+  Input in = plain_mast();
+  in.choose_section = ChooseSection{};
+  const Result r = run(in);
+  ASSERT_EQ(r.status, Status::ok) << r.message;
+  const auto all = answers(in, r, Display());
+  ASSERT_FALSE(all.empty());
+  EXPECT_EQ(all.front().label, "Build");
+  EXPECT_NE(all.front().text.find("8 m high"), std::string::npos) << all.front().text;
+  bool checked = false;
+  for (const Check& c : r.checks) {
+    const std::string name = c.name.substr(0, c.name.find(','));  // "strength of CHS 508x16"
+    checked = checked || all.front().text.find(name.substr(std::string("strength of ").size())) != std::string::npos;
+  }
+  EXPECT_TRUE(checked) << all.front().text;
+  EXPECT_NE(line_of(all, "Stress").find("of 160 MPa allowed"), std::string::npos) << line_of(all, "Stress");
+}
+
+TEST(MastAnswers, AGivenSectionIsNotProposed) {
+  Input in = plain_mast();
+  in.section = "CHS 508x16";
+  const auto all = answers(in, run(in), Display());
+  ASSERT_FALSE(all.empty());
+  EXPECT_EQ(all.front().label, "Given");
+}
+
+TEST(MastAnswers, WithoutASectionTheTubeIsNeeded) {
+  const Input in = plain_mast();
+  const Result r = run(in);
+  const auto all = answers(in, r, Display(std::map<std::string, std::string>{{"length", "m"}}));
+  const double D = std::max(r.find_value("D_tube")->value, r.find_value("D_tube_payout")->value);
+  EXPECT_NE(line_of(all, "Needs").find(Display().number(D, si::m)), std::string::npos) << line_of(all, "Needs");
+}
+
+}  // namespace taut::mast_section::answers_test

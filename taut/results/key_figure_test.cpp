@@ -1,0 +1,19 @@
+#include "taut/results/key_figure.hpp"
+
+#include <gtest/gtest.h>
+
+namespace taut::results::key_figure_test {
+
+TEST(KeyFigure, TheFirstOfTheMostWantedKindIsTaken) {
+  KeyFigure key;
+  key.offer(Pictured::machine, "machine");
+  EXPECT_EQ(key.name, "machine");
+  key.offer(Pictured::load_path, "load_path_profile");
+  key.offer(Pictured::load_path, "load_path_profile_2");
+  key.offer(Pictured::motion, "motion");
+  EXPECT_EQ(key.name, "load_path_profile");
+  key.offer(Pictured::payload, "");
+  EXPECT_EQ(key.name, "load_path_profile") << "a figure without a name can't be found";
+}
+
+}  // namespace taut::results::key_figure_test
