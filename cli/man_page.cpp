@@ -16,7 +16,7 @@ struct Entry {
   std::string_view words;
 };
 
-constexpr Entry files[] = {
+constexpr Entry files_written[] = {
     {"result.json", "every number of the result, in SI units"},
     {"report.html", "the report; one file that opens without a network and prints on A4"},
     {"report.md", "the same as Markdown"},
@@ -27,7 +27,7 @@ constexpr Entry files[] = {
      "the names of these files. The next run into the folder replaces them together and keeps all others."},
 };
 
-constexpr Entry environment[] = {
+constexpr Entry variables[] = {
     {"NO_COLOR", "set and not empty: no colour on the terminal"},
     {"TERM", "\"dumb\": no colour on the terminal"},
     {"BROWSER",
@@ -39,7 +39,7 @@ constexpr Entry environment[] = {
     {"TMPDIR", "for --pdf: the folder in which Chromium keeps its files while it prints; without it /tmp"},
 };
 
-constexpr Entry examples[] = {
+constexpr Entry typed_examples[] = {
     {"taut new closed_loop > loop.yaml", "A first deck, with comments."},
     {"taut run loop.yaml", "A summary on the terminal. The last line is the verdict."},
     {"taut run loop.yaml -o out --pdf --open",
@@ -185,10 +185,10 @@ std::string man_page(const CommandWords& command, const std::string& date) {
   for (const VerbWords& verb : command.verbs) all += verb_text(command.name, verb);
   all += ".SH EXIT STATUS\n";
   for (const ExitWords& e : exit_words) all += tagged(bold(fmt::format("{}", static_cast<int>(e.code))), e.words);
-  all += entries("FILES", files);
-  all += entries("ENVIRONMENT", environment);
+  all += entries("FILES", files_written);
+  all += entries("ENVIRONMENT", variables);
   all += ".SH EXAMPLES\n";
-  for (const Entry& e : examples) all += tagged(bold(e.name), e.words);
+  for (const Entry& e : typed_examples) all += tagged(bold(e.name), e.words);
   return all;
 }
 
