@@ -75,9 +75,9 @@ std::optional<double> anchor_tree_diameter(double force, double angle) {
   const std::vector<AnchorTreeRow> rows = anchor_trees_at(angle);
   const auto above = std::find_if(rows.begin(), rows.end(), [&](const auto& row) { return reaches(row.force, force); });
   if (above == rows.end()) return std::nullopt;
-  if (above == rows.begin()) return above->diameter;
+  if (above == rows.begin() || force >= above->force) return above->diameter;
   const AnchorTreeRow& below = *std::prev(above);
-  const double share = std::min(1.0, (force - below.force) / (above->force - below.force));
+  const double share = (force - below.force) / (above->force - below.force);
   const double low = below.diameter * below.diameter, high = above->diameter * above->diameter;
   return std::sqrt(low + share * (high - low));
 }
