@@ -1,6 +1,9 @@
 #pragma once
+#include <string>
+
 #include "taut/calc/figure.hpp"
 #include "taut/report/figure/placement.hpp"
+#include "taut/report/text/quantity.hpp"
 
 namespace taut::report {
 
@@ -15,5 +18,8 @@ struct MotionView {
 /// The view in which all lines and rounds of all times take at most `wide` x `high` pixels, at (0, 0) the left upper
 /// corner. Points that are not finite are left out.
 MotionView motion_view(const Animation& animation, double wide, double high);
+
+/// A bar of a round length with its words, its left end at `at`; `box` grows by it.
+std::string length_bar(const MotionView& view, const Display& display, Pixel at, Box& box);
 
 }  // namespace taut::report
