@@ -6,6 +6,7 @@
 
 #include "taut/base/expects.hpp"
 #include "taut/base/version.hpp"
+#include "taut/report/embedded/figure_css.hpp"
 #include "taut/report/embedded/italic_font.hpp"
 #include "taut/report/embedded/math_font.hpp"
 #include "taut/report/embedded/page_css.hpp"
@@ -80,7 +81,7 @@ std::string to_html(const Result& r) {
   page.set("deck", clean(r.deck_name));
   page.set("hash", clean(r.deck_hash));
   page.set("set", clean(overrides_text(r)));
-  page.set("css", packed(embedded::page_css));
+  page.set("css", packed(embedded::page_css) + packed(embedded::figure_css));
   page.set("running", css_string(shortened(title, 90)));
   page.set("math_font", base64(embedded::math_font));
   page.set("italic_font", base64(embedded::italic_font));
