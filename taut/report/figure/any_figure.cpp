@@ -3,6 +3,7 @@
 #include "taut/report/figure/motion_strip.hpp"
 #include "taut/report/figure/svg_drawing.hpp"
 #include "taut/report/figure/svg_plot.hpp"
+#include "taut/report/figure/svg_profile.hpp"
 
 namespace taut::report {
 namespace {
@@ -13,6 +14,7 @@ struct StaticFigure {
   std::string operator()(const Drawing& d) const { return drawing_svg(d, display); }
   std::string operator()(const Plot& p) const { return plot_svg(p, display); }
   std::string operator()(const Animation& a) const { return strip_svg(a, display); }
+  std::string operator()(const Profile& p) const { return profile_svg(p, display); }
 };
 
 }  // namespace
