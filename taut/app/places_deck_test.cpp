@@ -2,6 +2,8 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <filesystem>
 #include <fstream>
 
 #include "test/support/machine_decks.hpp"
@@ -95,14 +97,16 @@ TEST(PlacesOverGround, AreSetAndSwept) {
 }
 
 TEST(PlacesOverGround, AreFreeInADesign) {
-  const Result r = run_text(with_jack("{chainage: 110 m, over_ground: 11 m}",
-                                      "  - load_path: {carriage: car, from: 115 m, to: 235 m, steps: 12}\n"
-                                      "checks: {ropes: {skyline: {safety_factor: 3}, mainline: {safety_factor: 3}}}\n"
-                                      "design:\n"
-                                      "  seek: most_reserve\n"
-                                      "  unknowns:\n"
-                                      "    height: {parameter: supports.jack1.at.over_ground, from: 6 m, to: 12 m, "
-                                      "steps: 3}"));
+  const Result r =
+      run_text(with_jack("{chainage: 110 m, over_ground: 11 m}",
+                         "  - load_path: {carriage: car, from: 150 m, to: 220 m, steps: 7}\n"
+                         "checks: {ropes: {skyline: {safety_factor: 2}, mainline: {safety_factor: 2}}}\n"
+                         "design:\n"
+                         "  seek: most_reserve\n"
+                         "  unknowns:\n"
+                         "    height: {parameter: supports.jack1.at.over_ground, from: 6 m, to: 12 m, steps: 3}",
+                         "terrain: {x: [0 m, 100 m, 110 m, 120 m, 360 m], z: [-60 m, -60 m, 22 m, -60 m, -60 m]}"),
+               {"loads[0].mass=1 t"});
   ASSERT_EQ(r.status, Status::ok) << r.message << to_text(r.errors);
   EXPECT_NEAR(cell(table_of(r, "places"), 0, "z"), 22 + taut_test::value_of(r, "design_height"), 1e-9);
 }
@@ -113,7 +117,8 @@ TEST(PlacesOverGround, WithoutGroundAreMistakesOfTheDeck) {
   };
   mistake("{chainage: 400 m, over_ground: 9 m}", "there is no terrain at 400 m: it goes from 0 m to 360 m");
   mistake("{chainage: 400 m, over_ground: 9 m}", "deck.yaml:9:");
-  mistake("{chainage: 110 m, over_ground: 9 m}", "needs the ground: give the machine a 'terrain'", "gravity: 9.81");
+  mistake("{chainage: 110 m, over_ground: 9 m}", "needs the ground: give the machine a 'terrain'",
+          "gravity: 9.81 m/s^2");
   mistake("{chainage: 110 m, over_ground: -9 m}", "over_ground: must be at least 0 m");
   mistake("{chainage: 110 m}", "lacks 'over_ground'");
   mistake("{chainage: 110 m, over_ground: 9 m, leans: 5 deg}", "'leans' is not a field of at; did you mean 'lean'?");

@@ -9,7 +9,6 @@
 #include "taut/machine/description/beam_keys.hpp"
 #include "taut/machine/description/measure_keys.hpp"
 #include "taut/machine/description/motion_keys.hpp"
-#include "taut/machine/description/over_ground.hpp"
 
 /// A machine as a deck describes it: plain values, references by name, one `describe` table each. SI, right-handed
 /// axes, z up. A `describe` table checks single fields only; `compile` (compile.hpp) checks everything that needs
