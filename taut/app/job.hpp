@@ -48,7 +48,7 @@ enum class FileUnits { display, si };
 /// replace those of an earlier result all at once; files that taut did not write are kept (io::replace_folder). Returns
 /// the paths written, or a FileError.
 tl::expected<std::vector<std::string>, FileError> write_files(const Result& result, const std::string& folder,
-                                                             FileUnits units = FileUnits::display);
+                                                              FileUnits units = FileUnits::display);
 
 /// Whether write_files and write_vtk can use that folder. Call it before a long calculation.
 tl::expected<void, FileError> check_folder(const std::string& folder);
