@@ -50,7 +50,7 @@ TEST(Animation, WhatRestsIsWrittenOnce) {
   // the rope has eleven frames, the mast one
   const std::size_t lines = html.find("l:[[[");
   ASSERT_NE(lines, std::string::npos);
-  const std::string data = html.substr(lines + 2, html.find(",c:") - lines - 2);
+  const std::string data = html.substr(lines + 2, html.find(",k:") - lines - 2);
   EXPECT_EQ(std::count(data.begin(), data.end(), '['), 1 + (1 + 11) + (1 + 1));
 }
 

@@ -47,7 +47,7 @@ TEST(MotionStrip, HasTheEndsThePeakAndTheEvents) {
 
 TEST(MotionStrip, ShowsTimesAndTensions) {
   const std::string text = strip_svg(sinking(), Display{});
-  for (const char* shown : {"t = 0 s", "t = 7 s", "10 kN", "largest tension", ">hook<", "class=\"line t7\""}) {
+  for (const char* shown : {" = 0 s", " = 7 s", "10 kN", "largest tension", ">hook<", "class=\"line t7\""}) {
     EXPECT_NE(text.find(shown), std::string::npos) << shown;
   }
   EXPECT_EQ(text.find("nan"), std::string::npos);

@@ -59,6 +59,12 @@ void want_label(Canvas& c, const std::string& text, Place place) {
                       place.may_cover});
 }
 
+/// "G_3 = 12 kN" for a symbol, "F tower 51 kN" and "span 200 m" for words.
+std::string named(const std::string& name, const std::string& value) {
+  if (name.empty()) return value;
+  return fmt::format("{}{}{}", name, split_symbol(name).is_word ? " " : " = ", value);
+}
+
 Pixel between(Pixel a, Pixel b, double t) { return {.x = a.x + t * (b.x - a.x), .y = a.y + t * (b.y - a.y)}; }
 
 /// The line becomes part of the picture and something for labels to keep off, in pieces as long as matters to a label.
@@ -152,9 +158,7 @@ struct Drawer {
     c.roles.insert(s.role);
     const double force = std::hypot(s.fx, s.fy);
     const std::string value = quantity_shown(force, si::N, c.display, 4);
-    // "G_3 = 12 kN" for a symbol, "F tower 51 kN" for words
-    const bool words = s.label.find(' ') != std::string::npos;
-    const std::string text = s.label.empty() ? value : fmt::format("{}{}{}", s.label, words ? " " : " = ", value);
+    const std::string text = named(s.label, value);
     const Pixel at = c.layout.fit.of(s.at);
     // Along the stretched rope, not across it; the length shows the force whatever the direction.
     const double dy = -s.fy * c.layout.fit.vertical;
@@ -206,7 +210,7 @@ struct Drawer {
     c.front += "\n";
     add_line(c, {a, b}, 2);
     const std::string length = quantity_shown(l, c.layout.is_polygon ? si::N : si::m, c.display, 4);
-    const std::string text = s.text.empty() ? length : s.with_length ? fmt::format("{} {}", s.text, length) : s.text;
+    const std::string text = s.text.empty() || s.with_length ? named(s.text, length) : s.text;
     const double side = s.offset < 0 ? -1 : 1;
     want_label(c, text,
                {.at = between(a, b, 0.5),
@@ -231,8 +235,7 @@ struct Drawer {
     if (!is_finite(s.at)) return;
     const Pixel at = c.layout.fit.of(s.at);
     c.box.add(at);
-    const std::string text =
-        s.force ? fmt::format("{} {}", s.text, quantity_shown(*s.force, si::N, c.display, 4)) : s.text;
+    const std::string text = s.force ? named(s.text, quantity_shown(*s.force, si::N, c.display, 4)) : s.text;
     want_label(c, text, {.at = at, .toward = {}, .or_at = pixels_of(c.layout.fit, s.or_at), .may_cover = true});
   }
 };
