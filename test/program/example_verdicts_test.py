@@ -47,11 +47,13 @@ VERDICTS = {
     "machines/rope_saw_drive.yaml": (WARNS, "saw.on_sheave"),
     "machines/running_skyline.yaml": (WARNS, "haulback.on_sheave"),
     "machines/six_part_tackle.yaml": (PASSES, "hoist.safety_factor"),
+    "machines/skyline_over_terrain.yaml": (PASSES, "carries 0.68"),
     "machines/three_span_skyline.yaml": (PASSES, "carries 2.957"),
     "machines/tower_yarder.yaml": (WARNS, "mainline.on_sheave"),
     "machines/two_section_loop.yaml": (WARNS, "return.on_sheave"),
     "more/guyed_mast.yaml": (WARNS, "guylines"),
     "more/rope_saw_take_up.yaml": (FAILS, "no slip"),  # the published tension, as always
+    "motion/brake_stop.yaml": (PASSES, "hoist.dynamic_safety_factor"),
     "motion/longspan_sag.yaml": (PASSES, "skyline.safety_factor"),
     "motion/rope_break.yaml": (PASSES, "The deck breaks skyline"),
     "motion/rope_saw.yaml": (WARNS, "loop.on_sheave"),

@@ -60,7 +60,7 @@ std::string text_of_key(const Term& key) {
   if (!example.text.empty()) {
     text += line("example", example.text + (example.deck.empty() ? "" : "    (" + example.deck + ")"));
   }
-  text += line("beside", neighbours(key));
+  text += line("related", neighbours(key));
   if (f.record != nullptr) {
     const char* const inner = f.is_list ? "[]." : f.kind == FieldKind::named_records && !f.rest ? ".NAME." : ".";
     text += "\nDeck keys\n" + keys_text(f.key + inner, *f.record);
@@ -79,6 +79,13 @@ std::string number_of(const catalogue::RuleRow& r) {
   return fmt::format("{:.5g} to {:.5g}{}", *r.low * scale, *r.high * scale, unit);
 }
 
+/// How a deck names it.
+std::string use_of(const catalogue::RuleRow& r) {
+  constexpr std::string_view factors = "safety.";
+  if (!r.id.starts_with(factors)) return "taken by the checks that need it; all rules: taut list rules";
+  return fmt::format("checks: {{ropes: {{NAME: {{field: {}}}}}}}, or rule: {}", r.id.substr(factors.size()), r.id);
+}
+
 std::string text_of_rule(const Term& term) {
   const catalogue::RuleRow& r = *term.rule;
   std::string text = fmt::format("{}\n", r.id) + line("rule", r.item) + line("field", r.field) +
@@ -93,8 +100,7 @@ std::string text_of_rule(const Term& term) {
     if (other.id != r.id) related += (related.empty() ? "" : ", ") + other.id;
   }
   if (std::count(related.begin(), related.end(), ',') >= static_cast<std::ptrdiff_t>(most_lines)) related.clear();
-  return text + line("beside", related) +
-         line("in a deck", "by its id, where a key takes a rule: taut explain rule; all: taut list rules");
+  return text + line("related", related) + line("use", use_of(r));
 }
 
 std::string text_of(const Term& term) {
@@ -132,6 +138,17 @@ Hits hits_of(const std::string& name, std::initializer_list<Fit> fits) {
   return hits;
 }
 
+/// Terms in whose path names of a deck stand; where the first word is one of the path's own, only those with it.
+Hits hits_by_name(const std::string& name) {
+  const Hits all = hits_of(name, {Fit::by_name});
+  const std::string first = name.substr(0, name.find_first_of(".["));
+  Hits own;
+  for (const Term* t : all) {
+    if (fmt::format(".{}", t->path).find(fmt::format(".{}", first)) != std::string::npos) own.push_back(t);
+  }
+  return own.empty() ? all : own;
+}
+
 /// Terms in whose meaning the word stands.
 Hits hits_in_words(const std::string& name) {
   Hits hits;
@@ -167,7 +184,7 @@ std::string see_also(const std::string& name) {
 std::optional<std::string> found_text(const std::string& name) {
   if (auto topic = topic_text(name)) return *topic + see_also(name);
   Hits hits = hits_of(name, {Fit::whole, Fit::tail});
-  if (hits.empty()) hits = hits_of(name, {Fit::by_name});
+  if (hits.empty()) hits = hits_by_name(name);
   if (hits.size() == 1 && hits_of(name, {Fit::part, Fit::below}).empty()) return text_of(*hits.front());
   for (const Term* t : hits) {
     if (fit_of(name, t->path) == Fit::whole && name.find('.') != std::string::npos) return text_of(*t);
@@ -206,9 +223,12 @@ tl::expected<std::string, std::string> explain_name(const std::string& name) {
     return fmt::format("Nothing is named '{}'; the word stands in the meaning of {} things.\n{}", name, hits.size(),
                        list_of(hits));
   }
+  const std::string near = nearest(name, all_names());
+  const std::string meant = near.empty() ? std::string() : fmt::format("; did you mean '{}'?", near);
   return tl::unexpected(
-      fmt::format("nothing is named '{}'{}; see 'taut list methods', 'taut explain machine' and 'taut list rules'",
-                  name, did_you_mean(name, all_names())));
+      fmt::format("nothing is named '{}'{}\n'taut explain machine' lists parts and analyses, 'taut list methods' and "
+                  "'taut list rules' the others",
+                  name, meant));
 }
 
 }  // namespace taut::app
