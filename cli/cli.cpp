@@ -144,11 +144,12 @@ void add_texts(CLI::App& app, std::function<int()>& action) {
   starter->callback([name, &action] { action = [name] { return print_new(*name); }; });
 
   auto markdown = std::make_shared<bool>(false);
-  auto* explain =
-      app.add_subcommand("explain",
-                         "A method's formulas, source, range, deck keys, results and errata; the parts, laws "
-                         "and analyses of machines");
-  explain->add_option("method", *name, "a method; machine, one of its parts, an analysis; 'all' with --markdown")
+  auto* explain = app.add_subcommand(
+      "explain", "What a name means: a method, a part, an analysis, a key of a deck, a rule, a result");
+  explain
+      ->add_option("name", *name,
+                   "mast_section, machine, sheaves, reevings.length, safety.skyline.ch, pulley, ...; with "
+                   "--markdown a method or 'all'")
       ->type_name("TOPIC")
       ->required();
   explain->add_flag("--markdown", *markdown, "the keys and results as Markdown tables");

@@ -19,7 +19,7 @@
 #include "cli/say.hpp"
 #include "taut/app/compare.hpp"
 #include "taut/app/explain/explain.hpp"
-#include "taut/app/explain/explain_machine.hpp"
+#include "taut/app/explain/explain_name.hpp"
 #include "taut/app/explain/schema.hpp"
 #include "taut/app/explain/starters.hpp"
 #include "taut/app/job.hpp"
@@ -170,9 +170,9 @@ int print_text(const std::string& text) { return print(text, computed); }
 
 int print_new(const std::string& name) {
   const app::Starter* starter = app::find_method(name) == nullptr ? app::find_starter(name) : nullptr;
-  if (starter != nullptr) return print(std::string(starter->text), computed);
+  if (starter != nullptr) return print(app::starter_deck(starter->text), computed);
   const app::MethodEntry* entry = named_method(name, app::starter_names());
-  return entry == nullptr ? static_cast<int>(usage_or_deck) : print(std::string(entry->example), computed);
+  return entry == nullptr ? static_cast<int>(usage_or_deck) : print(app::starter_deck(entry->example), computed);
 }
 
 int print_list(const std::string& what, const app::ListFilter& filter) {
@@ -184,12 +184,14 @@ int print_list(const std::string& what, const app::ListFilter& filter) {
 
 int print_explain(const std::string& name, bool markdown) {
   if (markdown && name == "all") return print(app::reference_guide(), computed);
-  const auto machine = markdown ? std::nullopt : app::explain_machine(name);
-  if (machine) return print(*machine, computed);
-  const app::MethodEntry* entry = named_method(name, app::machine_topics());
-  if (entry == nullptr) return usage_or_deck;
-  if (markdown) return print(app::reference_markdown(*entry), computed);
-  return print(app::explain_text(*entry), computed);
+  if (markdown) {
+    const app::MethodEntry* entry = named_method(name, {});
+    return entry == nullptr ? static_cast<int>(usage_or_deck) : print(app::reference_markdown(*entry), computed);
+  }
+  const auto text = app::explain_name(name);
+  if (text) return print(*text, computed);
+  say("taut: {}\n", text.error());
+  return usage_or_deck;
 }
 
 int print_schema() { return print(app::schema_text(), computed); }

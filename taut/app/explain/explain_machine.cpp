@@ -99,7 +99,7 @@ std::string analysis_text(const Field& f) {
 
 /// A block beside the machine: checks, design.
 std::string block_text(const Field& f) {
-  return fmt::format("{}: {}\nThe guide: docs/guide/checks.md.\n\nDeck keys\n{}", f.key, f.words,
+  return fmt::format("{0}: {1}\nThe guide: docs/guide/{0}.md.\n\nDeck keys\n{2}", f.key, f.words,
                      keys_text(f.key + ".", *f.record));
 }
 
