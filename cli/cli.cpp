@@ -30,6 +30,13 @@ CLI::Validator a_name() {
       [](const std::string& text) { return std::string(text.empty() ? "the folder's name is empty" : ""); }, "");
 }
 
+/// How the report that -o writes is laid out.
+void add_report_options(CLI::App& verb, RunOptions& options) {
+  verb.add_flag("--appendix", options.appendix, "unfold and print the report's appendix: all values, tables, defaults");
+  verb.add_option("--paper", options.paper, "pages of the report: a4 (default) or a3")
+      ->check(CLI::IsMember({"a4", "a3"}, CLI::ignore_case));
+}
+
 void add_run(CLI::App& app, std::function<int()>& action) {
   auto* verb = app.add_subcommand("run", "Calculate a deck: a summary on the screen, the report and tables with -o");
   auto options = std::make_shared<RunOptions>();
@@ -40,6 +47,7 @@ void add_run(CLI::App& app, std::function<int()>& action) {
   verb->add_flag("--json", options->json, "the result as JSON, and nothing else, on standard output");
   verb->add_flag("-q,--quiet", options->quiet, "print nothing but errors");
   verb->add_flag("-a,--all", options->all, "print every check, value and short table, not the summary of 40 lines");
+  add_report_options(*verb, *options);
   verb->add_flag("--strict", options->strict, "exit with 4 where a part has no limit, too");
   verb->callback([options, &action] { action = [options] { return run(*options); }; });
 }
@@ -53,6 +61,7 @@ void add_compare(CLI::App& app, std::function<int()>& action) {
   verb->add_flag("--json", options->json, "the result as JSON, and nothing else, on standard output");
   verb->add_flag("-q,--quiet", options->quiet, "print nothing but errors");
   verb->add_flag("-a,--all", options->all, "print every check, value and short table, not the summary of 40 lines");
+  add_report_options(*verb, *options);
   verb->callback([options, &action] { action = [options] { return compare(*options); }; });
 }
 

@@ -24,6 +24,8 @@ struct RunOptions {
   bool quiet = false;
   bool all = false;     ///< every value on the screen, not the summary
   bool strict = false;  ///< a part without a limit is no success
+  bool appendix = false;
+  std::string paper = "a4";  ///< of the report: a4 or a3
 };
 
 /// Each verb prints what it found (standard output), messages (standard error), and returns the exit code.

@@ -62,10 +62,12 @@ Written write_all(const std::vector<std::pair<std::string, std::string>>& files,
   return names;
 }
 
-Written write_result(const Result& result, const std::string& place) {
+Written write_result(const Result& result, const std::string& place, const ReportOptions& options) {
+  const report::HtmlOptions html{.appendix = options.appendix,
+                                 .paper = options.a3 ? report::Paper::a3 : report::Paper::a4};
   std::vector<std::pair<std::string, std::string>> files = {
       {"result.json", io::to_json(result, io::SeriesFiles::named)},
-      {"report.html", report::to_html(result)},
+      {"report.html", report::to_html(result, html)},
       {"report.md", report::to_markdown(result)}};
   for (const Table& t : result.tables) files.emplace_back(t.name + ".csv", io::to_csv(t));
   for (const Figure& f : result.figures) {
@@ -133,9 +135,10 @@ tl::expected<void, FileError> check_folder(const std::string& folder) {
   return {};
 }
 
-tl::expected<std::vector<std::string>, FileError> write_files(const Result& result, const std::string& folder) {
+tl::expected<std::vector<std::string>, FileError> write_files(const Result& result, const std::string& folder,
+                                                              const ReportOptions& options) {
   return or_file_error(io::replace_folder(
-      folder, result_list, [&](const std::string& place) { return write_result(result, place); },
+      folder, result_list, [&](const std::string& place) { return write_result(result, place, options); },
       earlier_files(folder)));
 }
 

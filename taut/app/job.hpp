@@ -39,11 +39,18 @@ struct FileError {
 /// mistake of the deck.
 tl::expected<Job, FileError> read_job(const std::string& path);
 
+/// How report.html is laid out.
+struct ReportOptions {
+  bool appendix = false;  ///< all values and tables are unfolded, and printed
+  bool a3 = false;        ///< pages of A3 in place of A4
+};
+
 /// Writes into `folder`: result.json, report.html, report.md, one CSV for each table, plot and series, all series
 /// together as series.h5 (HDF5), and the attachments of the result. Makes the folder when it is missing. The files
 /// replace those of an earlier result all at once; files that taut did not write are kept (io::replace_folder). Returns
 /// the paths written, or a FileError.
-tl::expected<std::vector<std::string>, FileError> write_files(const Result& result, const std::string& folder);
+tl::expected<std::vector<std::string>, FileError> write_files(const Result& result, const std::string& folder,
+                                                              const ReportOptions& options = {});
 
 /// Whether write_files and write_vtk can use that folder. Call it before a long calculation.
 tl::expected<void, FileError> check_folder(const std::string& folder);

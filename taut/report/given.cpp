@@ -3,10 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <string_view>
+#include <vector>
 
 #include "taut/report/html_table.hpp"
+#include "taut/report/inputs.hpp"
 #include "taut/report/text/quantity.hpp"
 #include "taut/report/text/symbol.hpp"
 #include "taut/report/text/text.hpp"
@@ -14,105 +15,108 @@
 namespace taut::report {
 namespace {
 
-/// Number and unit in a cell each; lists and words over both.
-std::string given_cells(const Given& g, const Display& display) {
-  const auto both = [](const std::string& text) {
-    return fmt::format("<td class=\"val\" colspan=\"2\">{}</td>", escape(text));
-  };
-  if (g.numbers.empty()) return both(g.text.empty() ? "–" : g.text);
-  const ShownUnit u = shown_unit(g.unit, display);
-  const std::string unit = unit_text(u);
-  if (g.numbers.size() == 1) {
-    return cell(escape(number_shown(u.of(g.numbers[0]), 6)), "num") + cell(escape(unit), "u");
+constexpr std::string_view chosen_mark = " <em class=\"chosen\">chosen</em>";
+constexpr std::size_t points_in_line = 10;
+constexpr std::size_t most_beside = 14;  ///< rows of a table that may stand beside others, and is not broken
+constexpr std::size_t least_points = 5;
+
+/// Lists that belong together, "machine.terrain.x" and ".z": as many numbers, below the same key.
+bool is_profile(const Given& a, const Given& b) {
+  const auto above = [](const std::string& key) { return key.substr(0, key.rfind('.')); };
+  return a.numbers.size() == b.numbers.size() && a.numbers.size() >= least_points &&
+         a.numbers.size() <= most_numbers_of_input && above(a.key) == above(b.key);
+}
+
+/// A table on its side: a line for each list, `points_in_line` columns; then the next lines.
+std::string profile_html(const std::vector<const Given*>& lists, const Display& display) {
+  const std::size_t count = lists.front()->numbers.size();
+  std::string rows;
+  for (std::size_t from = 0; from < count; from += points_in_line) {
+    for (const Given* g : lists) {
+      const ShownUnit u = shown_unit(g->unit, display);
+      rows += fmt::format("<tr><th>{} <span class=\"u\">{}</span></th>", escape(g->key.substr(g->key.rfind('.') + 1)),
+                          escape(unit_text(u)));
+      for (std::size_t i = from; i < std::min(count, from + points_in_line); ++i) {
+        rows += cell(escape(number_shown(u.of(g->numbers[i]), 6)), "num");
+      }
+      rows += "</tr>\n";
+    }
   }
-  constexpr std::size_t most = 12;
-  std::string out;
-  for (std::size_t i = 0; i < std::min(most, g.numbers.size()); ++i) {
-    if (i > 0) out += ", ";
-    out += number_shown(u.of(g.numbers[i]), 6);
+  const std::string key = lists.front()->key.substr(0, lists.front()->key.rfind('.'));
+  return fmt::format(
+      "<div class=\"wide\"><table class=\"profile\"><caption><code>{}</code>, {} points</caption><tbody>\n{}"
+      "</tbody></table></div>\n",
+      escape(key), count, rows);
+}
+
+std::string single_row(const Given& g, const Display& display) {
+  return "<tr>" + cell(symbol_html(g.symbol)) + cell(prose_html(g.words)) +
+         cell(escape(input_text(g, display)) + (g.chosen ? std::string(chosen_mark) : ""), "val") +
+         cell(fmt::format("<code>{}</code>", escape(g.key))) + "</tr>\n";
+}
+
+std::string singles_html(const std::vector<const Given*>& single, const Display& display) {
+  std::string rows, profiles;
+  for (std::size_t i = 0; i < single.size(); ++i) {
+    std::vector<const Given*> lists{single[i]};
+    while (i + 1 < single.size() && is_profile(*single[i], *single[i + 1])) lists.push_back(single[++i]);
+    if (lists.size() > 1) {
+      profiles += profile_html(lists, display);
+    } else {
+      rows += single_row(*single[i], display);
+    }
   }
-  if (g.numbers.size() > most) out += fmt::format(", … ({} values)", g.numbers.size());
-  return both(unit.empty() ? out : fmt::format("{}\u00A0{}", out, unit));
+  if (rows.empty()) return profiles;
+  return fmt::format(
+             "<div class=\"wide\"><table><thead><tr><th></th><th>quantity</th><th>value</th><th>key in the deck</th>"
+             "</tr></thead><tbody>\n{}</tbody></table></div>\n",
+             rows) +
+         profiles;
 }
 
-/// "cases[3].falls" -> cases, 3, falls; the list is empty for any other key.
-struct RecordKey {
-  std::string_view list;
-  std::size_t index = 0;
-  std::string_view field;
-};
-
-RecordKey record_key(std::string_view key) {
-  const std::size_t open = key.rfind('[');
-  const std::size_t close = key.find("].", open == std::string_view::npos ? 0 : open);
-  if (open == std::string_view::npos || close == std::string_view::npos || open == 0) return {};
-  RecordKey k{.list = key.substr(0, open), .index = 0, .field = key.substr(close + 2)};
-  const auto [end, error] = std::from_chars(key.data() + open + 1, key.data() + close, k.index);
-  return error == std::errc{} && end == key.data() + close ? k : RecordKey{};
-}
-
-/// The table of `list`, made when it is the first time.
-Table& table_of(std::vector<Table>& all, std::string_view list) {
-  const auto at = std::find_if(all.begin(), all.end(), [&](const Table& t) { return t.name == list; });
-  if (at != all.end()) return *at;
-  all.push_back({std::string(list), std::string(list), {}, {}});
-  return all.back();
-}
-
-std::size_t column_of(Table& t, std::string_view field, const Unit& unit) {
-  const auto at = std::find_if(t.columns.begin(), t.columns.end(), [&](const Column& c) { return c.name == field; });
-  if (at != t.columns.end()) return static_cast<std::size_t>(at - t.columns.begin());
-  t.columns.push_back({std::string(field), unit});
-  return t.columns.size() - 1;
-}
-
-Cell cell_of(const Given& g) {
-  if (g.numbers.size() == 1) return g.numbers[0];
-  if (g.numbers.empty()) return g.text;
-  return fmt::format("{} values", g.numbers.size());
+std::string input_table_html(const InputTable& t) {
+  std::string head, body;
+  for (const InputColumn& c : t.columns) {
+    head += fmt::format("<th{}{}>{}{}</th>", c.numbers ? " class=\"num\"" : "",
+                        c.words.empty() ? "" : fmt::format(" title=\"{}\"", escape(c.words)),
+                        escape(c.name), c.unit.empty() ? "" : fmt::format("<br><span class=\"u\">{}</span>", escape(c.unit)));
+  }
+  for (const auto& row : t.rows) {
+    body += "<tr>";
+    for (std::size_t k = 0; k < row.size(); ++k) {
+      const std::string text = escape(row[k].text) + (row[k].chosen ? std::string(chosen_mark) : "");
+      body += k == 0 ? fmt::format("<th>{}</th>", text) : cell(text, t.columns[k].numbers ? "num" : "val");
+    }
+    body += "</tr>\n";
+  }
+  return fmt::format(
+      "<div class=\"wide{}\"><table class=\"parts\"><caption>{}</caption><thead><tr>{}</tr></thead><tbody>\n{}"
+      "</tbody></table></div>\n",
+      t.rows.size() <= most_beside ? " beside" : "", escape(t.title), head, body);
 }
 
 }  // namespace
 
-std::vector<Table> record_tables(const std::vector<Given>& given) {
-  std::vector<Table> all;
-  for (const Given& g : given) {
-    const RecordKey key = record_key(g.key);
-    if (key.list.empty()) continue;
-    Table& t = table_of(all, key.list);
-    const std::size_t column = column_of(t, key.field, g.unit);
-    if (key.index > t.rows.size()) continue;  // not the order of a list
-    if (key.index == t.rows.size()) t.rows.emplace_back();
-    auto& row = t.rows[key.index];
-    if (row.size() <= column) row.resize(column + 1, Cell{std::string{}});
-    row[column] = cell_of(g);
-  }
-  std::erase_if(all, [](const Table& t) { return t.rows.size() < 2; });
-  return all;
-}
-
-bool is_in_table(const Given& g, const std::vector<Table>& tables) {
-  const RecordKey key = record_key(g.key);
-  return std::any_of(tables.begin(), tables.end(), [&](const Table& t) { return t.name == key.list; });
-}
-
 std::string given_html(const Result& r) {
-  if (r.given.empty()) return {};
   const Display display = display_of(r);
-  const std::vector<Table> tables = record_tables(r.given);
-  std::string rows;
-  for (const Given& g : r.given) {
-    if (is_in_table(g, tables)) continue;
-    rows += fmt::format("<tr{}>", g.is_default ? " class=\"default\"" : "") + cell(symbol_html(g.symbol)) +
-            cell(prose_html(g.words)) + given_cells(g, display) + cell(fmt::format("<code>{}</code>", escape(g.key))) +
-            cell(g.is_default ? "default" : "given", "src") + "</tr>\n";
-  }
-  std::string out = fmt::format(
-      "<table><thead><tr><th></th><th>quantity</th><th class=\"num\">value</th><th></th><th>key in the deck</th>"
-      "<th></th></tr></thead><tbody>\n{}</tbody></table>\n",
-      rows);
-  for (const Table& t : tables) out += table_html(t, display);
+  std::string out = singles_html(single_inputs(r.given, false), display);
+  for (const InputTable& t : input_tables(r.given, display)) out += input_table_html(t);
   return out;
+}
+
+std::string defaults_html(const Result& r) {
+  const Display display = display_of(r);
+  std::string rows;
+  for (const InputDefault& d : input_defaults(r.given, display)) {
+    rows += "<tr>" + cell(symbol_html(d.given->symbol)) + cell(prose_html(d.given->words)) +
+            cell(escape(input_text(*d.given, display)), "val") + cell(fmt::format("<code>{}</code>", escape(d.key))) +
+            cell(escape(d.parts)) + "</tr>\n";
+  }
+  if (rows.empty()) return {};
+  return fmt::format(
+      "<div class=\"wide\"><table><caption>Inputs by default</caption><thead><tr><th></th><th>quantity</th><th>value</th>"
+      "<th>key in the deck</th><th>of</th></tr></thead><tbody>\n{}</tbody></table></div>\n",
+      rows);
 }
 
 }  // namespace taut::report

@@ -1,0 +1,141 @@
+#include "taut/report/layout.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <string_view>
+
+#include "taut/report/inputs.hpp"
+#include "taut/report/pictures.hpp"
+#include "taut/report/text/text.hpp"
+
+namespace taut::report {
+namespace {
+
+// Sizes in print, mm.
+constexpr double page_height = 250;
+constexpr double heading_height = 15;
+constexpr double row_height = 4.9;
+constexpr double line_height = 4.6;
+constexpr double table_frame = 15;
+constexpr double picture_height = 94;
+constexpr int line_characters = 115;
+
+double print_lines_of(int characters, int room = line_characters) {
+  return std::max(1.0, std::ceil(static_cast<double>(characters) / room));
+}
+
+double size_of(const std::vector<std::string>& paragraphs) {
+  double size = paragraphs.empty() ? 0 : heading_height;
+  for (const std::string& p : paragraphs) size += line_height * print_lines_of(length(p));
+  return size;
+}
+
+double size_of_inputs(const Result& r) {
+  const Display display = display_of(r);
+  double size = heading_height + row_height * static_cast<double>(single_inputs(r.given, false).size());
+  for (const InputTable& t : input_tables(r.given, display)) {
+    size += table_frame;
+    for (const auto& cells : t.rows) {
+      int characters = 0;
+      for (const InputCell& c : cells) characters += length(c.text);
+      size += row_height + 3.6 * (print_lines_of(characters) - 1);
+    }
+  }
+  return size;
+}
+
+double size_of_checks(const Result& r) {
+  if (r.checks.empty()) return 0;
+  constexpr int rule_characters = 130;
+  constexpr double rule_line = 3.7;
+  double size = heading_height + table_frame;
+  std::set<std::string_view> rules, parts;
+  for (const Check& c : r.checks) {
+    size += row_height;
+    if (parts.insert(c.part).second) size += row_height;
+    if (rules.insert(c.rule).second) size += rule_line * print_lines_of(length(c.rule) + length(c.trust), rule_characters);
+  }
+  return size;
+}
+
+double size_of_steps(const Result& r) {
+  constexpr double equation = 13, note = 2;
+  double size = r.steps.empty() ? 0 : heading_height;
+  for (const Step& s : r.steps) {
+    if (s.kind == Step::Kind::heading) size += 10;
+    if (s.kind == Step::Kind::note) size += note + line_height * print_lines_of(length(s.words));
+    if (s.kind == Step::Kind::equation || s.kind == Step::Kind::root) size += equation;
+  }
+  return size;
+}
+
+double size_of_values(const Result& r) {
+  const auto count = std::count_if(r.values.begin(), r.values.end(), [](const Value& v) { return !v.detail; });
+  return count == 0 ? 0 : heading_height + table_frame + row_height * static_cast<double>(count);
+}
+
+int pages_of(const Result& r) {
+  const bool design = std::any_of(r.given.begin(), r.given.end(),
+                                  [](const Given& g) { return g.key.starts_with("design.") || g.chosen; });
+  constexpr int design_pages = 12, machine_pages = 10, method_pages = 8;
+  return design ? design_pages : r.method == "machine" ? machine_pages : method_pages;
+}
+
+/// What is left for tables and pictures.
+double room_of(const Result& r) {
+  const double comparisons = r.comparisons.empty() ? 0 : heading_height + 1.4 * row_height * static_cast<double>(r.comparisons.size());
+  const double used = size_of(r.warnings) + size_of(r.assumptions) + size_of_inputs(r) + size_of_checks(r) +
+                      size_of_steps(r) + size_of_values(r) + comparisons;
+  return (pages_of(r) - 1) * page_height - used;
+}
+
+void place_pictures(const Result& r, const std::vector<const Figure*>& shown, double room, Layout& layout) {
+  double left = room;
+  for (const Figure* f : figures_in_order(r)) {
+    const bool on_page_one = std::find(shown.begin(), shown.end(), f) != shown.end();
+    if (on_page_one && !std::holds_alternative<Animation>(*f)) continue;
+    left -= picture_height;
+    (left < 0 && !layout.pictures.empty() ? layout.appendix_pictures : layout.pictures).push_back(f);
+  }
+}
+
+void place_tables(const Result& r, double room, Layout& layout) {
+  double left = room;
+  for (const Table& t : r.tables) {
+    if (t.rows.empty() || t.columns.empty() || (t.name == "comparison" && !r.comparisons.empty())) continue;
+    const double size = printed_height(t, layout.limits);
+    const bool fits = !t.detail && size <= left;
+    if (fits) {
+      left -= size;
+      layout.tables.push_back(&t);
+    }
+    if (!fits || size < printed_height(t, layout.appendix_limits)) layout.appendix_tables.push_back(&t);
+  }
+}
+
+}  // namespace
+
+Layout layout_of(const Result& r, const std::vector<const Figure*>& shown) {
+  constexpr TableLimits among_results{.rows = 14, .parts = 2};
+  constexpr TableLimits in_appendix{.rows = 60};
+  Layout layout{.tables = {},
+                .pictures = {},
+                .appendix_tables = {},
+                .appendix_pictures = {},
+                .limits = among_results,
+                .appendix_limits = in_appendix};
+  if (r.method == "compare") {
+    layout.limits = {};
+    place_tables(r, HUGE_VAL, layout);
+    place_pictures(r, shown, HUGE_VAL, layout);
+    return layout;
+  }
+  constexpr double share_of_pictures = 0.55;
+  const double room = std::max(0.0, room_of(r));
+  place_pictures(r, shown, share_of_pictures * room, layout);
+  place_tables(r, room - picture_height * static_cast<double>(layout.pictures.size()), layout);
+  return layout;
+}
+
+}  // namespace taut::report
