@@ -62,7 +62,8 @@ void print_mistakes(const Diagnostics& mistakes) {
 }
 
 int write_report(const Result& result, const RunOptions& options) {
-  const auto written = app::write_files(result, options.folder, {.appendix = options.appendix, .a3 = options.paper == "a3"});
+  const auto written =
+      app::write_files(result, options.folder, {.appendix = options.appendix, .a3 = options.paper == "a3"});
   if (!written) {
     say("taut: {}\n", written.error().message);
     return file_trouble;

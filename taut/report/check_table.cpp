@@ -63,7 +63,8 @@ std::string reason_html(const std::string& trust) {
 
 std::string rules_html(const Rules& rules) {
   std::string out;
-  for (const auto& [rule, trust] : rules.all) out += fmt::format("<li>{}{}</li>\n", prose_html(rule), reason_html(trust));
+  for (const auto& [rule, trust] : rules.all)
+    out += fmt::format("<li>{}{}</li>\n", prose_html(rule), reason_html(trust));
   return out.empty() ? out : fmt::format("<ol class=\"rules\">\n{}</ol>\n", out);
 }
 
@@ -124,13 +125,15 @@ std::string worst_checks_html(const Result& r) {
   std::string rows;
   for (const Check* check : worst) {
     const Check& c = *check;
-    rows += fmt::format("<tr class=\"{}\">", c.passes ? "good" : "bad") + cell(escape(shortened(clean(c.part), longest_part))) +
-            cell(prose_html(shortened(clean(name_below_part(c)), longest_name)), "name") + cell(escape(value_text(c, display)), "num") +
-            cell(escape(limit_text(c, display)), "num") +
+    rows += fmt::format("<tr class=\"{}\">", c.passes ? "good" : "bad") +
+            cell(escape(shortened(clean(c.part), longest_part))) +
+            cell(prose_html(shortened(clean(name_below_part(c)), longest_name)), "name") +
+            cell(escape(value_text(c, display)), "num") + cell(escape(limit_text(c, display)), "num") +
             cell(escape(utilisation_text(c.utilisation)) + outcome_html(c, r), "use") + "</tr>\n";
   }
   std::string more;
-  if (worst.size() < all) more = fmt::format("<p class=\"cut\">{} more parts below, in the checks</p>", all - worst.size());
+  if (worst.size() < all)
+    more = fmt::format("<p class=\"cut\">{} more parts below, in the checks</p>", all - worst.size());
   return fmt::format(
       "<table class=\"checks worst\"><thead><tr><th>part</th><th>check</th><th class=\"num\">value</th><th "
       "class=\"num\">limit</th><th class=\"use\">use</th></tr></thead><tbody>\n{}</tbody></table>{}\n",

@@ -78,8 +78,8 @@ std::string input_table_html(const InputTable& t) {
   std::string head, body;
   for (const InputColumn& c : t.columns) {
     head += fmt::format("<th{}{}>{}{}</th>", c.numbers ? " class=\"num\"" : "",
-                        c.words.empty() ? "" : fmt::format(" title=\"{}\"", escape(c.words)),
-                        escape(c.name), c.unit.empty() ? "" : fmt::format("<br><span class=\"u\">{}</span>", escape(c.unit)));
+                        c.words.empty() ? "" : fmt::format(" title=\"{}\"", escape(c.words)), escape(c.name),
+                        c.unit.empty() ? "" : fmt::format("<br><span class=\"u\">{}</span>", escape(c.unit)));
   }
   for (const auto& row : t.rows) {
     body += "<tr>";
@@ -114,7 +114,8 @@ std::string defaults_html(const Result& r) {
   }
   if (rows.empty()) return {};
   return fmt::format(
-      "<div class=\"wide\"><table><caption>Inputs by default</caption><thead><tr><th></th><th>quantity</th><th>value</th>"
+      "<div class=\"wide\"><table><caption>Inputs by "
+      "default</caption><thead><tr><th></th><th>quantity</th><th>value</th>"
       "<th>key in the deck</th><th>of</th></tr></thead><tbody>\n{}</tbody></table></div>\n",
       rows);
 }

@@ -181,16 +181,14 @@ std::string part_html(const Table& t, const std::vector<std::size_t>& part, cons
     body += "</tr>\n";
   }
   return fmt::format(
-      "<div class=\"wide\"><table class=\"data{}\"><caption>{}</caption><thead><tr>{}</tr></thead><tbody>\n"
+      "<div class=\"wide{}\"><p class=\"caption\">{}</p><table class=\"data\"><thead><tr>{}</tr></thead><tbody>\n"
       "{}</tbody></table></div>\n",
       rows.size() <= 12 ? " small" : "", caption, head, body);
 }
 
 }  // namespace
 
-std::string csv_link(std::string_view name) {
-  return fmt::format("<a href=\"{0}.csv\">{0}.csv</a>", escape(name));
-}
+std::string csv_link(std::string_view name) { return fmt::format("<a href=\"{0}.csv\">{0}.csv</a>", escape(name)); }
 
 std::string table_html(const Table& t, const Display& display, const TableLimits& limits) {
   if (t.rows.empty() || t.columns.empty()) return {};

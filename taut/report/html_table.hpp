@@ -25,10 +25,10 @@ std::string cell(std::string_view inside, std::string_view kind = {});
 std::string csv_link(std::string_view name);
 
 /// A table of results in display units, a unit under each column's name. Of a longer one those rows are shown that
-/// matter (thinning.hpp); a line below it says how many and names the CSV file. A list of more than 40 rows has headings:
-/// what rows beside each other have before a colon. A table of more than `most_columns`, or wider than a page, comes in
-/// parts, each with the columns in front that say what a row is about. One without rows is not shown, nor are columns in
-/// which nothing stands.
+/// matter (thinning.hpp); a line below it says how many and names the CSV file. A list of more than 40 rows has
+/// headings: what rows beside each other have before a colon. A table of more than `most_columns`, or wider than a
+/// page, comes in parts, each with the columns in front that say what a row is about. One without rows is not shown,
+/// nor are columns in which nothing stands.
 std::string table_html(const Table& t, const Display& display, const TableLimits& limits = {});
 
 /// What it takes in print, about, mm.

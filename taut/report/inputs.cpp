@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <set>
 #include <utility>
 
 #include "taut/report/text/text.hpp"
@@ -15,7 +16,8 @@
 namespace taut::report {
 namespace {
 
-constexpr int widest_row = 96;  ///< characters of a table that stand side by side on a page
+constexpr int widest_row = 100;      ///< characters of a table that stand side by side on a page
+constexpr int least_of_others = 50;  ///< of them for the column that holds what has no other
 
 bool is_default(const Given& g) { return g.is_default && !g.chosen; }
 
@@ -102,8 +104,10 @@ struct PartList {
 std::vector<PartList> lists_of(const std::vector<Given>& given) {
   std::vector<PartList> all;
   std::map<std::string, std::size_t, std::less<>> by_key;
-  for (const Given& g : given) {
-    const InputPlace place = place_of(g.key);
+  const std::vector<InputPlace> places = places_of(given);
+  for (std::size_t i = 0; i < given.size(); ++i) {
+    const Given& g = given[i];
+    const InputPlace& place = places[i];
     if (place.list.empty()) continue;
     const auto [at, is_new] = by_key.try_emplace(place.list, all.size());
     if (is_new) all.push_back({.list = place.list});
@@ -176,7 +180,7 @@ int width_of_column(const InputTable& t, std::size_t k) {
 }
 
 /// A column, or three, for a field; false when the page has no room beside the others.
-bool add_column(const PartList& list, const std::string& field, const Display& display, InputTable& t) {
+bool add_column(const PartList& list, const std::string& field, int most_width, const Display& display, InputTable& t) {
   InputTable more{.list = {}, .title = {}, .columns = {}, .rows = t.rows};
   const bool place = is_place(list, field);
   const std::size_t columns = place ? 3 : 1;
@@ -202,7 +206,7 @@ bool add_column(const PartList& list, const std::string& field, const Display& d
   }
   int width = 0;
   for (std::size_t k = 0; k < more.columns.size(); ++k) width += width_of_column(more, k);
-  if (width > widest_row) return false;
+  if (width > most_width) return false;
   t.columns = std::move(more.columns);
   t.rows = std::move(more.rows);
   return true;
@@ -239,9 +243,15 @@ InputTable table_of(const PartList& list, const Display& display) {
   InputTable t{.list = list.list, .title = list_title(list.list), .columns = {}, .rows = {}};
   t.columns.push_back({.name = "", .words = {}, .unit = {}});
   for (const Part& part : list.parts) t.rows.push_back({{.text = part.name}});
+  const std::vector<std::string> common = common_fields(list);
+  int others_width = 0;
+  for (const Part& part : list.parts) {
+    others_width = std::max(others_width, length(other_fields(part, common, display).text));
+  }
+  const int most_width = widest_row - std::min(others_width, least_of_others);
   std::vector<std::string> shown;
-  for (const std::string& field : common_fields(list)) {
-    if (add_column(list, field, display, t)) shown.push_back(field);
+  for (const std::string& field : common) {
+    if (add_column(list, field, most_width, display, t)) shown.push_back(field);
   }
   std::vector<InputCell> others;
   for (const Part& part : list.parts) others.push_back(other_fields(part, shown, display));
@@ -273,6 +283,23 @@ InputPlace place_of(std::string_view key) {
           .field = std::string(key.substr(close + 2))};
 }
 
+std::vector<InputPlace> places_of(const std::vector<Given>& given) {
+  std::vector<InputPlace> places;
+  std::set<std::pair<std::string, std::string>> whole;  // names with something directly below them
+  for (const Given& g : given) {
+    places.push_back(place_of(g.key));
+    const InputPlace& p = places.back();
+    if (p.field.find('.') == std::string::npos || g.key[p.list.size()] == '[') whole.emplace(p.list, p.record);
+  }
+  for (InputPlace& p : places) {
+    const std::size_t dot = p.field.find('.');
+    if (dot == std::string::npos || whole.contains({p.list, p.record})) continue;
+    p.record += "." + p.field.substr(0, dot);
+    p.field = p.field.substr(dot + 1);
+  }
+  return places;
+}
+
 std::vector<InputTable> input_tables(const std::vector<Given>& given, const Display& display) {
   std::vector<InputTable> tables;
   for (const PartList& list : lists_of(given)) tables.push_back(table_of(list, display));
@@ -290,9 +317,11 @@ std::vector<const Given*> single_inputs(const std::vector<Given>& given, bool de
 std::vector<InputDefault> input_defaults(const std::vector<Given>& given, const Display& display) {
   std::vector<InputDefault> all;
   std::map<std::pair<std::string, std::string>, std::size_t> known;
-  for (const Given& g : given) {
+  const std::vector<InputPlace> places = places_of(given);
+  for (std::size_t i = 0; i < given.size(); ++i) {
+    const Given& g = given[i];
+    const InputPlace& place = places[i];
     if (!is_default(g)) continue;
-    const InputPlace place = place_of(g.key);
     if (place.list.empty()) {
       all.push_back({.given = &g, .key = g.key, .parts = {}});
       continue;

@@ -17,6 +17,10 @@ struct InputPlace {
 };
 InputPlace place_of(std::string_view key);
 
+/// The places of all inputs, in their order. A name may have dots of its own ("s1.rear"): where nothing stands directly
+/// below a name, the next word of the key belongs to it.
+std::vector<InputPlace> places_of(const std::vector<Given>& given);
+
 struct InputColumn {
   std::string name;   ///< the deck's key, "diameter"; the components of a place are x, y, z
   std::string words;  ///< its meaning; may be empty

@@ -54,13 +54,14 @@ double size_of_checks(const Result& r) {
   for (const Check& c : r.checks) {
     size += row_height;
     if (parts.insert(c.part).second) size += row_height;
-    if (rules.insert(c.rule).second) size += rule_line * print_lines_of(length(c.rule) + length(c.trust), rule_characters);
+    if (rules.insert(c.rule).second)
+      size += rule_line * print_lines_of(length(c.rule) + length(c.trust), rule_characters);
   }
   return size;
 }
 
 double size_of_steps(const Result& r) {
-  constexpr double equation = 13, note = 2;
+  constexpr double equation = 16, note = 2;
   double size = r.steps.empty() ? 0 : heading_height;
   for (const Step& s : r.steps) {
     if (s.kind == Step::Kind::heading) size += 10;
@@ -70,11 +71,6 @@ double size_of_steps(const Result& r) {
   return size;
 }
 
-double size_of_values(const Result& r) {
-  const auto count = std::count_if(r.values.begin(), r.values.end(), [](const Value& v) { return !v.detail; });
-  return count == 0 ? 0 : heading_height + table_frame + row_height * static_cast<double>(count);
-}
-
 int pages_of(const Result& r) {
   const bool design = std::any_of(r.given.begin(), r.given.end(),
                                   [](const Given& g) { return g.key.starts_with("design.") || g.chosen; });
@@ -82,12 +78,27 @@ int pages_of(const Result& r) {
   return design ? design_pages : r.method == "machine" ? machine_pages : method_pages;
 }
 
-/// What is left for tables and pictures.
+/// What is left for values, tables and pictures.
 double room_of(const Result& r) {
-  const double comparisons = r.comparisons.empty() ? 0 : heading_height + 1.4 * row_height * static_cast<double>(r.comparisons.size());
+  const double comparisons =
+      r.comparisons.empty() ? 0 : heading_height + 1.4 * row_height * static_cast<double>(r.comparisons.size());
   const double used = size_of(r.warnings) + size_of(r.assumptions) + size_of_inputs(r) + size_of_checks(r) +
-                      size_of_steps(r) + size_of_values(r) + comparisons;
-  return (pages_of(r) - 1) * page_height - used;
+                      size_of_steps(r) + comparisons;
+  constexpr double broken_pages = 110;  ///< left empty where a picture or a table goes to the next page
+  return (pages_of(r) - 1) * page_height - broken_pages - used;
+}
+
+/// Puts the first values among the results, as many as `room` holds, a dozen at least, one page at most; the height
+/// they take.
+double place_values(const Result& r, double room, Layout& layout) {
+  constexpr double least = 12, largest = 45;
+  const double most = std::clamp((room - heading_height - table_frame) / row_height, least, largest);
+  for (const Value& v : r.values) {
+    const bool fits = !v.detail && static_cast<double>(layout.values.size()) < most;
+    (fits ? layout.values : layout.appendix_values).push_back(&v);
+  }
+  if (layout.values.empty()) return 0;
+  return heading_height + table_frame + row_height * static_cast<double>(layout.values.size());
 }
 
 void place_pictures(const Result& r, const std::vector<const Figure*>& shown, double room, Layout& layout) {
@@ -119,20 +130,24 @@ void place_tables(const Result& r, double room, Layout& layout) {
 Layout layout_of(const Result& r, const std::vector<const Figure*>& shown) {
   constexpr TableLimits among_results{.rows = 14, .parts = 2};
   constexpr TableLimits in_appendix{.rows = 60};
-  Layout layout{.tables = {},
+  Layout layout{.values = {},
+                .tables = {},
                 .pictures = {},
+                .appendix_values = {},
                 .appendix_tables = {},
                 .appendix_pictures = {},
                 .limits = among_results,
                 .appendix_limits = in_appendix};
   if (r.method == "compare") {
     layout.limits = {};
+    place_values(r, HUGE_VAL, layout);
     place_tables(r, HUGE_VAL, layout);
     place_pictures(r, shown, HUGE_VAL, layout);
     return layout;
   }
-  constexpr double share_of_pictures = 0.55;
-  const double room = std::max(0.0, room_of(r));
+  constexpr double share_of_values = 0.4, share_of_pictures = 0.6;
+  double room = std::max(0.0, room_of(r));
+  room = std::max(0.0, room - place_values(r, share_of_values * room, layout));
   place_pictures(r, shown, share_of_pictures * room, layout);
   place_tables(r, room - picture_height * static_cast<double>(layout.pictures.size()), layout);
   return layout;

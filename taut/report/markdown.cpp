@@ -94,11 +94,11 @@ std::string comparisons(const Result& r) {
   return table({"", "quantity", "as printed", "corrected", "exact", "unit", "build by"}, "llrrrll", rows);
 }
 
-std::string values(const Result& r, bool detail) {
+std::string values(const std::vector<const Value*>& all, const Result& r) {
   const Display display = display_of(r);
   std::vector<Row> rows;
-  for (const Value& v : r.values) {
-    if (v.detail != detail) continue;
+  for (const Value* value : all) {
+    const Value& v = *value;
     const ShownUnit u = shown_unit(v.unit, display);
     rows.push_back({code_cell(v.symbol), safe(v.label.empty() ? v.name : v.label), value_number(v.value, u),
                     unit_text(u), safe(v.source)});
@@ -260,11 +260,11 @@ std::string to_markdown(const Result& r) {
   out += section("Checks", all_checks(r));
   out += section(comparison_title(r), comparisons(r));
   out += section("Calculation", steps(r));
-  out += section("Results", values(r, false) + "\n" + tables(layout.tables, layout.limits, r));
+  out += section("Results", values(layout.values, r) + "\n" + tables(layout.tables, layout.limits, r));
   out += section("Pictures", figures(figures_in_order(r)));
   out += section("Assumptions", list(r.assumptions));
-  out += section("Appendix",
-                 values(r, true) + tables(layout.appendix_tables, layout.appendix_limits, r) + defaults(r));
+  out += section("Appendix", values(layout.appendix_values, r) +
+                                 tables(layout.appendix_tables, layout.appendix_limits, r) + defaults(r));
   out += fmt::format("\ntaut {}", version);
   if (!r.deck_name.empty()) out += fmt::format(", deck {}", safe(r.deck_name));
   if (!r.deck_hash.empty()) out += fmt::format(", hash {}, --set {}", safe(r.deck_hash), safe(overrides_text(r)));

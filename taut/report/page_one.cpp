@@ -21,8 +21,8 @@
 namespace taut::report {
 namespace {
 
-constexpr int longest_title = 150, longest_line = 110, longest_source = 230, longest_reason = 330, longest_scope = 220, longest_answer = 190,
-              longest_label = 24;
+constexpr int longest_title = 150, longest_line = 110, longest_source = 230, longest_reason = 330, longest_scope = 220,
+              longest_answer = 190, longest_label = 24;
 constexpr std::size_t most_answers = 12;
 constexpr std::size_t most_errors = 8;
 constexpr std::size_t most_table_columns = 7;
@@ -93,12 +93,13 @@ std::string main_values_html(const Result& r) {
   for (const Value& v : r.values) {
     if (v.detail || count == most_summary_rows) continue;
     ++count;
-    rows += "<tr>" + cell(prose_html(v.label.empty() ? v.name : v.label)) +
+    rows += "<tr>" + cell(short_html(v.label.empty() ? v.name : v.label, longest_line), "name") +
             cell(escape(value_shown(v.value, v.unit, display)), "num") + "</tr>\n";
   }
   if (!rows.empty()) {
     return fmt::format(
-        "<table class=\"worst\"><thead><tr><th>result</th><th class=\"num\">value</th></tr></thead><tbody>\n{}</tbody>"
+        "<table class=\"worst values\"><thead><tr><th>result</th><th "
+        "class=\"num\">value</th></tr></thead><tbody>\n{}</tbody>"
         "</table>\n",
         rows);
   }
@@ -116,16 +117,18 @@ std::string warnings_html(const Result& r) {
   if (all.empty()) return {};
   const std::size_t shown = std::min(all.size(), most_summary_warnings);
   std::string out;
-  for (std::size_t i = 0; i < shown; ++i) out += fmt::format("<li>{}</li>\n", short_html(all[i], longest_summary_warning));
+  for (std::size_t i = 0; i < shown; ++i)
+    out += fmt::format("<li>{}</li>\n", short_html(all[i], longest_summary_warning));
   if (shown < all.size()) out += fmt::format("<li class=\"more\">{} more on page 2</li>\n", all.size() - shown);
-  return fmt::format("<aside><b>{}</b>\n<ul>\n{}</ul></aside>\n", r.unsafe.empty() ? "Warnings" : "Unsafe or unverified",
-                     out);
+  return fmt::format("<aside><b>{}</b>\n<ul>\n{}</ul></aside>\n",
+                     r.unsafe.empty() ? "Warnings" : "Unsafe or unverified", out);
 }
 
 /// Who may sign: only what passes.
 std::string signature_html(const Result& r) {
   const auto verdict = verdict_of(r);
-  const bool passes = verdict && (verdict->kind == VerdictKind::passes || verdict->kind == VerdictKind::passes_with_warnings);
+  const bool passes =
+      verdict && (verdict->kind == VerdictKind::passes || verdict->kind == VerdictKind::passes_with_warnings);
   if (!passes) return fmt::format("<span class=\"unsigned\">{}: not for signature</span>", escape(banner(r).headline));
   return fmt::format("<span class=\"signature\">checked {}<span class=\"rule\"></span></span>",
                      escape(shortened(clean(r.project.checked_by), 40)));
@@ -135,15 +138,14 @@ std::string foot_html(const Result& r) {
   std::string deck;
   if (!r.deck_name.empty()) deck += fmt::format("deck {}, ", shortened(clean(r.deck_name), 60));
   if (!r.deck_hash.empty()) {
-    deck += fmt::format("hash {}, --set {}, ", shortened(clean(r.deck_hash), 24), shortened(clean(overrides_text(r)), 80));
+    deck +=
+        fmt::format("hash {}, --set {}, ", shortened(clean(r.deck_hash), 24), shortened(clean(overrides_text(r)), 80));
   }
   return fmt::format("<div class=\"foot\"><span>{}taut {}</span>{}</div>\n", escape(deck), version, signature_html(r));
 }
 
 /// Lines of print that a text takes; `room`: characters of a line.
-int print_lines(std::string_view text, int most, int room) {
-  return (std::min(length(text), most) + room - 1) / room;
-}
+int print_lines(std::string_view text, int most, int room) { return (std::min(length(text), most) + room - 1) / room; }
 
 /// Height that the texts of page 1 leave for its pictures, mm, estimated from below.
 double room_for_pictures(const Result& r) {
@@ -172,9 +174,9 @@ double add_figure(const Figure& figure, const Display& display, PageOne& page) {
   const double aspect = aspect_of(picture);
   const FigureWords w = words_of(figure);
   page.html += fmt::format(
-      "<figure class=\"key\" style=\"flex-grow:{:.2f}\"><div class=\"frame\">{}</div><figcaption>{} {}</figcaption>"
+      "<figure class=\"key\" style=\"flex-grow:{:.0f}\"><div class=\"frame\">{}</div><figcaption>{} {}</figcaption>"
       "</figure>\n",
-      aspect, picture, short_html(w.title, longest_line), escape(w.scale));
+      std::max(1.0, 100 * aspect), picture, short_html(w.title, longest_line), escape(w.scale));
   page.figures.push_back(&figure);
   return page_width * aspect;
 }
@@ -190,9 +192,8 @@ void add_pictures(const Result& r, PageOne& page) {
     return;
   }
   if (room - height < least_second) return;
-  const auto second = std::find_if(r.figures.begin(), r.figures.end(), [&](const Figure& f) {
-    return &f != key && std::holds_alternative<Plot>(f);
-  });
+  const auto second = std::find_if(r.figures.begin(), r.figures.end(),
+                                   [&](const Figure& f) { return &f != key && std::holds_alternative<Plot>(f); });
   if (second != r.figures.end()) add_figure(*second, display, page);
 }
 
@@ -241,7 +242,8 @@ PageOne page_one(const Result& r) {
   PageOne page{.html = "<section class=\"sheet\" id=\"page-1\">\n" + head_html(r) + verdict_html(r), .figures = {}};
   if (!r.errors.empty()) {
     page.html += "<div class=\"mistakes\">\n" + errors_html(r, most_errors);
-    if (r.errors.size() > most_errors) page.html += fmt::format("<p>{} more below</p>\n", r.errors.size() - most_errors);
+    if (r.errors.size() > most_errors)
+      page.html += fmt::format("<p>{} more below</p>\n", r.errors.size() - most_errors);
     page.html += "</div>\n" + foot_html(r) + "</section>\n";
     return page;
   }

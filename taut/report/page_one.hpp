@@ -11,10 +11,10 @@ struct PageOne {
   std::vector<const Figure*> figures;  ///< those that it shows
 };
 
-/// Page 1, what an engineer signs: project, verdict, what to build or what it carries, the key picture, the utilisations
-/// by part, the gravest warnings, and the line of the signature. Every text is bounded, so that all of it is one page in
-/// print; the key picture takes the room that is left, with a plot below it where that is much, and stands away where it
-/// is too little. A bad deck shows its mistakes.
+/// Page 1, what an engineer signs: project, verdict, what to build or what it carries, the key picture, the
+/// utilisations by part, the gravest warnings, and the line of the signature. Every text is bounded, so that all of it
+/// is one page in print; the key picture takes the room that is left, with a plot below it where that is much, and
+/// stands away where it is too little. A bad deck shows its mistakes.
 PageOne page_one(const Result& r);
 
 /// Texts of page 1 that are shortened there, in full; empty when none is.

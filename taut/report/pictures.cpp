@@ -21,7 +21,9 @@ std::string caption_html(const FigureWords& w) {
   return out + "</figcaption>";
 }
 
-int order_of(const Figure& f) { return std::holds_alternative<Plot>(f) ? 2 : std::holds_alternative<Animation>(f) ? 1 : 0; }
+int order_of(const Figure& f) {
+  return std::holds_alternative<Plot>(f) ? 2 : std::holds_alternative<Animation>(f) ? 1 : 0;
+}
 
 }  // namespace
 
@@ -46,7 +48,8 @@ std::string pictures_html(const std::vector<const Figure*>& figures, const Resul
 std::vector<const Figure*> figures_in_order(const Result& r) {
   std::vector<const Figure*> all;
   for (const Figure& f : r.figures) all.push_back(&f);
-  std::stable_sort(all.begin(), all.end(), [](const Figure* a, const Figure* b) { return order_of(*a) < order_of(*b); });
+  std::stable_sort(all.begin(), all.end(),
+                   [](const Figure* a, const Figure* b) { return order_of(*a) < order_of(*b); });
   return all;
 }
 

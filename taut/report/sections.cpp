@@ -47,16 +47,17 @@ std::string comparisons_html(const Result& r) {
             cell(mark + prose_html(c.build_by)) + "</tr>\n";
   }
   return fmt::format(
-      "<div class=\"wide\"><table><thead><tr><th></th><th>quantity</th><th class=\"num\">as printed</th><th class=\"num\">"
+      "<div class=\"wide\"><table><thead><tr><th></th><th>quantity</th><th class=\"num\">as printed</th><th "
+      "class=\"num\">"
       "corrected</th>{}<th></th><th>build by</th></tr></thead><tbody>\n{}</tbody></table></div>\n",
       exact ? "<th class=\"num\">exact</th>" : "", rows);
 }
 
-std::string values_html(const Result& r, bool detail) {
+std::string values_html(const std::vector<const Value*>& values, std::string_view caption, const Result& r) {
   const Display display = display_of(r);
   std::string rows;
-  for (const Value& v : r.values) {
-    if (v.detail != detail) continue;
+  for (const Value* value : values) {
+    const Value& v = *value;
     const ShownUnit u = shown_unit(v.unit, display);
     rows += "<tr>" + cell(symbol_html(v.symbol)) + cell(prose_html(v.label.empty() ? v.name : v.label)) +
             cell(escape(value_number(v.value, u)), "num") + cell(escape(unit_text(u)), "u") +
@@ -66,23 +67,24 @@ std::string values_html(const Result& r, bool detail) {
   return fmt::format(
       "<div class=\"wide\"><table>{}<thead><tr><th></th><th>result</th><th class=\"num\">value</th><th></th>"
       "<th>from</th></tr></thead><tbody>\n{}</tbody></table></div>\n",
-      detail ? "<caption>Further values</caption>" : "", rows);
+      caption.empty() ? "" : fmt::format("<caption>{}</caption>", caption), rows);
 }
 
 /// The numbers of what is not shown here, and where it is.
 std::string elsewhere_html(const Layout& layout) {
   std::string names;
+  if (!layout.appendix_values.empty()) names = fmt::format("{} more values", layout.appendix_values.size());
   for (const Table* t : layout.appendix_tables) {
     if (std::find(layout.tables.begin(), layout.tables.end(), t) != layout.tables.end()) continue;
     names += (names.empty() ? "" : ", ") + csv_link(t->name);
   }
   if (names.empty()) return {};
-  return fmt::format("<p class=\"cut\">In the appendix and as CSV: {}</p>\n", names);
+  return fmt::format("<p class=\"cut\">In the appendix: {}</p>\n", names);
 }
 
 std::string results_html(const Result& r, const Layout& layout) {
   const Display display = display_of(r);
-  std::string out = values_html(r, false);
+  std::string out = values_html(layout.values, {}, r);
   for (const Table* t : layout.tables) {
     if (t->name != compared_table) out += table_html(*t, display, layout.limits);
   }
@@ -98,7 +100,7 @@ std::string all_checks_html(const Result& r, const Layout& layout) {
 
 std::string appendix_html(const Result& r, const Layout& layout, int& animations) {
   const Display display = display_of(r);
-  std::string out = values_html(r, true);
+  std::string out = values_html(layout.appendix_values, "Further values", r);
   for (const Table* t : layout.appendix_tables) out += table_html(*t, display, layout.appendix_limits);
   out += defaults_html(r);
   return out + pictures_html(layout.appendix_pictures, r, animations);

@@ -6,8 +6,8 @@
 
 namespace taut::report {
 
-/// Any figure as it stands still, for print: an <svg>, of an animation with the readings of its first time. Empty: there
-/// is nothing to draw.
+/// Any figure as it stands still, for print: an <svg>, of an animation with the readings of its first time. Empty:
+/// there is nothing to draw.
 std::string still_figure(const Figure& figure, const Display& display);
 
 /// The same where the report plays it: an animation with its button and slider. `number`: of the animations in the
