@@ -50,7 +50,7 @@ std::string line_html(std::string_view kind, std::string_view text, int most = l
 std::string head_html(const Result& r) {
   std::string out = fmt::format("<header>\n<h1>{}</h1>\n", escape(shortened(clean(title_of(r)), longest_title)));
   out += line_html("project", project_line(r.project));
-  if (!r.title.empty()) out += line_html("method", r.method_title);
+  if (title_of(r) != r.method_title) out += line_html("method", r.method_title);
   return out + line_html("source", r.source, longest_source) + "</header>\n";
 }
 
