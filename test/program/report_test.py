@@ -96,7 +96,7 @@ machine:
 {each("    top_of_the_hoist_number_{i}: [0 m, {y} m, 20 m]")}
   ropes: {{wire: {{diameter: 14 mm, mass: 0.8 kg/m, stiffness: 9 MN, breaking_force: 136 kN}}}}
   bodies:
-{each("    hook_of_the_hoist_number_{i}: {{mass: 100 kg, at: [0 m, {y} m, 4 m], free: [x, z]}}")}
+{each("    hook_of_the_hoist_number_{i}: {{mass: 2 t, at: [0 m, {y} m, 4 m], free: [x, z]}}")}
   reevings:
 {each("    - {{name: a_hoist_with_a_long_name_{i}, rope: wire, path: [{{anchor: top_of_the_hoist_number_{i}}}, "
       "{{anchor: hook_of_the_hoist_number_{i}}}], length: 16 m}}")}
