@@ -5,8 +5,8 @@
 #include <set>
 #include <string_view>
 
-#include "taut/report/inputs.hpp"
 #include "taut/report/pictures.hpp"
+#include "taut/report/tables/inputs.hpp"
 #include "taut/report/text/text.hpp"
 
 namespace taut::report {
@@ -84,7 +84,7 @@ double room_of(const Result& r) {
       r.comparisons.empty() ? 0 : heading_height + 1.4 * row_height * static_cast<double>(r.comparisons.size());
   const double used = size_of(r.warnings) + size_of(r.assumptions) + size_of_inputs(r) + size_of_checks(r) +
                       size_of_steps(r) + comparisons;
-  constexpr double broken_pages = 110;  ///< left empty where a picture or a table goes to the next page
+  constexpr double broken_pages = 140;  ///< left empty where a picture or a table goes to the next page
   return (pages_of(r) - 1) * page_height - broken_pages - used;
 }
 

@@ -2,7 +2,7 @@
 #include <vector>
 
 #include "taut/calc/result.hpp"
-#include "taut/report/html_table.hpp"
+#include "taut/report/tables/html_table.hpp"
 
 namespace taut::report {
 

@@ -7,19 +7,19 @@
 #include <vector>
 
 #include "taut/base/version.hpp"
-#include "taut/report/check_table.hpp"
 #include "taut/report/figure/figure.hpp"
-#include "taut/report/html_table.hpp"
-#include "taut/report/inputs.hpp"
 #include "taut/report/layout.hpp"
 #include "taut/report/page_one.hpp"
 #include "taut/report/pictures.hpp"
 #include "taut/report/sections.hpp"
 #include "taut/report/steps.hpp"
 #include "taut/report/summary.hpp"
+#include "taut/report/tables/check_table.hpp"
+#include "taut/report/tables/html_table.hpp"
+#include "taut/report/tables/inputs.hpp"
+#include "taut/report/tables/thinning.hpp"
 #include "taut/report/text/quantity.hpp"
 #include "taut/report/text/text.hpp"
-#include "taut/report/thinning.hpp"
 #include "taut/report/verdict.hpp"
 
 namespace taut::report {

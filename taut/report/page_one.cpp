@@ -7,12 +7,12 @@
 #include <vector>
 
 #include "taut/base/version.hpp"
-#include "taut/report/check_table.hpp"
 #include "taut/report/figure/figure.hpp"
-#include "taut/report/html_table.hpp"
 #include "taut/report/pictures.hpp"
 #include "taut/report/sections.hpp"
 #include "taut/report/summary.hpp"
+#include "taut/report/tables/check_table.hpp"
+#include "taut/report/tables/html_table.hpp"
 #include "taut/report/text/quantity.hpp"
 #include "taut/report/text/symbol.hpp"
 #include "taut/report/text/text.hpp"

@@ -6,14 +6,14 @@
 #include <cmath>
 #include <string_view>
 
-#include "taut/report/check_table.hpp"
-#include "taut/report/given.hpp"
-#include "taut/report/html_table.hpp"
 #include "taut/report/layout.hpp"
 #include "taut/report/page_one.hpp"
 #include "taut/report/pictures.hpp"
 #include "taut/report/steps.hpp"
 #include "taut/report/summary.hpp"
+#include "taut/report/tables/check_table.hpp"
+#include "taut/report/tables/given.hpp"
+#include "taut/report/tables/html_table.hpp"
 #include "taut/report/text/quantity.hpp"
 #include "taut/report/text/symbol.hpp"
 #include "taut/report/text/text.hpp"

@@ -1,4 +1,4 @@
-#include "taut/report/html_table.hpp"
+#include "taut/report/tables/html_table.hpp"
 
 #include <fmt/format.h>
 
@@ -7,9 +7,9 @@
 #include <string_view>
 #include <vector>
 
+#include "taut/report/tables/thinning.hpp"
 #include "taut/report/text/symbol.hpp"
 #include "taut/report/text/text.hpp"
-#include "taut/report/thinning.hpp"
 
 namespace taut::report {
 namespace {

@@ -1,4 +1,4 @@
-#include "taut/report/html_table.hpp"
+#include "taut/report/tables/html_table.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

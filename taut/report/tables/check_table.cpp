@@ -1,4 +1,4 @@
-#include "taut/report/check_table.hpp"
+#include "taut/report/tables/check_table.hpp"
 
 #include <fmt/format.h>
 
@@ -8,8 +8,8 @@
 #include <utility>
 #include <vector>
 
-#include "taut/report/html_table.hpp"
 #include "taut/report/summary.hpp"
+#include "taut/report/tables/html_table.hpp"
 #include "taut/report/text/symbol.hpp"
 #include "taut/report/text/text.hpp"
 #include "taut/report/verdict.hpp"

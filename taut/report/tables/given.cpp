@@ -1,4 +1,4 @@
-#include "taut/report/given.hpp"
+#include "taut/report/tables/given.hpp"
 
 #include <fmt/format.h>
 
@@ -6,8 +6,8 @@
 #include <string_view>
 #include <vector>
 
-#include "taut/report/html_table.hpp"
-#include "taut/report/inputs.hpp"
+#include "taut/report/tables/html_table.hpp"
+#include "taut/report/tables/inputs.hpp"
 #include "taut/report/text/quantity.hpp"
 #include "taut/report/text/symbol.hpp"
 #include "taut/report/text/text.hpp"

@@ -1,9 +1,9 @@
-#include "taut/report/inputs.hpp"
+#include "taut/report/tables/inputs.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "taut/report/given.hpp"
+#include "taut/report/tables/given.hpp"
 
 namespace taut::report::inputs_test {
 

@@ -1,4 +1,4 @@
-#include "taut/report/check_table.hpp"
+#include "taut/report/tables/check_table.hpp"
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>

@@ -1,4 +1,4 @@
-#include "taut/report/thinning.hpp"
+#include "taut/report/tables/thinning.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

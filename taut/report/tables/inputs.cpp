@@ -1,4 +1,4 @@
-#include "taut/report/inputs.hpp"
+#include "taut/report/tables/inputs.hpp"
 
 #include <fmt/format.h>
 
