@@ -8,8 +8,8 @@
 
 #include "taut/base/version.hpp"
 #include "taut/report/figure/figure.hpp"
-#include "taut/report/layout.hpp"
 #include "taut/report/page_one.hpp"
+#include "taut/report/page_plan.hpp"
 #include "taut/report/pictures.hpp"
 #include "taut/report/sections.hpp"
 #include "taut/report/steps.hpp"
@@ -252,7 +252,7 @@ std::string summary(const Result& r) {
 }  // namespace
 
 std::string to_markdown(const Result& r) {
-  const Layout layout = layout_of(r);
+  const PagePlan plan = plan_pages(r);
   std::string out = summary(r);
   out += section("Mistakes in the deck", errors(r));
   out += section("Warnings", list(warnings_by_weight(r)));
@@ -260,11 +260,11 @@ std::string to_markdown(const Result& r) {
   out += section("Checks", all_checks(r));
   out += section(comparison_title(r), comparisons(r));
   out += section("Calculation", steps(r));
-  out += section("Results", values(layout.values, r) + "\n" + tables(layout.tables, layout.limits, r));
+  out += section("Results", values(plan.values, r) + "\n" + tables(plan.tables, plan.limits, r));
   out += section("Pictures", figures(figures_in_order(r)));
   out += section("Assumptions", list(r.assumptions));
-  out += section("Appendix", values(layout.appendix_values, r) +
-                                 tables(layout.appendix_tables, layout.appendix_limits, r) + defaults(r));
+  out += section("Appendix",
+                 values(plan.appendix_values, r) + tables(plan.appendix_tables, plan.appendix_limits, r) + defaults(r));
   out += fmt::format("\ntaut {}", version);
   if (!r.deck_name.empty()) out += fmt::format(", deck {}", safe(r.deck_name));
   if (!r.deck_hash.empty()) out += fmt::format(", hash {}, --set {}", safe(r.deck_hash), safe(overrides_text(r)));

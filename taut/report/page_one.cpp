@@ -22,7 +22,7 @@ namespace taut::report {
 namespace {
 
 constexpr int longest_title = 150, longest_line = 110, longest_source = 230, longest_reason = 330, longest_scope = 220,
-              longest_answer = 190, longest_label = 24;
+              longest_answer = 190, longest_answer_label = 24;
 constexpr std::size_t most_answers = 12;
 constexpr std::size_t most_errors = 8;
 constexpr std::size_t most_table_columns = 7;
@@ -68,7 +68,7 @@ std::string answers_html(const Result& r) {
   for (std::size_t i = 0; i < shown; ++i) {
     const Answer& a = r.answers[i];
     const bool again = i > 0 && r.answers[i - 1].label == a.label;
-    out += fmt::format("<dt>{}</dt><dd>{}</dd>\n", again ? std::string() : short_html(a.label, longest_label),
+    out += fmt::format("<dt>{}</dt><dd>{}</dd>\n", again ? std::string() : short_html(a.label, longest_answer_label),
                        short_html(a.text, longest_answer));
   }
   if (shown < r.answers.size()) out += fmt::format("<dt></dt><dd>{} more below</dd>\n", r.answers.size() - shown);

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <string_view>
 
-#include "taut/report/layout.hpp"
 #include "taut/report/page_one.hpp"
+#include "taut/report/page_plan.hpp"
 #include "taut/report/pictures.hpp"
 #include "taut/report/steps.hpp"
 #include "taut/report/summary.hpp"
@@ -71,39 +71,39 @@ std::string values_html(const std::vector<const Value*>& values, std::string_vie
 }
 
 /// The numbers of what is not shown here, and where it is.
-std::string elsewhere_html(const Layout& layout) {
+std::string elsewhere_html(const PagePlan& plan) {
   std::string names;
-  if (!layout.appendix_values.empty()) names = fmt::format("{} more values", layout.appendix_values.size());
-  for (const Table* t : layout.appendix_tables) {
-    if (std::find(layout.tables.begin(), layout.tables.end(), t) != layout.tables.end()) continue;
+  if (!plan.appendix_values.empty()) names = fmt::format("{} more values", plan.appendix_values.size());
+  for (const Table* t : plan.appendix_tables) {
+    if (std::find(plan.tables.begin(), plan.tables.end(), t) != plan.tables.end()) continue;
     names += (names.empty() ? "" : ", ") + csv_link(t->name);
   }
   if (names.empty()) return {};
   return fmt::format("<p class=\"cut\">In the appendix: {}</p>\n", names);
 }
 
-std::string results_html(const Result& r, const Layout& layout) {
+std::string results_html(const Result& r, const PagePlan& plan) {
   const Display display = display_of(r);
-  std::string out = values_html(layout.values, {}, r);
-  for (const Table* t : layout.tables) {
-    if (t->name != compared_table) out += table_html(*t, display, layout.limits);
+  std::string out = values_html(plan.values, {}, r);
+  for (const Table* t : plan.tables) {
+    if (t->name != compared_table) out += table_html(*t, display, plan.limits);
   }
-  return out + elsewhere_html(layout);
+  return out + elsewhere_html(plan);
 }
 
 /// The checks of a comparison are the rows of its table.
-std::string all_checks_html(const Result& r, const Layout& layout) {
-  const auto compared = std::find_if(layout.tables.begin(), layout.tables.end(),
-                                     [](const Table* t) { return t->name == compared_table; });
-  return compared == layout.tables.end() ? checks_html(r) : table_html(**compared, display_of(r), layout.limits);
+std::string all_checks_html(const Result& r, const PagePlan& plan) {
+  const auto compared =
+      std::find_if(plan.tables.begin(), plan.tables.end(), [](const Table* t) { return t->name == compared_table; });
+  return compared == plan.tables.end() ? checks_html(r) : table_html(**compared, display_of(r), plan.limits);
 }
 
-std::string appendix_html(const Result& r, const Layout& layout, int& animations) {
+std::string appendix_html(const Result& r, const PagePlan& plan, int& animations) {
   const Display display = display_of(r);
-  std::string out = values_html(layout.appendix_values, "Further values", r);
-  for (const Table* t : layout.appendix_tables) out += table_html(*t, display, layout.appendix_limits);
+  std::string out = values_html(plan.appendix_values, "Further values", r);
+  for (const Table* t : plan.appendix_tables) out += table_html(*t, display, plan.appendix_limits);
   out += defaults_html(r);
-  return out + pictures_html(layout.appendix_pictures, r, animations);
+  return out + pictures_html(plan.appendix_pictures, r, animations);
 }
 
 /// Warnings in full, and what page 1 shortens.
@@ -128,9 +128,9 @@ std::string comparison_title(const Result& r) {
 }
 
 std::vector<Section> sections(const Result& r, const std::vector<const Figure*>& shown) {
-  const Layout layout = layout_of(r, shown);
+  const PagePlan plan = plan_pages(r, shown);
   int animations = 0;
-  const std::string pictures = pictures_html(layout.pictures, r, animations);
+  const std::string pictures = pictures_html(plan.pictures, r, animations);
   std::vector<Section> all{
       {.id = "errors", .title = "Mistakes in the deck", .html = errors_html(r, r.errors.size()), .numbered = false},
       {.id = "warnings",
@@ -138,13 +138,13 @@ std::vector<Section> sections(const Result& r, const std::vector<const Figure*>&
        .html = notes_html(r),
        .numbered = false},
       {.id = "inputs", .title = "Inputs", .html = given_html(r)},
-      {.id = "checks", .title = "Checks", .html = all_checks_html(r, layout)},
+      {.id = "checks", .title = "Checks", .html = all_checks_html(r, plan)},
       {.id = "comparison", .title = comparison_title(r), .html = comparisons_html(r)},
       {.id = "calculation", .title = "Calculation", .html = steps_html(r)},
-      {.id = "results", .title = "Results", .html = results_html(r, layout)},
+      {.id = "results", .title = "Results", .html = results_html(r, plan)},
       {.id = "pictures", .title = "Pictures", .html = pictures},
       {.id = "assumptions", .title = "Assumptions", .html = list_html(r.assumptions)},
-      {.id = "appendix", .title = "Appendix", .html = appendix_html(r, layout, animations), .numbered = false}};
+      {.id = "appendix", .title = "Appendix", .html = appendix_html(r, plan, animations), .numbered = false}};
   std::erase_if(all, [](const Section& s) { return s.html.empty(); });
   return all;
 }

@@ -1,4 +1,4 @@
-#include "taut/report/layout.hpp"
+#include "taut/report/page_plan.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -90,47 +90,47 @@ double room_of(const Result& r) {
 
 /// Puts the first values among the results, as many as `room` holds, a dozen at least, one page at most; the height
 /// they take.
-double place_values(const Result& r, double room, Layout& layout) {
+double place_values(const Result& r, double room, PagePlan& plan) {
   constexpr double least = 12, largest = 45;
   const double most = std::clamp((room - heading_height - table_frame) / row_height, least, largest);
   for (const Value& v : r.values) {
-    const bool fits = !v.detail && static_cast<double>(layout.values.size()) < most;
-    (fits ? layout.values : layout.appendix_values).push_back(&v);
+    const bool fits = !v.detail && static_cast<double>(plan.values.size()) < most;
+    (fits ? plan.values : plan.appendix_values).push_back(&v);
   }
-  if (layout.values.empty()) return 0;
-  return heading_height + table_frame + row_height * static_cast<double>(layout.values.size());
+  if (plan.values.empty()) return 0;
+  return heading_height + table_frame + row_height * static_cast<double>(plan.values.size());
 }
 
-void place_pictures(const Result& r, const std::vector<const Figure*>& shown, double room, Layout& layout) {
+void place_pictures(const Result& r, const std::vector<const Figure*>& shown, double room, PagePlan& plan) {
   double left = room;
   for (const Figure* f : figures_in_order(r)) {
     const bool on_page_one = std::find(shown.begin(), shown.end(), f) != shown.end();
     if (on_page_one && !std::holds_alternative<Animation>(*f)) continue;
     left -= picture_height;
-    (left < 0 && !layout.pictures.empty() ? layout.appendix_pictures : layout.pictures).push_back(f);
+    (left < 0 && !plan.pictures.empty() ? plan.appendix_pictures : plan.pictures).push_back(f);
   }
 }
 
-void place_tables(const Result& r, double room, Layout& layout) {
+void place_tables(const Result& r, double room, PagePlan& plan) {
   double left = room;
   for (const Table& t : r.tables) {
     if (t.rows.empty() || t.columns.empty() || (t.name == "comparison" && !r.comparisons.empty())) continue;
-    const double size = printed_height(t, layout.limits);
+    const double size = printed_height(t, plan.limits);
     const bool fits = !t.detail && size <= left;
     if (fits) {
       left -= size;
-      layout.tables.push_back(&t);
+      plan.tables.push_back(&t);
     }
-    if (!fits || size < printed_height(t, layout.appendix_limits)) layout.appendix_tables.push_back(&t);
+    if (!fits || size < printed_height(t, plan.appendix_limits)) plan.appendix_tables.push_back(&t);
   }
 }
 
 }  // namespace
 
-Layout layout_of(const Result& r, const std::vector<const Figure*>& shown) {
+PagePlan plan_pages(const Result& r, const std::vector<const Figure*>& shown) {
   constexpr TableLimits among_results{.rows = 14, .parts = 2};
   constexpr TableLimits in_appendix{.rows = 60};
-  Layout layout{.values = {},
+  PagePlan plan{.values = {},
                 .tables = {},
                 .pictures = {},
                 .appendix_values = {},
@@ -139,18 +139,18 @@ Layout layout_of(const Result& r, const std::vector<const Figure*>& shown) {
                 .limits = among_results,
                 .appendix_limits = in_appendix};
   if (r.method == "compare") {
-    layout.limits = {};
-    place_values(r, HUGE_VAL, layout);
-    place_tables(r, HUGE_VAL, layout);
-    place_pictures(r, shown, HUGE_VAL, layout);
-    return layout;
+    plan.limits = {};
+    place_values(r, HUGE_VAL, plan);
+    place_tables(r, HUGE_VAL, plan);
+    place_pictures(r, shown, HUGE_VAL, plan);
+    return plan;
   }
   constexpr double share_of_values = 0.4, share_of_pictures = 0.6;
   double room = std::max(0.0, room_of(r));
-  room = std::max(0.0, room - place_values(r, share_of_values * room, layout));
-  place_pictures(r, shown, share_of_pictures * room, layout);
-  place_tables(r, room - picture_height * static_cast<double>(layout.pictures.size()), layout);
-  return layout;
+  room = std::max(0.0, room - place_values(r, share_of_values * room, plan));
+  place_pictures(r, shown, share_of_pictures * room, plan);
+  place_tables(r, room - picture_height * static_cast<double>(plan.pictures.size()), plan);
+  return plan;
 }
 
 }  // namespace taut::report

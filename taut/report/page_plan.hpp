@@ -8,7 +8,7 @@ namespace taut::report {
 
 /// Which values, tables and pictures stand among the results, and which in the appendix. Checks, equations and inputs
 /// are never moved.
-struct Layout {
+struct PagePlan {
   std::vector<const Value*> values;
   std::vector<const Table*> tables;
   std::vector<const Figure*> pictures;
@@ -19,9 +19,9 @@ struct Layout {
   TableLimits appendix_limits;  ///< of those in the appendix
 };
 
-/// The layout that keeps the pages of A4 for this kind of result: 8 for a method, 10 for a machine or a motion, 12 for
+/// The plan that keeps the pages of A4 for this kind of result: 8 for a method, 10 for a machine or a motion, 12 for
 /// a design, by an estimate of what each section takes in print. A comparison shows all its rows. `shown`: figures of
 /// page 1, which are not shown again unless they move.
-Layout layout_of(const Result& r, const std::vector<const Figure*>& shown = {});
+PagePlan plan_pages(const Result& r, const std::vector<const Figure*>& shown = {});
 
 }  // namespace taut::report
