@@ -54,6 +54,14 @@ void add_folder(CLI::App& verb, RunOptions& options) {
   verb.add_flag("--open", options.open, "with -o: open report.html in the browser")->needs(folder);
 }
 
+/// How the report that -o writes is laid out.
+void add_report_options(CLI::App& verb, RunOptions& options) {
+  verb.add_flag("--appendix", options.appendix, "unfold and print the report's appendix: all values, tables, defaults");
+  verb.add_option("--paper", options.paper, "pages of the report: a4 (default) or a3")
+      ->type_name("PAPER")
+      ->check(CLI::IsMember({"a4", "a3"}, CLI::ignore_case));
+}
+
 void add_run(CLI::App& app, std::function<int()>& action) {
   auto* verb = app.add_subcommand("run", "Calculate a deck: a summary on the screen, the report and tables with -o");
   auto options = std::make_shared<RunOptions>();
@@ -64,6 +72,7 @@ void add_run(CLI::App& app, std::function<int()>& action) {
   verb->add_flag("-q,--quiet", options->quiet, "print nothing but errors");
   verb->add_flag("--si", options->si, "CSV files in SI units; else in those of the report. Series are SI always");
   verb->add_flag("-a,--all", options->all, "print every check, value and short table, not the summary of 40 lines");
+  add_report_options(*verb, *options);
   verb->add_flag("--strict", options->strict, "exit with 4 where a part has no limit, too");
   verb->callback([options, &action] { action = [options] { return run(*options); }; });
 }
@@ -79,6 +88,7 @@ void add_compare(CLI::App& app, std::function<int()>& action) {
   verb->add_flag("-q,--quiet", options->quiet, "print nothing but errors");
   verb->add_flag("--si", options->si, "CSV files in SI units; else in those of the report. Series are SI always");
   verb->add_flag("-a,--all", options->all, "print every check, value and short table, not the summary of 40 lines");
+  add_report_options(*verb, *options);
   verb->callback([options, &action] { action = [options] { return compare(*options); }; });
 }
 
@@ -130,7 +140,8 @@ void add_list(CLI::App& app, std::function<int()>& action) {
       ->type_name("VOLUME");
   verb->add_option("--standard", f->standard, "beginning of the standard's name: EN, 'GOST 2688'")
       ->type_name("STANDARD");
-  verb->add_option("--name", f->name, "methods, steels, rules, carriages, yarders, units: part of the name")->type_name("PART");
+  verb->add_option("--name", f->name, "methods, steels, rules, carriages, yarders, units: part of the name")
+      ->type_name("PART");
   verb->add_flag("--verified", f->verified_only, "only rows whose numbers were read in a public source");
   verb->callback([what, f, &action] { action = [what, f] { return print_list(*what, *f); }; });
 }

@@ -123,7 +123,8 @@ int write_report(const Result& result, const RunOptions& options) {
     return {pdf_name};
   };
   const app::FileUnits units = options.si ? app::FileUnits::si : app::FileUnits::display;
-  const auto written = app::write_files(result, options.folder, {.units = units, .more = pdf});
+  const auto written = app::write_files(
+      result, options.folder, {.units = units, .appendix = options.appendix, .a3 = options.paper == "a3", .more = pdf});
   if (!written) {
     say("taut: {}\n", written.error().message);
     return file_trouble;

@@ -19,6 +19,8 @@ struct RunOptions {
   bool strict = false;  ///< a part without a limit is no success
   bool pdf = false;     ///< report.pdf beside report.html
   bool open = false;    ///< shows report.html in the browser
+  bool appendix = false;  ///< of the report: unfolded, and printed
+  std::string paper = "a4";  ///< of the report: a4 or a3
 };
 
 /// Each verb prints what it found (standard output), messages (standard error), and returns the exit code.

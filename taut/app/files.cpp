@@ -67,9 +67,11 @@ Written write_result(const Result& result, const std::string& place, const FileO
   const Display display = display_of(result);
   const bool si = options.units == FileUnits::si;
   const auto csv = [&](const Table& t) { return si ? io::to_csv(t) : io::to_csv(t, display); };
+  const report::HtmlOptions html{.appendix = options.appendix,
+                                 .paper = options.a3 ? report::Paper::a3 : report::Paper::a4};
   std::vector<std::pair<std::string, std::string>> files = {
       {"result.json", io::to_json(result, io::SeriesFiles::named)},
-      {"report.html", report::to_html(result)},
+      {"report.html", report::to_html(result, html)},
       {"report.md", report::to_markdown(result)}};
   for (const Table& t : result.tables) files.emplace_back(t.name + ".csv", csv(t));
   for (const Figure& f : result.figures) {

@@ -48,7 +48,9 @@ using MoreFiles = std::function<std::vector<std::string>(const std::string& plac
 /// How the files of a result are written.
 struct FileOptions {
   FileUnits units = FileUnits::display;
-  MoreFiles more = {};  ///< called when the other files are there
+  bool appendix = false;  ///< all values and tables of report.html are unfolded, and printed
+  bool a3 = false;        ///< its pages are A3 in place of A4
+  MoreFiles more = {};    ///< called when the other files are there
 };
 
 /// Writes into `folder`: result.json, report.html, report.md, one CSV for each table, plot and series, all series

@@ -27,6 +27,11 @@ Given given_head(const std::string& prefix, const Description& d, const Field& f
     const Slot slot = f.slot(object.get());
     if (const auto* triple = std::get_if<Triple*>(&slot)) g.numbers.assign((*triple)->begin(), (*triple)->end());
   }
+  if (f.kind == FieldKind::numbers && !f.required) {
+    const auto object = d.make_default();
+    const Slot slot = f.slot(object.get());
+    if (const auto* numbers = std::get_if<std::vector<double>*>(&slot)) g.numbers = **numbers;
+  }
   g.text = default_text(d, f);
   return g;
 }

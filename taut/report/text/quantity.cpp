@@ -99,6 +99,23 @@ std::string quantity_shown(double stored, const Unit& unit, const Display& displ
   return name == "°" ? number + name : fmt::format("{} {}", number, name);
 }
 
+std::string value_number(double stored, const ShownUnit& unit) {
+  constexpr int digits = 4;
+  const double x = unit.of(stored);
+  const double size = std::abs(x);
+  const bool metres = unit.name == "m" && size >= 100 && size < 1e5;
+  const int more = metres ? static_cast<int>(std::floor(std::log10(size))) - 1 : 0;  // to the centimetre
+  return number_shown(x, digits + more);
+}
+
+std::string value_shown(double stored, const Unit& unit, const Display& display) {
+  const ShownUnit u = shown_unit(unit, display);
+  const std::string name = unit_text(u);
+  const std::string number = value_number(stored, u);
+  if (name.empty() || std::isnan(stored)) return number;
+  return name == "°" ? number + name : fmt::format("{} {}", number, name);
+}
+
 std::string quantity_plain(double stored, const Unit& unit, const Display& display, int digits) {
   const ShownUnit u = shown_unit(unit, display);
   const std::string number = number_plain(u.of(stored), digits);

@@ -23,6 +23,11 @@ std::string number_plain(double x, int digits = 5);
 std::string quantity_shown(double stored, const Unit& unit, const Display& display, int digits = 5);
 std::string quantity_plain(double stored, const Unit& unit, const Display& display, int digits = 5);
 
+/// A result as its reader needs it, "138.9 kN", "382.42 m": four significant digits, of a length in metres centimetres
+/// at least. JSON and CSV have all digits.
+std::string value_shown(double stored, const Unit& unit, const Display& display);
+std::string value_number(double stored, const ShownUnit& unit);
+
 /// The numbers of one column with the same number of decimals, as many as the largest of them needs for `digits`
 /// significant ones; numbers that would vanish are shown with a power of ten.
 std::vector<std::string> column_shown(const std::vector<double>& numbers, int digits = 5);

@@ -1,13 +1,13 @@
-#include "taut/report/html_table.hpp"
+#include "taut/report/tables/html_table.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 #include <string_view>
 #include <vector>
 
+#include "taut/report/tables/thinning.hpp"
 #include "taut/report/text/symbol.hpp"
 #include "taut/report/text/text.hpp"
 
@@ -19,27 +19,9 @@ bool is_number_column(const Table& t, std::size_t k) {
                      [&](const auto& row) { return k < row.size() && std::holds_alternative<double>(row[k]); });
 }
 
-/// Whether each row begins with words of its own: a list, not a series.
-bool is_list(const Table& t) {
-  std::set<std::string_view> names;
-  return std::all_of(t.rows.begin(), t.rows.end(), [&](const auto& row) {
-    const auto* words = row.empty() ? nullptr : std::get_if<std::string>(&row[0]);
-    return words != nullptr && !words->empty() && names.insert(*words).second;
-  });
-}
-
-/// Which rows to show: all, or of a long series the first ones and the last few with a gap.
-std::vector<std::size_t> shown_rows(const Table& t) {
-  constexpr std::size_t last = 10;
-  std::vector<std::size_t> all;
-  const bool whole = t.rows.size() <= most_rows || is_list(t);
-  for (std::size_t i = 0; i < t.rows.size(); ++i) {
-    if (whole || i < most_rows - last || i + last >= t.rows.size()) all.push_back(i);
-  }
-  return all;
-}
-
 constexpr int own_digits = 5;
+constexpr int column_digits = 4;  ///< of the largest number of a column; all digits are in the CSV file
+constexpr std::size_t most_without_headings = 40;
 constexpr std::size_t most_of_quantity = 12;  ///< characters of a number with its unit, which stay in one line
 
 /// Whether a column says the unit of its row's numbers.
@@ -51,7 +33,7 @@ bool rows_have_units(const Table& t) {
 /// before the colon, where rows beside each other share it. Empty: of nothing, or the list is short.
 std::vector<std::string> parts_of_list(const Table& t) {
   std::vector<std::string> parts(t.rows.size());
-  if (t.rows.size() <= most_rows || !is_list(t)) return parts;
+  if (t.rows.size() <= most_without_headings || !is_list(t)) return parts;
   const auto before_colon = [&](std::size_t i) {
     const auto& words = std::get<std::string>(t.rows[i][0]);
     const auto colon = words.rfind(": ");
@@ -73,7 +55,7 @@ std::vector<std::string> column_cells(const Table& t, std::size_t k, const std::
     const auto* x = k < t.rows[i].size() ? std::get_if<double>(&t.rows[i][k]) : nullptr;
     numbers.push_back(x == nullptr ? NAN : u.of(*x));
   }
-  std::vector<std::string> shown = column_shown(numbers);
+  std::vector<std::string> shown = column_shown(numbers, column_digits);
   if (rows_have_units(t) && t.columns[k].unit.symbol == si::one.symbol) {  // each of another size
     std::transform(numbers.begin(), numbers.end(), shown.begin(), [](double x) { return number_shown(x, own_digits); });
   }
@@ -106,7 +88,7 @@ std::string cell(std::string_view inside, std::string_view kind) {
 namespace {
 
 /// Characters that stand side by side on a page, and those between two columns; a number takes no fewer than these.
-constexpr std::size_t most_characters = 120;
+constexpr std::size_t most_characters = 104;
 constexpr std::size_t between_columns = 2;
 constexpr std::size_t number_characters = 6;
 constexpr std::size_t most_leading = 3;  ///< columns that are repeated
@@ -189,10 +171,6 @@ std::string part_html(const Table& t, const std::vector<std::size_t>& part, cons
   }
   std::string body;
   for (std::size_t n = 0; n < rows.size(); ++n) {
-    if (n > 0 && rows[n] != rows[n - 1] + 1) {
-      body += fmt::format("<tr class=\"gap\"><td colspan=\"{}\">… {} rows left out …</td></tr>\n", part.size(),
-                          t.rows.size() - rows.size());
-    }
     if (const std::string& now = above[rows[n]]; n > 0 ? now != above[rows[n - 1]] : !now.empty()) {
       body += now.empty() ? "</tbody><tbody>\n"
                           : fmt::format("</tbody><tbody class=\"part\">\n<tr><th colspan=\"{}\">{}</th></tr>\n",
@@ -203,26 +181,44 @@ std::string part_html(const Table& t, const std::vector<std::size_t>& part, cons
     body += "</tr>\n";
   }
   return fmt::format(
-      "<div class=\"wide\"><table class=\"{}\"><caption>{}</caption><thead><tr>{}</tr></thead><tbody>\n"
+      "<div class=\"wide{}\"><p class=\"caption\">{}</p><table class=\"data\"><thead><tr>{}</tr></thead><tbody>\n"
       "{}</tbody></table></div>\n",
-      fmt::format("{}{}", part.size() > 8 ? "dense" : "data", rows.size() <= 12 ? " small" : ""), caption, head, body);
+      rows.size() <= 12 ? " small" : "", caption, head, body);
 }
 
 }  // namespace
 
-std::string table_html(const Table& t, const Display& display) {
-  if (t.rows.empty()) return {};
-  const auto rows = shown_rows(t);
+std::string csv_link(std::string_view name) { return fmt::format("<a href=\"{0}.csv\">{0}.csv</a>", escape(name)); }
+
+std::string table_html(const Table& t, const Display& display, const TableLimits& limits) {
+  if (t.rows.empty() || t.columns.empty()) return {};
+  const auto rows = rows_that_matter(t, limits.rows);
   const auto parts = parts_of(t);
+  const std::size_t shown_parts = std::min(parts.size(), limits.parts);
   const std::string title = prose_html(t.title.empty() ? t.name : t.title);
   std::string out;
-  for (std::size_t i = 0; i < parts.size(); ++i) {
+  for (std::size_t i = 0; i < shown_parts; ++i) {
     const std::string caption = parts.size() == 1 ? title : fmt::format("{} ({} of {})", title, i + 1, parts.size());
     out += part_html(t, parts[i], rows, caption, display);
   }
-  if (rows.size() == t.rows.size()) return out;
-  return out + fmt::format("<p class=\"cut\">{} of {} rows are shown; {}.csv has all of them.</p>\n", rows.size(),
-                           t.rows.size(), escape(t.name));
+  std::string cut;
+  if (rows.size() < t.rows.size()) {
+    cut = fmt::format("{} of {} rows: ends, extremes, changes", rows.size(), t.rows.size());
+  }
+  if (shown_parts < parts.size()) {
+    cut += fmt::format("{}columns up to {}", cut.empty() ? "" : "; ",
+                       escape(heading(t.columns[parts[shown_parts - 1].back()].name)));
+  }
+  if (cut.empty()) return out;
+  return out + fmt::format("<p class=\"cut\">{}; all in {}</p>\n", cut, csv_link(t.name));
+}
+
+double printed_height(const Table& t, const TableLimits& limits) {
+  if (t.rows.empty() || t.columns.empty()) return 0;
+  constexpr double row = 4.8, around = 19;  // mm
+  const auto rows = static_cast<double>(std::min(t.rows.size(), limits.rows));
+  const auto parts = static_cast<double>(std::min(parts_of(t).size(), limits.parts));
+  return parts * (around + rows * row);
 }
 
 }  // namespace taut::report

@@ -1,4 +1,4 @@
-#include "taut/report/html_table.hpp"
+#include "taut/report/tables/html_table.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -73,36 +73,44 @@ TEST(HtmlTable, ComesInPartsThatRepeatTheFirstColumn) {
   EXPECT_EQ(times(html, "<th class=\"num\">"), 2 * most_columns + 2);
 }
 
-/// Rows that each begin with a name are a list: all of them are shown, below what they are parts of.
-TEST(HtmlTable, ALongListIsShownWholeAndASeriesIsNot) {
+/// Rows that each begin with a name are a list: they stand below what they are parts of.
+TEST(HtmlTable, ALongListHasHeadings) {
+  constexpr std::size_t count = 60;
   Table list{.name = "compared",
              .title = "Compared",
              .columns = {{.name = "what", .unit = si::one}, {.name = "taut", .unit = si::one}},
-             .rows = {}},
-      series = list;
-  for (std::size_t i = 0; i < 2 * most_rows; ++i) {
+             .rows = {}};
+  for (std::size_t i = 0; i < count; ++i) {
     list.rows.push_back({fmt::format("row {}: S{}", i / 3, i % 3), static_cast<double>(i)});
-    series.rows.push_back({std::string("step"), static_cast<double>(i)});
   }
   list.rows.push_back({std::string("alone: Fh"), 7.0});
   const std::string html = table_html(list, {});
-  EXPECT_EQ(times(html, "<td>S0</td>"), 2 * most_rows / 3);
-  EXPECT_EQ(times(html, "class=\"part\""), 2 * most_rows / 3);
+  EXPECT_EQ(times(html, "<td>S0</td>"), count / 3);
+  EXPECT_EQ(times(html, "class=\"part\""), count / 3);
   EXPECT_EQ(times(html, ">row 17</th>"), 1U);
   EXPECT_EQ(times(html, "<tbody"), times(html, "</tbody"));
   EXPECT_EQ(times(html, "<td>alone: Fh</td>"), 1U);
-  EXPECT_EQ(times(html, "left out"), 0U);
-  EXPECT_EQ(times(table_html(series, {}), "<td>step</td>"), most_rows);
-  EXPECT_EQ(times(table_html(series, {}), "left out"), 1U);
-  list.rows.resize(most_rows);  // short enough without headings
+  list.rows.resize(30);  // short enough without headings
   EXPECT_EQ(times(table_html(list, {}), "class=\"part\""), 0U);
   EXPECT_EQ(times(table_html(list, {}), "<td>row 3: S1</td>"), 1U);
+}
+
+TEST(HtmlTable, SaysWhatItLeavesOutAndWhereItIs) {
+  Table t = wide(2 * most_columns);
+  EXPECT_EQ(table_html(t, {}).find(".csv"), std::string::npos);
+  for (int i = 0; i < 90; ++i) t.rows.push_back(t.rows[0]);
+  const std::string html = table_html(t, {}, {.rows = 12, .parts = 1});
+  EXPECT_EQ(times(html, "<table"), 1U);
+  EXPECT_EQ(times(html, "<tr>"), 13U);
+  EXPECT_NE(html.find("12 of 91 rows: ends, extremes, changes; columns up to c10; all in <a href=\"load_path.csv\">"),
+            std::string::npos)
+      << html;
 }
 
 TEST(HtmlTable, LongNamesAndWordsTakeFewerColumnsToAPage) {
   Table t = wide(6);
   for (Column& c : t.columns) c.name = "analyses.payload.limits.mainline." + c.name;
-  EXPECT_EQ(times(table_html(t, {}), "<table"), 3U);
+  EXPECT_EQ(times(table_html(t, {}), "<table"), 5U);
   t = wide(6);
   for (std::size_t k = 3; k < 6; ++k) t.rows[0][k] = std::string(60, 'x');
   EXPECT_EQ(times(table_html(t, {}), "<table"), 3U);
