@@ -56,7 +56,7 @@ std::string packed(std::string_view css) {
 std::string foot_text(const Result& r) {
   std::string text = fmt::format("taut {}", version);
   if (!r.deck_name.empty()) text += fmt::format(" \u00B7 {}", shortened(clean(r.deck_name), 60));
-  if (!r.deck_hash.empty()) text += fmt::format(" \u00B7 {}", shortened(clean(r.deck_hash), 24));
+  if (!r.deck_hash.empty()) text += fmt::format(" \u00B7 {}", shortened(clean(r.deck_hash), 64));
   return text;
 }
 

@@ -139,7 +139,7 @@ std::string foot_html(const Result& r) {
   if (!r.deck_name.empty()) deck += fmt::format("deck {}, ", shortened(clean(r.deck_name), 60));
   if (!r.deck_hash.empty()) {
     deck +=
-        fmt::format("hash {}, --set {}, ", shortened(clean(r.deck_hash), 24), shortened(clean(overrides_text(r)), 80));
+        fmt::format("hash {}, --set {}, ", shortened(clean(r.deck_hash), 64), shortened(clean(overrides_text(r)), 80));
   }
   return fmt::format("<div class=\"foot\"><span>{}taut {}</span>{}</div>\n", escape(deck), version, signature_html(r));
 }
