@@ -39,7 +39,7 @@ struct Triangular {
 
 /// Single values with their weights (>= 0, of any sum > 0); no weights: all alike.
 struct Listed {
-  std::vector<double> values, weights;
+  std::vector<double> values = {}, weights = {};
 };
 
 using Law = std::variant<Normal, Lognormal, Uniform, Gumbel, Weibull, Triangular, Listed>;

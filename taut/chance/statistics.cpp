@@ -65,6 +65,17 @@ Moments moments(std::span<const double> values) {
   return m;
 }
 
+double mean_square(std::span<const double> values, double about) {
+  double n = 0;
+  double sum = 0;
+  for (const double x : values) {
+    if (std::isnan(x)) continue;
+    n += 1;
+    sum += (x - about) * (x - about);
+  }
+  return n > 0 ? sum / n : none;
+}
+
 /// The pooled estimate with the interval from the same estimate of every replicate.
 Estimate over_replicates(const Sample& s, double pooled,
                          const std::function<double(std::span<const double>)>& estimate) {
@@ -175,7 +186,10 @@ Estimate sample_sd(const Sample& s) {
   const double sd = std::sqrt(m.variance);
   Estimate e{sd, {0, unbounded}};
   if (s.replicates > 1) {
-    e = over_replicates(s, sd, [](std::span<const double> values) { return std::sqrt(moments(values).variance); });
+    // of the variance about the mean of all, which is linear in the cases
+    e = over_replicates(s, m.variance, [&](std::span<const double> values) { return mean_square(values, m.mean); });
+    e.value = sd;
+    e.interval = {std::sqrt(std::max(e.interval.low, 0.)), std::sqrt(e.interval.high)};
   } else if (m.n > 1 && sd > 0) {
     const double spread = std::sqrt(std::max(0., m.fourth - m.variance * m.variance) / m.n) / (2 * sd);
     const double half = normal_score((1 + s.confidence) / 2) * spread;
@@ -288,9 +302,9 @@ std::optional<std::uint64_t> cases_needed(const LimitProbability& probability, d
   const auto& [value, interval] = probability.counted;
   const auto n = static_cast<double>(probability.cases);
   if (judged(probability.counted, allowed) != Allowed::not_judged) return probability.cases;
-  const bool below = value < allowed;
-  const double ratio = (below ? interval.high - value : value - interval.low) / std::abs(allowed - value);
-  const double needed = n * (value == 0 ? ratio : ratio * ratio);
+  // half of the whole interval: its two halves become alike as it shrinks
+  const double ratio = (interval.high - interval.low) / 2 / std::abs(allowed - value);
+  const double needed = value == 0 ? n * interval.high / allowed : n * ratio * ratio;
   if (!(needed < 1e12)) return std::nullopt;
   const double unit = std::pow(10, std::max(0., std::floor(std::log10(needed)) - 1));
   return static_cast<std::uint64_t>(std::ceil(needed / unit) * unit);

@@ -36,7 +36,8 @@ std::size_t failed_cases(const Sample& s);
 Estimate sample_mean(const Sample& s);
 
 /// The standard deviation, divisor n - 1. Random points: normal interval with the variance of s^2 by the fourth moment,
-/// (m4 - s^4)/n, which is for large n and any law.
+/// (m4 - s^4)/n, which is for large n and any law. Replicates: the root of the variance's interval, each replicate's
+/// about the mean of all.
 Estimate sample_sd(const Sample& s);
 
 /// The p-quantiles, 0 < p < 1, between order statistics that stand at p = (j - 1/2)/n (Hazen; Hyndman & Fan 1996, type
@@ -86,10 +87,9 @@ enum class Allowed { kept, exceeded, not_judged };
 /// above, not judged where it straddles it.
 Allowed judged(const Estimate& probability, double allowed);
 
-/// About how many cases it takes until the interval no longer straddles `allowed`, if the estimate stays as it is: its
-/// distance to the near end of the interval falls with the root of their number, with the number itself where no case
-/// lies beyond the limit. Rounded up to two digits; empty where the estimate equals `allowed` or more than 1e12 are
-/// needed.
+/// About how many cases it takes until the interval no longer straddles `allowed`, if the estimate stays as it is: half
+/// its width falls with the root of their number; where no case is beyond the limit, its upper end falls with the
+/// number itself. Rounded up to two digits; empty where the estimate equals `allowed` or more than 1e12 are needed.
 std::optional<std::uint64_t> cases_needed(const LimitProbability& probability, double allowed);
 
 /// What the replicates' estimates say of the pooled one: pooled +- t s/sqrt(R). NaN estimates are left out; infinite
