@@ -20,7 +20,7 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 using FreeList = std::vector<FreeParameter>;
 
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
+constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
 constexpr double alike = 0.99;            // correlation of estimates that are not told apart
 constexpr double null_eigenvalue = 1e-9;  // of J^T J with columns of unit length
 
@@ -59,7 +59,7 @@ struct Told {
 
 Told told_by(const LeastSquares& fit) {
   const auto n = static_cast<std::size_t>(fit.t.size());
-  Told told{.covariance = MatrixXd::Constant(fit.t.size(), fit.t.size(), none),
+  Told told{.covariance = MatrixXd::Constant(fit.t.size(), fit.t.size(), no_number),
             .in_null = std::vector<bool>(n, false),
             .groups = {}};
   std::vector<std::size_t> active;
@@ -142,7 +142,7 @@ std::string why_not_identifiable(std::size_t i, const Calibration& c, const Free
 }
 
 CalibratedParameter at_bound(const FreeParameter& p, double value, int held) {
-  CalibratedParameter result{.value = value, .standard_error = none, .interval = {p.low, p.high}};
+  CalibratedParameter result{.value = value, .standard_error = no_number, .interval = {p.low, p.high}};
   result.state = held < 0 ? ParameterState::at_low : ParameterState::at_high;
   result.note = fmt::format("'{}' ends at its {} bound: widen it, or doubt the model; no interval", p.name,
                             held < 0 ? "lower" : "upper");
@@ -162,7 +162,7 @@ void describe(Calibration& c, const LeastSquares& fit, const FreeList& free, dou
       c.parameters.push_back(at_bound(p, value, fit.held[i]));
       continue;
     }
-    CalibratedParameter result{.value = value, .standard_error = none, .interval = {p.low, p.high}};
+    CalibratedParameter result{.value = value, .standard_error = no_number, .interval = {p.low, p.high}};
     const double error = std::sqrt(variance * told.covariance(index(i), index(i)));
     const bool no_effect = !(fit.J.col(index(i)).norm() > 0);
     if (told.in_null[i] || error > 0.5) {
@@ -177,7 +177,7 @@ void describe(Calibration& c, const LeastSquares& fit, const FreeList& free, dou
     }
     c.parameters.push_back(result);
   }
-  c.covariance.assign(n * n, none);
+  c.covariance.assign(n * n, no_number);
   for (std::size_t i = 0; i < n; ++i) {
     for (std::size_t j = 0; j < n; ++j) {
       if (std::isnan(c.parameters[i].standard_error) || std::isnan(c.parameters[j].standard_error)) continue;
@@ -266,11 +266,11 @@ Calibration calibrate(const Evaluate& model, const std::vector<FreeParameter>& f
   c.status = CalibrationStatus::found;
   c.chi_squared = fit.r.squaredNorm();
   c.freedom = static_cast<int>(m) - told_by(fit).rank;
-  c.sd = given || c.freedom <= 0 ? none : std::sqrt(c.chi_squared / c.freedom);
-  c.p_value = given && c.freedom > 0 ? chi_squared_above(c.chi_squared, c.freedom) : none;
+  c.sd = given || c.freedom <= 0 ? no_number : std::sqrt(c.chi_squared / c.freedom);
+  c.p_value = given && c.freedom > 0 ? chi_squared_above(c.chi_squared, c.freedom) : no_number;
   const double upper = (1 + options.confidence) / 2;
   const double variance = given ? 1 : c.sd * c.sd;
-  const double quantile = given ? normal_score(upper) : c.freedom > 0 ? student_value(upper, c.freedom) : none;
+  const double quantile = given ? normal_score(upper) : c.freedom > 0 ? student_value(upper, c.freedom) : no_number;
   describe(c, fit, free, variance, quantile);
   for (std::size_t j = 0; j < m; ++j) {
     c.residuals.push_back(-fit.r[index(j)] * sd_of(j));

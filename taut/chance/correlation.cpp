@@ -34,7 +34,7 @@ std::string wrong_pair(std::span<const CorrelatedPair> pairs, std::span<const st
   return {};
 }
 
-Eigen::Index index(std::size_t i) { return static_cast<Eigen::Index>(i); }
+Eigen::Index at(std::size_t i) { return static_cast<Eigen::Index>(i); }
 
 /// The pairs that pull the least eigenvalue down: v^T R v is the sum of v_i^2 and of 2 r v_i v_j, so those with a
 /// negative term, the strongest first, as long as they are a tenth of it.
@@ -43,7 +43,7 @@ std::string indefinite(std::span<const CorrelatedPair> pairs, std::span<const st
   const Eigen::VectorXd v = eigen.vectors.col(0);
   std::vector<std::pair<double, std::size_t>> terms;
   for (std::size_t k = 0; k < pairs.size(); ++k) {
-    const double term = pairs[k].r * v[index(pairs[k].first)] * v[index(pairs[k].second)];
+    const double term = pairs[k].r * v[at(pairs[k].first)] * v[at(pairs[k].second)];
     if (term < 0) terms.emplace_back(term, k);
   }
   std::sort(terms.begin(), terms.end());
@@ -66,15 +66,15 @@ tl::expected<Correlation, std::string> correlation(std::span<const CorrelatedPai
   if (std::string text = wrong_pair(pairs, names); !text.empty()) return tl::unexpected(text);
   if (std::all_of(pairs.begin(), pairs.end(), [](const CorrelatedPair& p) { return p.r == 0; })) return Correlation{};
   const std::size_t n = names.size();
-  Eigen::MatrixXd R = Eigen::MatrixXd::Identity(index(n), index(n));
-  for (const CorrelatedPair& p : pairs) R(index(p.first), index(p.second)) = R(index(p.second), index(p.first)) = p.r;
+  Eigen::MatrixXd R = Eigen::MatrixXd::Identity(at(n), at(n));
+  for (const CorrelatedPair& p : pairs) R(at(p.first), at(p.second)) = R(at(p.second), at(p.first)) = p.r;
   const SymmetricEigen eigen = symmetric_eigen(R);
   if (!(eigen.values[0] > least_definite)) return tl::unexpected(indefinite(pairs, names, eigen));
 
   Correlation c{.inputs = n, .lower = std::vector<double>(n * n, 0)};
   for (std::size_t i = 0; i < n; ++i) {
     for (std::size_t j = 0; j <= i; ++j) {
-      double rest = R(index(i), index(j));
+      double rest = R(at(i), at(j));
       for (std::size_t k = 0; k < j; ++k) rest -= c.lower[i * n + k] * c.lower[j * n + k];
       c.lower[i * n + j] = i == j ? std::sqrt(rest) : rest / c.lower[j * n + j];
     }

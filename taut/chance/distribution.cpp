@@ -14,7 +14,7 @@
 namespace taut::chance {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double endless = std::numeric_limits<double>::infinity();
 
 /// A chance and the chance against it, so that the smaller one keeps its digits.
 struct Chance {
@@ -268,31 +268,31 @@ double expectation(const Distribution& d, const F& f) {
   return piece(-far, kink) + piece(kink, far);
 }
 
-struct Moments {
+struct MeanAndSd {
   double mean = 0, sd = 1;
 };
 
-Moments uncut_moments(const Law& law) {
+MeanAndSd uncut_moments(const Law& law) {
   struct Of {
-    Moments operator()(const Normal& d) const { return {d.mean, d.sd}; }
-    Moments operator()(const Lognormal& d) const { return {d.mean, d.sd}; }
-    Moments operator()(const Uniform& d) const { return {(d.low + d.high) / 2, (d.high - d.low) / std::sqrt(12.)}; }
-    Moments operator()(const Gumbel& d) const {
+    MeanAndSd operator()(const Normal& d) const { return {d.mean, d.sd}; }
+    MeanAndSd operator()(const Lognormal& d) const { return {d.mean, d.sd}; }
+    MeanAndSd operator()(const Uniform& d) const { return {(d.low + d.high) / 2, (d.high - d.low) / std::sqrt(12.)}; }
+    MeanAndSd operator()(const Gumbel& d) const {
       return {d.mode + std::numbers::egamma * d.scale, std::numbers::pi / std::sqrt(6.) * d.scale};
     }
-    Moments operator()(const Weibull& d) const {
+    MeanAndSd operator()(const Weibull& d) const {
       const double g1 = std::tgamma(1 + 1 / d.shape);
       const double g2 = std::tgamma(1 + 2 / d.shape);
       return {d.shift + d.scale * g1, d.scale * std::sqrt(std::max(0., g2 - g1 * g1))};
     }
-    Moments operator()(const Triangular& d) const {
+    MeanAndSd operator()(const Triangular& d) const {
       const double left = d.mode - d.low;
       const double right = d.high - d.mode;
       return {(d.low + d.mode + d.high) / 3, std::sqrt((left * left + left * right + right * right) / 18)};
     }
-    Moments operator()(const Listed& d) const {
+    MeanAndSd operator()(const Listed& d) const {
       const double whole = whole_weight(d);
-      Moments m{.mean = 0, .sd = 0};
+      MeanAndSd m{.mean = 0, .sd = 0};
       for (std::size_t i = 0; i < d.values.size(); ++i) m.mean += weight(d, i) / whole * d.values[i];
       for (std::size_t i = 0; i < d.values.size(); ++i) {
         m.sd += weight(d, i) / whole * (d.values[i] - m.mean) * (d.values[i] - m.mean);
@@ -311,8 +311,8 @@ std::string mistake(const Distribution& d) {
   if (std::string text = std::visit([](const auto& law) { return wrong(law); }, d.law); !text.empty()) return text;
   if (!is_cut(d)) return {};
   if (!continuous(d)) return "a list cannot be truncated: leave its values out";
-  const double from = d.from.value_or(-infinity);
-  const double to = d.to.value_or(infinity);
+  const double from = d.from.value_or(-endless);
+  const double to = d.to.value_or(endless);
   if (!(from < to)) return fmt::format("truncated from {} to {}: the first must be below the second", from, to);
   if (!(cut_of(d).mass > 0)) return fmt::format("nothing of the distribution lies from {} to {}", from, to);
   return {};

@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 """The witness of taut/chance: OpenTURNS (Debian's python3-openturns 1.20) calculates the cases of
-taut/chance/witness_test.cpp, by its own FORM, SORM and importance sampling, and values of distributions.
+taut/chance/reliability/witness_test.cpp, by its own FORM, SORM and importance sampling, and values of distributions.
 
   chance_numbers.py          recalculates everything and compares it with chance_numbers.csv beside it (exit code 1: differs)
   chance_numbers.py --write  writes chance_numbers.csv

@@ -1,7 +1,7 @@
 #pragma once
 #include <string>
 
-#include "taut/chance/limit_state.hpp"
+#include "taut/chance/reliability/limit_state.hpp"
 
 namespace taut::chance {
 

@@ -2,7 +2,7 @@
 #include <cstdint>
 #include <string>
 
-#include "taut/chance/design_point.hpp"
+#include "taut/chance/reliability/design_point.hpp"
 
 namespace taut::chance {
 

@@ -1,4 +1,4 @@
-#include "taut/chance/form.hpp"
+#include "taut/chance/reliability/form.hpp"
 
 #include <fmt/format.h>
 
@@ -10,7 +10,7 @@
 
 #include "taut/base/expects.hpp"
 #include "taut/chance/counter.hpp"
-#include "taut/chance/sorm.hpp"
+#include "taut/chance/reliability/sorm.hpp"
 #include "taut/chance/standard_laws.hpp"
 
 namespace taut::chance {

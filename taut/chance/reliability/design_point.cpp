@@ -1,4 +1,4 @@
-#include "taut/chance/design_point.hpp"
+#include "taut/chance/reliability/design_point.hpp"
 
 #include <fmt/format.h>
 #include <nlopt.h>

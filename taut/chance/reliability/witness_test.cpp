@@ -9,7 +9,7 @@
 #include <map>
 #include <sstream>
 
-#include "taut/chance/importance.hpp"
+#include "taut/chance/reliability/importance.hpp"
 #include "taut/chance/standard_laws.hpp"
 #include "test/paths.hpp"
 

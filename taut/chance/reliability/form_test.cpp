@@ -1,11 +1,11 @@
-#include "taut/chance/form.hpp"
+#include "taut/chance/reliability/form.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <functional>
 
-#include "taut/chance/importance.hpp"
+#include "taut/chance/reliability/importance.hpp"
 #include "taut/chance/sensitivity.hpp"
 #include "taut/chance/standard_laws.hpp"
 

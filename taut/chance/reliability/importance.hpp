@@ -1,7 +1,7 @@
 #pragma once
 #include <optional>
 
-#include "taut/chance/form.hpp"
+#include "taut/chance/reliability/form.hpp"
 
 namespace taut::chance {
 

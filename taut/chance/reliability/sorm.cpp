@@ -1,4 +1,4 @@
-#include "taut/chance/sorm.hpp"
+#include "taut/chance/reliability/sorm.hpp"
 
 #include <algorithm>
 #include <cmath>

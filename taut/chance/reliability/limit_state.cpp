@@ -1,4 +1,4 @@
-#include "taut/chance/limit_state.hpp"
+#include "taut/chance/reliability/limit_state.hpp"
 
 #include <cmath>
 

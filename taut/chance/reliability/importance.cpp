@@ -1,4 +1,4 @@
-#include "taut/chance/importance.hpp"
+#include "taut/chance/reliability/importance.hpp"
 
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
 #pragma once
 #include <optional>
 
-#include "taut/chance/design_point.hpp"
+#include "taut/chance/reliability/design_point.hpp"
 
 namespace taut::chance {
 
