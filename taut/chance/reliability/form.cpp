@@ -207,12 +207,15 @@ Form form(const LimitState& state, const FormOptions& options) {
   FormOptions tuned = options;
   const Points starts = starts_of(state, at_origin, options.seed);
   result.starts = starts.size();
-  // the step where truncation h^2 and noise/h are alike, by the least noisy of two places
+  // the step where truncation h^2 and noise/h are alike; at one of both places the slope may vanish by symmetry
+  double steep = 0;
+  double rough = 0;
   for (const Point& u : {starts.front(), starts.back()}) {
-    const double steep = slope(state, u, options.search.step).steepness;
-    const double rough = std::cbrt(noise(state, u) / steep);
-    if (rough > tuned.search.step && rough < HUGE_VAL) tuned.search.step = std::min(rough, 0.2);
+    const double here = slope(state, u, options.search.step).steepness;
+    if (here > steep) steep = here;
+    rough = std::max(rough, noise(state, u));
   }
+  if (steep > 0) tuned.search.step = std::max(options.search.step, std::min(std::cbrt(rough / steep), 0.2));
   tuned.curvature_step = std::max(options.curvature_step, 2 * tuned.search.step);
   Searches searches(state, tuned, at_origin, result);
   for (const Point& start : starts) searches.from(start, &start == &starts.front());

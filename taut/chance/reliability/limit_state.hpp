@@ -8,7 +8,8 @@
 namespace taut::chance {
 
 /// One output of the model against a limit, over independent standard normal scores u of the inputs: g(u) is the
-/// margin of the output at values_at_scores(inputs, u); the limit is not kept where g < 0. NaN: a failed case.
+/// margin of the output at values_at_scores(inputs, u); the limit is not kept where g < 0. NaN: a failed case. It
+/// counts its cases, so one thread asks at a time; the model may share a batch among threads.
 class LimitState {
  public:
   /// `output` is the column of the model's rows.
