@@ -71,13 +71,13 @@ Pixel direction(int k) {
 /// Everything that a label's place depends on.
 struct LabelTable {
   LabelGrid grid;
-  const Paper& paper;
+  const LabelRoom& room;
   double font_size;
 
   /// HUGE_VAL: not allowed. Stops counting above `enough`.
   double price(int id, const Box& box, Pixel anchor, double enough) const {
-    if (!is_inside(paper.bounds, box) || !grid.is_free(box.grown(air), id)) return HUGE_VAL;
-    double price = 0.6 * out_of(paper.frame, box);
+    if (!is_inside(room.bounds, box) || !grid.is_free(box.grown(air), id)) return HUGE_VAL;
+    double price = 0.6 * out_of(room.frame, box);
     const Pixel edge = nearest(box, anchor);
     if (apart(edge, anchor) > leader_from) price += 15 + 60 * grid.boxes_on(edge, anchor, id);
     if (price > enough) return price;
@@ -121,7 +121,7 @@ struct LabelTable {
       Candidate best{.box = {}, .anchor = {}, .price = near ? unreadable_of_many : HUGE_VAL};
       for (int k = 0; k < directions; ++k) {
         const Box box = box_beside(anchor, direction(k), 7 + 9 * ring, wide, high);
-        const bool allowed = is_inside(paper.bounds, box) && grid.is_free(box.grown(air), -1);
+        const bool allowed = is_inside(room.bounds, box) && grid.is_free(box.grown(air), -1);
         const double all = near ? price(-1, box, anchor, best.price) : allowed ? k : HUGE_VAL;
         if (all < best.price) best = {.box = box, .anchor = anchor, .price = all};
       }
@@ -155,8 +155,8 @@ std::vector<std::vector<std::size_t>> groups_of(const std::vector<Wanted>& wante
   return groups;
 }
 
-Box area_of(const std::vector<Wanted>& wanted, const std::vector<Obstacle>& obstacles, const Paper& paper) {
-  Box area = paper.frame;
+Box area_of(const std::vector<Wanted>& wanted, const std::vector<Obstacle>& obstacles, const LabelRoom& room) {
+  Box area = room.frame;
   for (const Wanted& w : wanted) area.add(w.anchor);
   for (const Obstacle& o : obstacles) {
     area.add(o.a);
@@ -229,14 +229,13 @@ double length_inside(const Box& box, Pixel a, Pixel b) {
   return inside ? (to - from) * std::hypot(b.x - a.x, b.y - a.y) : 0;
 }
 
-Placement place_labels(const std::vector<Wanted>& wanted, const std::vector<Obstacle>& obstacles, const Paper& paper,
+Placement place_labels(const std::vector<Wanted>& wanted, const std::vector<Obstacle>& obstacles, const LabelRoom& room,
                        double font_size) {
   LabelTable table{
-      .grid = LabelGrid(obstacles, area_of(wanted, obstacles, paper)), .paper = paper, .font_size = font_size};
+      .grid = LabelGrid(obstacles, area_of(wanted, obstacles, room)), .room = room, .font_size = font_size};
   const auto first_other = static_cast<int>(wanted.size());
-  for (std::size_t i = 0; i < paper.taken.size(); ++i)
-    table.grid.put(first_other + static_cast<int>(i), paper.taken[i]);
-  int next_id = first_other + static_cast<int>(paper.taken.size());
+  for (std::size_t i = 0; i < room.taken.size(); ++i) table.grid.put(first_other + static_cast<int>(i), room.taken[i]);
+  int next_id = first_other + static_cast<int>(room.taken.size());
 
   const double limit = static_cast<double>(wanted.size()) > many_labels ? unreadable_of_many : unreadable;
   std::vector<Candidate> places(wanted.size());

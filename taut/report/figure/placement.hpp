@@ -72,7 +72,7 @@ struct Placement {
 };
 
 /// Where labels may stand.
-struct Paper {
+struct LabelRoom {
   Box frame;               ///< they should stay in it; empty: anywhere
   Box bounds;              ///< they must stay in it; empty: anywhere
   std::vector<Box> taken;  ///< other texts: no label may touch them
@@ -82,7 +82,7 @@ struct Paper {
 /// leaving the frame, and looks twice. No two boxes touch. Far labels get a leader line. A label that finds no place,
 /// or only one across several lines, becomes a number on the drawing and a line of the list. The cost grows with the
 /// number of labels and lines, not with its square. Same input, same places.
-Placement place_labels(const std::vector<Wanted>& wanted, const std::vector<Obstacle>& obstacles, const Paper& paper,
+Placement place_labels(const std::vector<Wanted>& wanted, const std::vector<Obstacle>& obstacles, const LabelRoom& room,
                        double font_size);
 
 /// Text (in the colour of the paper behind the letters), numbers and leader lines.
