@@ -14,12 +14,14 @@ The commands of one page run one after the other in one folder, with `taut` on t
 """
 
 import dataclasses
+import importlib.util
 import os
 import pathlib
 import re
 import subprocess
 import tempfile
 import unittest
+import xml.etree.ElementTree
 
 PROGRAM = pathlib.Path(os.environ["TAUT_PROGRAM"]).resolve()
 SOURCE = pathlib.Path(os.environ["TAUT_SOURCE_DIR"]).resolve()
@@ -165,6 +167,20 @@ class Guides(unittest.TestCase):
         deck.write_text(head + block.text, encoding="utf-8")
         done = self.shell("taut check shown.yaml")
         self.assertEqual(done.returncode, 0, done.stderr)
+
+    def test_every_picture_is_made_from_a_report(self):
+        """What docs/images/make.py does, without writing: the figures that it names are in the reports."""
+        spec = importlib.util.spec_from_file_location("make", SOURCE / "docs/images/make.py")
+        make = importlib.util.module_from_spec(spec)
+        spec.loader.exec_module(make)
+        for name in make.FIGURES:
+            with self.subTest(picture=name), tempfile.TemporaryDirectory() as folder:
+                text = make.picture(str(PROGRAM), name, pathlib.Path(folder) / "out")
+                root = xml.etree.ElementTree.fromstring(text)
+                self.assertEqual(root.tag, "{http://www.w3.org/2000/svg}svg")
+                self.assertNotIn("var(", text)
+                self.assertLess(len(text), 100_000)
+                self.assertTrue((SOURCE / f"docs/images/guide/{name}.svg").is_file())
 
     def test_the_checks_themselves(self):
         output = ["a 1", "b 2", "c 3"]

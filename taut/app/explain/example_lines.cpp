@@ -67,10 +67,10 @@ Lines lines_of_examples() {
       collect(document->root, method == nullptr ? std::string() : method->text, name, lines);
     }
   };
+  add(embedded::examples);
   add(embedded::machine_examples);
   add(embedded::motion_examples);
   add(embedded::design_examples);
-  add(embedded::examples);
   return lines;
 }
 

@@ -6,6 +6,7 @@
 
 #include "taut/app/explain/explain.hpp"
 #include "taut/app/machine_deck.hpp"
+#include "taut/results/described.hpp"
 
 namespace taut::app {
 namespace {
@@ -58,6 +59,17 @@ std::string table_lines(const char* const (&tables)[N][2]) {
   return text;
 }
 
+/// Those that are not of an equilibrium, with what their rows are.
+std::string analysis_tables() {
+  std::string text;
+  for (const TableWords& t : results::table_words()) {
+    const auto same = [&](const auto& row) { return t.name == row[0]; };
+    if (std::any_of(std::begin(equilibrium_tables), std::end(equilibrium_tables), same)) continue;
+    text += fmt::format("  {:<23}a row for: {}\n", t.name, t.rows);
+  }
+  return text;
+}
+
 constexpr const char* blocks[] = {"checks", "design"};
 
 const Field* analysis_named(const std::string& name) { return study::AnalysisRequest::describe().find(name); }
@@ -76,6 +88,7 @@ std::string whole_machine() {
   text += "\nLaws (docs/theory)\n";
   for (const auto& [name, law, page] : laws) text += fmt::format("  {:<17}{}  [{}]\n", name, law, page);
   text += "\nResult tables of an equilibrium\n" + table_lines(equilibrium_tables);
+  text += "\nResult tables of analyses\n" + analysis_tables();
   text +=
       "\nResult values\n"
       "  T_max, ROPE.T_max, ROPE.safety_factor, clearance_min over all analyses; BODY.x, y, z and ROPE.unstretched of "

@@ -219,7 +219,10 @@ tl::expected<std::string, std::string> explain_name(const std::string& name) {
     const std::string head = fmt::format("'{}': the word of a deck is '{}'.\n\n", name, own);
     return head + found_text(own).value_or("");
   }
-  if (const Hits hits = hits_in_words(name); !hits.empty()) {
+  const Hits hits = hits_in_words(name);
+  if (hits.size() == 1)
+    return fmt::format("Nothing is named '{}'; the word stands here.\n\n{}", name, text_of(*hits[0]));
+  if (!hits.empty()) {
     return fmt::format("Nothing is named '{}'; the word stands in the meaning of {} things.\n{}", name, hits.size(),
                        list_of(hits));
   }

@@ -82,7 +82,7 @@ void add_keys(std::vector<Term>& all, const std::string& prefix, const Descripti
   walk_keys(prefix, description, [&](const std::string& path, const Description& d, const Field& f) {
     const std::string holder = holder_of(path);
     places[path] = fmt::format("{}: {}", path, f.words);
-    const std::string place = places.contains(holder) ? places[holder] : holder;
+    const std::string place = places.contains(holder) ? places[holder] : "the deck";
     all.push_back({.kind = Term::Kind::key,
                    .path = path,
                    .unit = kind_text(f),

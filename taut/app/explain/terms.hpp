@@ -15,7 +15,7 @@ struct Term {
   std::string path;   ///< "machine.reevings[].length", "safety.skyline.ch", "ROPE.T_max", "payload.payload"
   std::string unit;   ///< as print shows it: "m", "kN"; of a key what it takes; may be empty
   std::string words;  ///< its meaning in one line
-  std::string place;  ///< where it stands: "machine: reevings: paths of the ropes", "table payload"
+  std::string place;  ///< where it stands: "machine: reevings: paths of the ropes", "table payload", "the deck"
   const Description* description = nullptr;  ///< of a key: the one in which it stands
   const Field* field = nullptr;              ///< of a key
   const catalogue::RuleRow* rule = nullptr;  ///< of a rule
