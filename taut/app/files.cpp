@@ -133,10 +133,15 @@ tl::expected<void, FileError> check_folder(const std::string& folder) {
   return {};
 }
 
-tl::expected<std::vector<std::string>, FileError> write_files(const Result& result, const std::string& folder) {
-  return or_file_error(io::replace_folder(
-      folder, result_list, [&](const std::string& place) { return write_result(result, place); },
-      earlier_files(folder)));
+tl::expected<std::vector<std::string>, FileError> write_files(const Result& result, const std::string& folder,
+                                                              const MoreFiles& more) {
+  const auto fill = [&](const std::string& place) {
+    Written names = write_result(result, place);
+    if (!names || !more) return names;
+    for (std::string& name : more(place)) names->push_back(std::move(name));
+    return names;
+  };
+  return or_file_error(io::replace_folder(folder, result_list, fill, earlier_files(folder)));
 }
 
 tl::expected<std::vector<std::string>, FileError> write_vtk(const Result& result, const std::string& folder) {

@@ -39,11 +39,15 @@ struct FileError {
 /// mistake of the deck.
 tl::expected<Job, FileError> read_job(const std::string& path);
 
+/// Makes more files of those that stand in the folder `place`; returns the names of the files made.
+using MoreFiles = std::function<std::vector<std::string>(const std::string& place)>;
+
 /// Writes into `folder`: result.json, report.html, report.md, one CSV for each table, plot and series, all series
-/// together as series.h5 (HDF5), and the attachments of the result. Makes the folder when it is missing. The files
-/// replace those of an earlier result all at once; files that taut did not write are kept (io::replace_folder). Returns
-/// the paths written, or a FileError.
-tl::expected<std::vector<std::string>, FileError> write_files(const Result& result, const std::string& folder);
+/// together as series.h5 (HDF5), and the attachments of the result; then what `more` makes of them. Makes the folder
+/// when it is missing. The files replace those of an earlier result all at once; files that taut did not write are kept
+/// (io::replace_folder). Returns the paths written, or a FileError.
+tl::expected<std::vector<std::string>, FileError> write_files(const Result& result, const std::string& folder,
+                                                              const MoreFiles& more = {});
 
 /// Whether write_files and write_vtk can use that folder. Call it before a long calculation.
 tl::expected<void, FileError> check_folder(const std::string& folder);
