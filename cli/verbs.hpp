@@ -2,19 +2,11 @@
 #include <string>
 #include <vector>
 
+#include "cli/command_words.hpp"
+#include "cli/exit_code.hpp"
 #include "taut/app/explain/listing.hpp"
 
 namespace taut::cli {
-
-enum ExitCode {
-  computed = 0,
-  our_fault = 1,
-  usage_or_deck = 2,
-  says_no = 3,
-  check_fails = 4,
-  file_trouble = 5,
-  interrupted = 130
-};
 
 struct RunOptions {
   std::string deck;
@@ -24,6 +16,8 @@ struct RunOptions {
   bool quiet = false;
   bool all = false;     ///< every value on the screen, not the summary
   bool strict = false;  ///< a part without a limit is no success
+  bool pdf = false;     ///< report.pdf beside report.html
+  bool open = false;    ///< shows report.html in the browser
 };
 
 /// Each verb prints what it found (standard output), messages (standard error), and returns the exit code.
@@ -36,5 +30,7 @@ int print_new(const std::string& name);
 int print_list(const std::string& what, const app::ListFilter& filter);
 int print_explain(const std::string& name, bool markdown);
 int print_schema();
+int print_completion(const CommandWords& command, const std::string& shell);
+int print_man_page(const CommandWords& command);
 
 }  // namespace taut::cli

@@ -158,10 +158,9 @@ Listing rows_of(const std::string& what, const ListFilter& f) {
   if (what == "rules") return rules(f);
   if (what == "units") return units(f);
   if (what == "machines") return machines(f);
-  const std::vector<std::string> lists = {"methods", "machines", "ropes", "sections", "steels", "rules", "units"};
-  return tl::unexpected(
-      fmt::format("there is no list of '{}'{}; the lists are methods, machines, ropes, sections, steels, rules, units",
-                  what, did_you_mean(what, lists)));
+  const std::vector<std::string> lists = list_names();
+  return tl::unexpected(fmt::format("there is no list of '{}'{}; the lists are {}", what, did_you_mean(what, lists),
+                                    fmt::join(lists, ", ")));
 }
 
 bool looks_like_a_number(const std::string& text) {
@@ -196,6 +195,10 @@ std::string aligned(const std::vector<std::vector<std::string>>& rows) {
     text += line + "\n";
   }
   return text;
+}
+
+std::vector<std::string> list_names() {
+  return {"methods", "machines", "ropes", "sections", "steels", "rules", "units"};
 }
 
 tl::expected<std::string, std::string> list_text(const std::string& what, const ListFilter& filter) {

@@ -24,8 +24,11 @@ struct ListFilter {
   bool verified_only = false;       ///< rows marked verified
 };
 
+/// What list_text lists.
+std::vector<std::string> list_names();
+
 /// An aligned text table of what matches, one line each with its trust, smallest or lightest first, and a last line
-/// that counts. `what`: methods, machines, ropes, sections, steels, rules, units. The error says which filter can't be
+/// that counts. `what`: one of list_names. The error says which filter can't be
 /// read, or what the lists are.
 tl::expected<std::string, std::string> list_text(const std::string& what, const ListFilter& filter);
 
