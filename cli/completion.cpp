@@ -23,6 +23,7 @@ std::vector<std::string> option_names(const std::vector<OptionWords>& options) {
 
 std::vector<std::string> verb_names(const CommandWords& command) {
   std::vector<std::string> all;
+  all.reserve(command.verbs.size());
   for (const VerbWords& v : command.verbs) all.push_back(v.name);
   return all;
 }
@@ -82,6 +83,7 @@ std::string bash_places(const VerbWords& verb) {
     const std::string offer = bash_offer(choices);
     if (offer.empty()) return;
     std::vector<std::string> patterns;
+    patterns.reserve(places.size());
     for (const std::string& place : places) patterns.push_back(fmt::format("'{} {}'", verb.name, place));
     text += fmt::format("    {}) {} ;;\n", fmt::join(patterns, " | "), offer);
   };
@@ -225,6 +227,7 @@ std::string zsh_script(const CommandWords& command) {
       "      case $words[1] in\n";
   for (const VerbWords& verb : command.verbs) {
     std::vector<std::string> specs;
+    specs.reserve(verb.options.size() + verb.operands.size());
     for (const OptionWords& o : verb.options) specs.push_back(zsh_option(o));
     for (std::size_t i = 0; i < verb.operands.size(); ++i) {
       const OptionWords& o = verb.operands[i];

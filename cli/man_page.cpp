@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <string_view>
+#include <utility>
 
 #include "cli/exit_code.hpp"
 #include "taut/base/version.hpp"
@@ -11,10 +12,7 @@
 namespace taut::cli {
 namespace {
 
-struct Entry {
-  std::string_view name;
-  std::string_view words;
-};
+using Entry = std::pair<std::string_view, std::string_view>;  ///< name, meaning
 
 constexpr Entry files_written[] = {
     {"result.json", "every number of the result, in SI units"},
@@ -154,7 +152,7 @@ std::string verb_text(const std::string& program, const VerbWords& verb) {
 template <std::size_t N>
 std::string entries(const char* heading, const Entry (&list)[N]) {
   std::string all = fmt::format(".SH {}\n", heading);
-  for (const Entry& e : list) all += tagged(bold(e.name), e.words);
+  for (const auto& [name, words] : list) all += tagged(bold(name), words);
   return all;
 }
 
@@ -188,7 +186,7 @@ std::string man_page(const CommandWords& command, const std::string& date) {
   all += entries("FILES", files_written);
   all += entries("ENVIRONMENT", variables);
   all += ".SH EXAMPLES\n";
-  for (const Entry& e : typed_examples) all += tagged(bold(e.name), e.words);
+  for (const auto& [typed, words] : typed_examples) all += tagged(bold(typed), words);
   return all;
 }
 

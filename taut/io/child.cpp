@@ -161,7 +161,7 @@ std::optional<std::string> program_path(const std::string& name) {
   while (true) {
     const std::size_t end = left.find(':');
     const std::string_view folder = left.substr(0, end);
-    const std::string path = fmt::format("{}/{}", folder.empty() ? "." : folder, name);
+    std::string path = fmt::format("{}/{}", folder.empty() ? "." : folder, name);
     if (can_run(path)) return path;
     if (end == std::string_view::npos) return std::nullopt;
     left.remove_prefix(end + 1);
