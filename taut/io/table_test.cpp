@@ -99,7 +99,7 @@ TEST(Series, CurvesOverDifferentXStandBelowEachOther) {
 }
 
 TEST(Series, ShortOrNoCurvesAreHarmless) {
-  EXPECT_EQ(to_csv(series_table({})), "\r\n");
+  EXPECT_EQ(to_csv(series_table(Plot{})), "\r\n");
   const Plot p{.name = "p",
                .title = "",
                .caption = "",
