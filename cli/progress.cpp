@@ -12,12 +12,12 @@
 namespace taut::cli {
 namespace {
 
-volatile std::sig_atomic_t a_calculation_asks = 0;
+volatile std::sig_atomic_t somebody_asks = 0;
 volatile std::sig_atomic_t asked_to_end = 0;
 
 /// Files are moved into place only when whole, so an interrupt may end the program at once.
 extern "C" void on_interrupt(int) {
-  if (a_calculation_asks == 0 || asked_to_end != 0) _exit(interrupted);
+  if (somebody_asks == 0 || asked_to_end != 0) _exit(interrupted);
   asked_to_end = 1;
 }
 
@@ -34,10 +34,14 @@ void take_interrupts() {
   std::signal(SIGTERM, on_interrupt);  // a cluster that takes its time back asks so
 }
 
+InterruptHeld::InterruptHeld() { somebody_asks = 1; }
+InterruptHeld::~InterruptHeld() { somebody_asks = 0; }
+bool InterruptHeld::goes_on() { return asked_to_end == 0; }
+
 bool ProgressLine::operator()(const taut::Progress& progress) {
   const Clock::time_point now = Clock::now();
-  if (a_calculation_asks == 0) {
-    a_calculation_asks = 1;
+  if (somebody_asks == 0) {
+    somebody_asks = 1;
     first_ = last_ = now;
     first_done_ = progress.done;
   }
@@ -57,7 +61,7 @@ bool ProgressLine::operator()(const taut::Progress& progress) {
 void ProgressLine::clear() {
   if (printed_) say("\r\033[K");
   printed_ = false;
-  a_calculation_asks = 0;
+  somebody_asks = 0;
 }
 
 }  // namespace taut::cli

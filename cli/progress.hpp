@@ -9,6 +9,16 @@ namespace taut::cli {
 /// whether to go on (ProgressLine), as soon as it has kept what is done. A second one always ends it at once.
 void take_interrupts();
 
+/// While it lives, an interrupt does not end the program: what works asks `goes_on` and ends by itself.
+class InterruptHeld {
+ public:
+  InterruptHeld();
+  ~InterruptHeld();
+  InterruptHeld(const InterruptHeld&) = delete;
+  InterruptHeld& operator=(const InterruptHeld&) = delete;
+  static bool goes_on();  ///< no interrupt has come since the program began
+};
+
 /// Says on standard error how far a calculation is and how long it may still take, a few times a second, and whether to
 /// go on.
 class ProgressLine {

@@ -3,17 +3,23 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <array>
 #include <cerrno>
+#include <charconv>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <ctime>
 #include <string_view>
 
+#include "cli/completion.hpp"
+#include "cli/man_page.hpp"
 #include "cli/progress.hpp"
+#include "cli/report_files.hpp"
 #include "cli/say.hpp"
 #include "taut/app/compare.hpp"
 #include "taut/app/explain/explain.hpp"
-#include "taut/app/explain/explain_machine.hpp"
+#include "taut/app/explain/explain_name.hpp"
 #include "taut/app/explain/schema.hpp"
 #include "taut/app/explain/starters.hpp"
 #include "taut/app/job.hpp"
@@ -59,16 +65,6 @@ const app::MethodEntry* named_method(const std::string& name, const std::vector<
 void print_mistakes(const Diagnostics& mistakes) {
   say("{}", to_text(mistakes));
   if (mistakes.size() > 1) say("{} mistakes\n", mistakes.size());
-}
-
-int write_report(const Result& result, const RunOptions& options) {
-  const auto written = app::write_files(result, options.folder);
-  if (!written) {
-    say("taut: {}\n", written.error().message);
-    return file_trouble;
-  }
-  if (!options.quiet) say("report: {}/report.html\n", options.folder);
-  return computed;
 }
 
 /// Before a long calculation is done in vain.
@@ -119,6 +115,7 @@ int run(const RunOptions& options) {
   auto job = app::read_job(options.deck);
   if (!job) return file_failure(job.error(), options);
   if (const auto folder = usable_folder(options); !folder) return file_failure(folder.error(), options);
+  warn_without_chromium(options);
   return tell(calculated(*job, options), options);
 }
 
@@ -126,6 +123,7 @@ int compare(const RunOptions& options) {
   auto set = app::read_set(options.deck);
   if (!set) return file_failure(set.error(), options);
   if (const auto folder = usable_folder(options); !folder) return file_failure(folder.error(), options);
+  warn_without_chromium(options);
   return tell(calculated(*set, options, app::compare), options);
 }
 
@@ -172,9 +170,9 @@ int print_text(const std::string& text) { return print(text, computed); }
 
 int print_new(const std::string& name) {
   const app::Starter* starter = app::find_method(name) == nullptr ? app::find_starter(name) : nullptr;
-  if (starter != nullptr) return print(std::string(starter->text), computed);
+  if (starter != nullptr) return print(app::starter_deck(starter->text), computed);
   const app::MethodEntry* entry = named_method(name, app::starter_names());
-  return entry == nullptr ? static_cast<int>(usage_or_deck) : print(std::string(entry->example), computed);
+  return entry == nullptr ? static_cast<int>(usage_or_deck) : print(app::starter_deck(entry->example), computed);
 }
 
 int print_list(const std::string& what, const app::ListFilter& filter) {
@@ -186,14 +184,36 @@ int print_list(const std::string& what, const app::ListFilter& filter) {
 
 int print_explain(const std::string& name, bool markdown) {
   if (markdown && name == "all") return print(app::reference_guide(), computed);
-  const auto machine = markdown ? std::nullopt : app::explain_machine(name);
-  if (machine) return print(*machine, computed);
-  const app::MethodEntry* entry = named_method(name, app::machine_topics());
-  if (entry == nullptr) return usage_or_deck;
-  if (markdown) return print(app::reference_markdown(*entry), computed);
-  return print(app::explain_text(*entry), computed);
+  if (markdown) {
+    const app::MethodEntry* entry = named_method(name, {});
+    return entry == nullptr ? static_cast<int>(usage_or_deck) : print(app::reference_markdown(*entry), computed);
+  }
+  const auto text = app::explain_name(name);
+  if (text) return print(*text, computed);
+  say("taut: {}\n", text.error());
+  return usage_or_deck;
 }
 
 int print_schema() { return print(app::schema_text(), computed); }
+
+int print_completion(const CommandWords& command, const std::string& shell) {
+  const std::string script = completion_script(command, shell);
+  if (!script.empty()) return print(script, computed);
+  say("taut: there is no completion for '{}'{}; the shells are {}\n", shell, did_you_mean(shell, shells()),
+      fmt::join(shells(), ", "));
+  return usage_or_deck;
+}
+
+/// Of a build whose files have this date, else of today: "2026-02-13".
+int print_man_page(const CommandWords& command) {
+  const char* epoch = std::getenv("SOURCE_DATE_EPOCH");
+  std::time_t when = std::time(nullptr);
+  if (epoch != nullptr) std::from_chars(epoch, epoch + std::strlen(epoch), when);
+  std::tm day = {};
+  gmtime_r(&when, &day);
+  std::array<char, sizeof("2026-02-13") + 10> date{};
+  std::strftime(date.data(), date.size(), "%Y-%m-%d", &day);
+  return print(man_page(command, date.data()), computed);
+}
 
 }  // namespace taut::cli

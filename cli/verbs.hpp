@@ -2,19 +2,11 @@
 #include <string>
 #include <vector>
 
+#include "cli/command_words.hpp"
+#include "cli/exit_code.hpp"
 #include "taut/app/explain/listing.hpp"
 
 namespace taut::cli {
-
-enum ExitCode {
-  computed = 0,
-  our_fault = 1,
-  usage_or_deck = 2,
-  says_no = 3,
-  check_fails = 4,
-  file_trouble = 5,
-  interrupted = 130
-};
 
 struct RunOptions {
   std::string deck;
@@ -23,7 +15,12 @@ struct RunOptions {
   bool json = false;
   bool quiet = false;
   bool all = false;     ///< every value on the screen, not the summary
+  bool si = false;      ///< CSV files in SI units
   bool strict = false;  ///< a part without a limit is no success
+  bool pdf = false;     ///< report.pdf beside report.html
+  bool open = false;    ///< shows report.html in the browser
+  bool appendix = false;  ///< of the report: unfolded, and printed
+  std::string paper = "a4";  ///< of the report: a4 or a3
 };
 
 /// Each verb prints what it found (standard output), messages (standard error), and returns the exit code.
@@ -36,5 +33,7 @@ int print_new(const std::string& name);
 int print_list(const std::string& what, const app::ListFilter& filter);
 int print_explain(const std::string& name, bool markdown);
 int print_schema();
+int print_completion(const CommandWords& command, const std::string& shell);
+int print_man_page(const CommandWords& command);
 
 }  // namespace taut::cli

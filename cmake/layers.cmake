@@ -50,6 +50,6 @@ set(fenced_headers
   "^CLI/ cli"
   "^httplib\\.h$ web"
   "^pybind11/ python"
-  "^nlopt\\.h$ design"
+  "^nlopt\\.h$ design chance"
   "^hdf5\\.h$ io"
   "^(kinsol|cvode|ida|sunlinsol|sunmatrix|nvector|sundials)/ mechanics solve")

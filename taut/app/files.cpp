@@ -12,6 +12,7 @@
 
 #include "taut/app/job.hpp"
 #include "taut/calc/comparison.hpp"
+#include "taut/calc/shown.hpp"
 #include "taut/io/file.hpp"
 #include "taut/io/folder.hpp"
 #include "taut/io/hdf5.hpp"
@@ -62,21 +63,27 @@ Written write_all(const std::vector<std::pair<std::string, std::string>>& files,
   return names;
 }
 
-Written write_result(const Result& result, const std::string& place) {
+Written write_result(const Result& result, const std::string& place, const FileOptions& options) {
+  const Display display = display_of(result);
+  const bool si = options.units == FileUnits::si;
+  const auto csv = [&](const Table& t) { return si ? io::to_csv(t) : io::to_csv(t, display); };
+  const report::HtmlOptions html{.appendix = options.appendix,
+                                 .paper = options.a3 ? report::Paper::a3 : report::Paper::a4};
   std::vector<std::pair<std::string, std::string>> files = {
       {"result.json", io::to_json(result, io::SeriesFiles::named)},
-      {"report.html", report::to_html(result)},
+      {"report.html", report::to_html(result, html)},
       {"report.md", report::to_markdown(result)}};
-  for (const Table& t : result.tables) files.emplace_back(t.name + ".csv", io::to_csv(t));
+  for (const Table& t : result.tables) files.emplace_back(t.name + ".csv", csv(t));
   for (const Figure& f : result.figures) {
     if (const auto* plot = std::get_if<Plot>(&f); plot != nullptr && !plot->name.empty())
-      files.emplace_back(plot->name + ".csv", io::to_csv(io::series_table(*plot)));
+      files.emplace_back(plot->name + ".csv", csv(io::series_table(*plot)));
     if (const auto* profile = std::get_if<Profile>(&f))
-      files.emplace_back(profile->name + ".csv", io::to_csv(io::series_table(*profile)));
+      files.emplace_back(profile->name + ".csv", csv(io::series_table(*profile)));
   }
   for (const Attachment& a : result.attachments) files.emplace_back(a.name, a.text);
   if (!result.comparisons.empty())
-    files.emplace_back("comparison.csv", io::to_csv(comparison_table(result.comparisons)));
+    files.emplace_back("comparison.csv", io::to_csv(si ? comparison_table(result.comparisons)
+                                                       : comparison_table(result.comparisons, display)));
   auto written = write_all(files, place);
   if (!written || result.series.empty()) return written;
   for (const Table& t : result.series) {
@@ -135,10 +142,15 @@ tl::expected<void, FileError> check_folder(const std::string& folder) {
   return {};
 }
 
-tl::expected<std::vector<std::string>, FileError> write_files(const Result& result, const std::string& folder) {
-  return or_file_error(io::replace_folder(
-      folder, result_list, [&](const std::string& place) { return write_result(result, place); },
-      earlier_files(folder)));
+tl::expected<std::vector<std::string>, FileError> write_files(const Result& result, const std::string& folder,
+                                                              const FileOptions& options) {
+  const auto fill = [&](const std::string& place) {
+    Written names = write_result(result, place, options);
+    if (!names || !options.more) return names;
+    for (std::string& name : options.more(place)) names->push_back(std::move(name));
+    return names;
+  };
+  return or_file_error(io::replace_folder(folder, result_list, fill, earlier_files(folder)));
 }
 
 tl::expected<std::vector<std::string>, FileError> write_vtk(const Result& result, const std::string& folder) {

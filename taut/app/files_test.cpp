@@ -1,7 +1,9 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 
 #include "taut/app/job.hpp"
 
@@ -32,6 +34,37 @@ TEST(Files, WritesResultReportAndTables) {
   }
   for (const auto& entry : std::filesystem::directory_iterator(folder)) EXPECT_NE(entry.path().extension(), ".part");
   std::filesystem::remove_all(folder.parent_path());
+}
+
+std::string text_of(const std::filesystem::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+TEST(Files, CsvHasTheUnitsOfTheReportOrSi) {
+  const auto folder = std::filesystem::temp_directory_path() / "taut_files_test_units";
+  std::filesystem::remove_all(folder);
+  Result r = sample();
+  r.display = {{"length", "cm"}};
+  r.comparisons.push_back({.quantity = "pull",
+                           .symbol = "P",
+                           .unit = si::N,
+                           .printed = 1500,
+                           .corrected = 2000,
+                           .exact = std::nan(""),
+                           .build_by = "corrected",
+                           .printed_unsafe = false});
+  r.series.push_back({.name = "time", .title = "", .columns = {{.name = "x", .unit = si::m}}, .rows = {{0.5}}});
+  ASSERT_TRUE(write_files(r, folder.string()).has_value());
+  EXPECT_EQ(text_of(folder / "positions.csv"), "x [cm]\r\n100\r\n200\r\n");
+  EXPECT_EQ(text_of(folder / "size.csv"), "x [cm],D [cm]\r\n0,100\r\n100,200\r\n");
+  EXPECT_NE(text_of(folder / "comparison.csv").find("pull,P,kN,1.5,2,,corrected"), std::string::npos);
+  EXPECT_EQ(text_of(folder / "time.csv"), "x [m]\r\n0.5\r\n") << "series are SI always";
+  ASSERT_TRUE(write_files(r, folder.string(), {.units = FileUnits::si}).has_value());
+  EXPECT_EQ(text_of(folder / "positions.csv"), "x [m]\r\n1\r\n2\r\n");
+  EXPECT_EQ(text_of(folder / "size.csv"), "x [m],D [m]\r\n0,1\r\n1,2\r\n");
+  EXPECT_NE(text_of(folder / "comparison.csv").find("pull,P,N,1500,2000,,corrected"), std::string::npos);
+  std::filesystem::remove_all(folder);
 }
 
 TEST(Files, SaysWhyItCannotWrite) {

@@ -39,11 +39,27 @@ struct FileError {
 /// mistake of the deck.
 tl::expected<Job, FileError> read_job(const std::string& path);
 
+/// Units of the CSV files of tables, plots and comparisons: those of the report, or SI.
+enum class FileUnits { display, si };
+
+/// Makes more files of those that stand in the folder `place`; returns the names of the files made.
+using MoreFiles = std::function<std::vector<std::string>(const std::string& place)>;
+
+/// How the files of a result are written.
+struct FileOptions {
+  FileUnits units = FileUnits::display;
+  bool appendix = false;  ///< all values and tables of report.html are unfolded, and printed
+  bool a3 = false;        ///< its pages are A3 in place of A4
+  MoreFiles more = {};    ///< called when the other files are there
+};
+
 /// Writes into `folder`: result.json, report.html, report.md, one CSV for each table, plot and series, all series
-/// together as series.h5 (HDF5), and the attachments of the result. Makes the folder when it is missing. The files
-/// replace those of an earlier result all at once; files that taut did not write are kept (io::replace_folder). Returns
-/// the paths written, or a FileError.
-tl::expected<std::vector<std::string>, FileError> write_files(const Result& result, const std::string& folder);
+/// together as series.h5 (HDF5), and the attachments of the result; then what `more` makes of them. Each column of a
+/// CSV names its unit; result.json and the series are SI whatever `units` says. Makes the folder when it is missing.
+/// The files replace those of an earlier result all at once; files that taut did not write are kept
+/// (io::replace_folder). Returns the paths written, or a FileError.
+tl::expected<std::vector<std::string>, FileError> write_files(const Result& result, const std::string& folder,
+                                                              const FileOptions& options = {});
 
 /// Whether write_files and write_vtk can use that folder. Call it before a long calculation.
 tl::expected<void, FileError> check_folder(const std::string& folder);

@@ -157,6 +157,8 @@ checks::AskedChecks resolve_checks(const checks::ChecksRequest& request, const s
   refuse(request.guys, "guys");
   refuse(request.anchors, "anchors");
   refuse(request.lines, "lines");
+  refuse(request.supports, "supports");
+  refuse(request.yarders, "yarders");
   return asked;
 }
 

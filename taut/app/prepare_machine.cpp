@@ -8,6 +8,7 @@
 
 #include "taut/app/absurd.hpp"
 #include "taut/app/design/design_machine.hpp"
+#include "taut/app/library/library.hpp"
 #include "taut/app/machine_deck.hpp"
 #include "taut/app/machine_scope.hpp"
 #include "taut/app/machine_steps.hpp"
@@ -148,6 +149,9 @@ Result compute(const MachineDeck& deck, const machine::Model& model, const study
   r.method_title = "Machine";
   if (!checks_only) r.given = given_of(MachineDeck::describe(), &deck);
   if (!checks_only) r.assumptions = results::assumptions_of(deck.machine);
+  for (const auto& car : deck.machine.carriages) {
+    if (!car.from_library.empty()) r.assumptions.push_back(car.from_library);
+  }
   if (!checks_only) r.warnings = absurd_machine(deck, run.model);
   results::add_rope_stiffness(deck.machine, r);
   if (auto warning = terrain_warning(run.model)) r.warnings.push_back(std::move(*warning));
@@ -240,6 +244,7 @@ std::function<Result()> prepare_machine(const io::Node& input, Diagnostics& mist
   const std::size_t before = mistakes.size();
   load_terrain(input, deck->machine, mistakes);
   load_restarts(input, *deck, mistakes);
+  if (readable) take_from_library(input, *deck, mistakes);
   if (!readable || mistakes.size() > before) {
     if (all_parts_known(input)) place_in_machine(input, machine::unknown_names(deck->machine), mistakes);
     return {};

@@ -30,17 +30,33 @@ std::vector<std::string_view> cells_of(std::string_view line) {
   }
 }
 
-/// Which cell of the head has one of these names, in metres.
-std::optional<std::size_t> column_of(const std::vector<std::string_view>& head,
-                                     std::initializer_list<std::string_view> names) {
+/// A column of the file: which cell of a line, and its unit.
+struct TerrainColumn {
+  std::size_t cell = 0;
+  double metres = 1;  ///< in one unit of it
+};
+
+/// The unit behind a column's name: "[m]", "(ft)", "_m" or nothing for metres; none when it is no length.
+std::optional<double> metres_of(std::string_view rest) {
+  if (rest.empty() || rest == "_m") return 1;
+  const bool brackets = (rest.front() == '[' && rest.back() == ']') || (rest.front() == '(' && rest.back() == ')');
+  if (!brackets || rest.size() < 3) return std::nullopt;
+  const auto factor = unit_factor(trimmed(rest.substr(1, rest.size() - 2)), si::m);
+  if (!factor) return std::nullopt;
+  return *factor;
+}
+
+/// Which cell of the head has one of these names, and a unit of length.
+std::optional<TerrainColumn> column_of(const std::vector<std::string_view>& head,
+                                       std::initializer_list<std::string_view> names) {
   for (std::size_t i = 0; i < head.size(); ++i) {
     for (const std::string_view name : names) {
       const bool begins = head[i].size() >= name.size() &&
                           std::equal(name.begin(), name.end(), head[i].begin(),
                                      [](char a, char b) { return a == (b >= 'A' && b <= 'Z' ? b + ('a' - 'A') : b); });
       if (!begins) continue;
-      const std::string_view rest = trimmed(head[i].substr(name.size()));
-      if (rest.empty() || rest == "[m]" || rest == "(m)" || rest == "_m") return i;
+      if (const auto metres = metres_of(trimmed(head[i].substr(name.size()))))
+        return TerrainColumn{.cell = i, .metres = *metres};
     }
   }
   return std::nullopt;
@@ -48,10 +64,10 @@ std::optional<std::size_t> column_of(const std::vector<std::string_view>& head,
 
 /// Where a line has its cells. With y: of a survey.
 struct TerrainColumns {
-  std::optional<std::size_t> x, y, z;
+  std::optional<TerrainColumn> x, y, z;
 
   bool known() const { return x && z; }
-  std::size_t last() const { return std::max({*x, *z, y.value_or(0)}); }
+  std::size_t last() const { return std::max({x->cell, z->cell, y ? y->cell : 0}); }
 };
 
 TerrainColumns named_columns(const std::vector<std::string_view>& head) {
@@ -66,8 +82,9 @@ TerrainColumns named_columns(const std::vector<std::string_view>& head) {
 TerrainColumns columns_by_count(const std::vector<std::string_view>& cells) {
   if (!std::all_of(cells.begin(), cells.end(), [](std::string_view c) { return parse_number(c).has_value(); }))
     return {};
-  if (cells.size() == 2) return {.x = 0, .y = std::nullopt, .z = 1};
-  if (cells.size() == 3) return {.x = 0, .y = 1, .z = 2};
+  if (cells.size() == 2) return {.x = TerrainColumn{.cell = 0}, .y = std::nullopt, .z = TerrainColumn{.cell = 1}};
+  if (cells.size() == 3)
+    return {.x = TerrainColumn{.cell = 0}, .y = TerrainColumn{.cell = 1}, .z = TerrainColumn{.cell = 2}};
   return {};
 }
 
@@ -106,8 +123,10 @@ class TerrainReader {
     columns_ = columns_by_count(cells);
     if (columns_.known()) return take_row(cells), true;
     wrong(
-        "the first line names the columns, in metres: 'chainage' (or 'x') and 'z' of a profile, or 'x', 'y' and 'z' of "
-        "a survey; without names two columns are chainage and z, three are x, y and z");
+        "the first line names the columns: 'chainage' (or 'x') and 'z' of a profile, or 'x', 'y' and 'z' of a survey, "
+        "in "
+        "metres, or with a unit of length as in 'x [ft]'; without names two columns are chainage and z, three are x, y "
+        "and z");
     return false;
   }
 
@@ -123,11 +142,11 @@ class TerrainReader {
     terrain_.z.push_back(*z);
   }
 
-  std::optional<double> number(const std::vector<std::string_view>& cells, const std::optional<std::size_t>& column,
+  std::optional<double> number(const std::vector<std::string_view>& cells, const std::optional<TerrainColumn>& column,
                                const char* name) {
     if (!column) return std::nullopt;
-    const auto read = parse_number(cells[*column]);
-    if (read) return *read;
+    const auto read = parse_number(cells[column->cell]);
+    if (read) return *read * column->metres;
     wrong(fmt::format("{}: {}", name, read.error().message));
     return std::nullopt;
   }

@@ -20,6 +20,17 @@ TEST(Terrain, ReadsTheColumnsThatItNeeds) {
   }
 }
 
+TEST(Terrain, ReadsTheUnitThatAColumnNames) {
+  machine::description::Terrain terrain;
+  Diagnostics mistakes;
+  read_terrain("chainage [ft],z (cm)\n0,100\n10,-300\n", "p.csv", terrain, mistakes);
+  EXPECT_TRUE(mistakes.empty()) << to_text(mistakes);
+  ASSERT_EQ(terrain.x.size(), 2U);
+  EXPECT_DOUBLE_EQ(terrain.x[1], 3.048);
+  EXPECT_DOUBLE_EQ(terrain.z[0], 1);
+  EXPECT_DOUBLE_EQ(terrain.z[1], -3);
+}
+
 TEST(Terrain, KnowsTheColumnsByTheirNamesElseByTheirCount) {
   struct Row {
     const char* text;
@@ -48,7 +59,8 @@ TEST(Terrain, TellsWhatIsWrongAtItsLine) {
       {"", "p.csv:1:1: error: a ground profile has two points"},
       {"x,z\n1,2\n", "two points"},
       {"a,b\n1,2\n", "p.csv:1:1: error: the first line names the columns"},
-      {"x [ft],z\n1,2\n", "the first line names the columns"},
+      {"x [kg],z\n1,2\n", "the first line names the columns"},
+      {"x [furlongs],z\n1,2\n", "the first line names the columns"},
       {"x,z\n1,2\n2\n3,1\n", "p.csv:3:1: error: the line has 1 cells"},
       {"x,z\n1,2\nb,3\n4,4\n", "p.csv:3:1: error: x: "},
       {"x,z\n1,2\n2,\n4,4\n", "p.csv:3:1: error: z: "},

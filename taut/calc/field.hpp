@@ -80,7 +80,9 @@ struct Field {
   bool may_be_infinite = false;
   bool is_list = false;  ///< a list of numbers (one number is a list of one), or of records
   std::vector<std::string> choices;
-  const Description* record = nullptr;  ///< fields of a nested struct
+  const Description* record = nullptr;  ///< fields of a nested struct, or of the map that may replace a triple
+  /// Of a triple: the struct for a map in its place, `at: {chainage: ...}`; it exists only where the deck has the map.
+  std::function<Record(void*)> map_form;
   std::string shorthand;  ///< nested structs: a value that is not a map is taken as this field, `head: [0 m, 0 m, 1 m]`
   /// Named structs: the shorthand may replace the whole map; it is then one struct without a name.
   bool one_for_all = false;
@@ -178,9 +180,7 @@ class Describe : public DescriptionBuilder {
   template <class R>
   Describe& record(std::optional<R> S::*member, std::string_view key, std::string_view words) {
     add(FieldKind::record, key, words, R::describe()).slot = [member](void* s) -> Slot {
-      std::optional<R>* r = &(static_cast<S*>(s)->*member);
-      return Record{[r]() -> void* { return &r->emplace(); },
-                    [r] { return r->has_value() ? std::vector<const void*>{&**r} : std::vector<const void*>{}; }};
+      return record_of(&(static_cast<S*>(s)->*member));
     };
     return *this;
   }
@@ -215,6 +215,13 @@ class Describe : public DescriptionBuilder {
     };
     return *this;
   }
+  /// A map that may replace the three components of the field before.
+  template <class R>
+  Describe& or_map(std::optional<R> S::*member) {
+    last().record = &R::describe();
+    last().map_form = [member](void* s) { return record_of(&(static_cast<S*>(s)->*member)); };
+    return *this;
+  }
   /// The deck must give exactly one of these keys.
   Describe& exactly_one(std::vector<std::string> keys) {
     return description_.exactly_one.push_back(std::move(keys)), *this;
@@ -238,6 +245,11 @@ class Describe : public DescriptionBuilder {
   Describe& from(std::string_view source) { return last().source = source, *this; }
 
  private:
+  template <class R>
+  static Record record_of(std::optional<R>* r) {
+    return Record{[r]() -> void* { return &r->emplace(); },
+                  [r] { return r->has_value() ? std::vector<const void*>{&**r} : std::vector<const void*>{}; }};
+  }
   template <class Member>
   static constexpr FieldKind kind_of_member() {
     if constexpr (std::is_same_v<Member, double> || std::is_same_v<Member, std::optional<double>>) {

@@ -1,4 +1,5 @@
 #pragma once
+#include <optional>
 #include <string>
 #include <utility>
 #include <variant>
@@ -43,13 +44,15 @@ struct ForceArrow {
   Role role = Role::force;
   bool towards = false;
 };
-/// A dimension line with its text ("l", "200 m"). `offset`, m: how far the line is moved to the left of the direction
-/// from -> to.
+/// A dimension line with its text ("l", "200 m"; empty: the length), to which the report adds the length where
+/// `with_length` says so ("span 200 m"). `offset`, m: how far the line is moved to the left of the direction from ->
+/// to.
 struct DimensionLine {
   Point from;
   Point to;
   double offset = 0;
   std::string text;
+  bool with_length = false;
 };
 /// An angle at `center` between two directions (rad), with its text.
 struct AngleMark {
@@ -59,11 +62,15 @@ struct AngleMark {
   double to = 0;
   std::string text;
 };
-/// A text at a point. A symbol with an underscore gets a subscript, a Greek name becomes its letter, as everywhere in
-/// the report.
+/// A text at a point, with the force (N) that the report adds to it ("T skyline 42.8 kN"). A symbol with an underscore
+/// gets a subscript, a Greek name becomes its letter, as everywhere in the report.
 struct Label {
   Point at;
   std::string text;
+  /// Other places that the text may stand at, along a rope for example.
+  // NOLINTNEXTLINE(readability-redundant-member-init): keeps it optional in a list of initial values
+  std::vector<Point> or_at = {};
+  std::optional<double> force = std::nullopt;
 };
 using Shape = std::variant<Polyline, Circle, ForceArrow, DimensionLine, AngleMark, Label>;
 
@@ -78,6 +85,10 @@ struct Drawing {
   /// Meaning of a role in this drawing ("skyline", "resultant"); replaces the general word in the legend.
   // NOLINTNEXTLINE(readability-redundant-member-init): keeps it optional in a list of initial values
   std::vector<std::pair<Role, std::string>> legend = {};
+  /// Names of the coordinates ("x", "z"): the report draws a ruler along the lower and the left side. Empty: none, but
+  /// a bar of a round length.
+  std::string across = {};  // NOLINT(readability-redundant-member-init)
+  std::string upward = {};  // NOLINT(readability-redundant-member-init)
 };
 
 struct Axis {
@@ -116,6 +127,8 @@ struct Animation {
   struct Line {
     Role role = Role::rope;
     std::vector<std::vector<Point>> points;  ///< [time][point]; the number of points may differ from time to time
+    /// [time], N, the largest tension along the line, shown as its colour; 0: slack, NaN: broken. Empty: no rope.
+    std::vector<double> tension = {};  // NOLINT(readability-redundant-member-init)
   };
   struct Round {
     std::string label;

@@ -27,6 +27,11 @@ Given given_head(const std::string& prefix, const Description& d, const Field& f
     const Slot slot = f.slot(object.get());
     if (const auto* triple = std::get_if<Triple*>(&slot)) g.numbers.assign((*triple)->begin(), (*triple)->end());
   }
+  if (f.kind == FieldKind::numbers && !f.required) {
+    const auto object = d.make_default();
+    const Slot slot = f.slot(object.get());
+    if (const auto* numbers = std::get_if<std::vector<double>*>(&slot)) g.numbers = **numbers;
+  }
   g.text = default_text(d, f);
   return g;
 }
@@ -100,6 +105,13 @@ std::vector<std::pair<std::string, const void*>> records_in(const Field& f, cons
   return keyed;
 }
 
+/// The struct of the map that replaces a triple; nullptr where the deck has the triple.
+const void* map_of(const Field& f, const void* object) {
+  if (!f.map_form) return nullptr;
+  const auto present = f.map_form(const_cast<void*>(object)).all();
+  return present.empty() ? nullptr : present.front();
+}
+
 void collect(std::vector<Given>& all, const std::string& prefix, const Description& d, const void* object) {
   for (const Field& f : d.fields) {
     const Slot slot = slot_of(f, object);
@@ -107,6 +119,10 @@ void collect(std::vector<Given>& all, const std::string& prefix, const Descripti
       collect(all, fmt::format("{}{}.", prefix, key), *f.record, one);
     }
     if (std::holds_alternative<Record>(slot) || std::holds_alternative<NamedRecords>(slot)) continue;
+    if (const void* map = map_of(f, object)) {
+      collect(all, fmt::format("{}{}.", prefix, f.key), *f.record, map);
+      continue;
+    }
     Given g = given_head(prefix, d, f);
     const Given by_default = g;
     if (!std::visit(Filler{g}, slot)) continue;

@@ -1,8 +1,26 @@
 #pragma once
+#include <string>
+
+#include "taut/calc/result.hpp"
+#include "taut/units/display.hpp"
+#include "taut/units/unit.hpp"
 
 namespace taut {
 
 /// Whether `a` is below `b` in the five significant digits that a reader is shown. False when one is NaN.
 bool shown_below(double a, double b);
+
+/// The units in which a report and its CSV files show the numbers of a result: those of its `display`, else each unit's
+/// own unit of print. Units of `display` that fit nothing are left out.
+Display display_of(const Result& r);
+
+/// The unit that a quantity is shown in.
+struct ShownUnit {
+  Display display;
+  Unit unit;
+  std::string name;  ///< of the unit list, "kN m"; empty for a plain number
+  double of(double stored) const { return display.from_si(stored, unit); }
+};
+ShownUnit shown_unit(const Unit& unit, const Display& display);
 
 }  // namespace taut

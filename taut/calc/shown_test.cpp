@@ -17,4 +17,14 @@ TEST(Shown, OnlyADifferenceThatIsSeenCounts) {
   EXPECT_FALSE(shown_below(3, 3));
 }
 
+TEST(Shown, TheUnitOfTheDeckElseTheUnitOfPrint) {
+  Result r;
+  r.display = {{"force", "N"}, {"length", "kN"}, {"nonsense", "m"}};
+  const Display display = display_of(r);
+  EXPECT_EQ(shown_unit(si::N, display).name, "N");
+  EXPECT_EQ(shown_unit(si::m.in("mm"), display).name, "mm") << "a unit that does not fit is left out";
+  EXPECT_DOUBLE_EQ(shown_unit(si::m.in("mm"), display).of(0.016), 16);
+  EXPECT_EQ(shown_unit(si::one, display).name, "");
+}
+
 }  // namespace taut::shown_test

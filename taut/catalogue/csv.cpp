@@ -31,12 +31,13 @@ double si_value_of(std::string_view column, double value) {
     double divisor;
   };
   // Powers of ten that a double holds exactly, dividing by which rounds once. Longest suffix first.
-  static constexpr std::array<Unit, 10> units{{{.suffix = "_kg_per_100m_per_mm2", .multiplier = 1e4, .divisor = 1.0},
+  static constexpr std::array<Unit, 11> units{{{.suffix = "_kg_per_100m_per_mm2", .multiplier = 1e4, .divisor = 1.0},
                                                {.suffix = "_kg_per_m", .multiplier = 1.0, .divisor = 1.0},
                                                {.suffix = "_mm2", .multiplier = 1.0, .divisor = 1e6},
                                                {.suffix = "_mm3", .multiplier = 1.0, .divisor = 1e9},
                                                {.suffix = "_mm4", .multiplier = 1.0, .divisor = 1e12},
                                                {.suffix = "_mm", .multiplier = 1.0, .divisor = 1e3},
+                                               {.suffix = "_cm", .multiplier = 1.0, .divisor = 1e2},
                                                {.suffix = "_MPa", .multiplier = 1e6, .divisor = 1.0},
                                                {.suffix = "_GPa", .multiplier = 1e9, .divisor = 1.0},
                                                {.suffix = "_kN", .multiplier = 1e3, .divisor = 1.0},

@@ -94,7 +94,7 @@ class CsvReader {
   Diagnostics diagnostics_;
 };
 
-/// `value`, printed in the unit that the column's name ends in (_mm _mm2 _mm3 _mm4 _m _kN _MPa _GPa _kg_per_m
+/// `value`, printed in the unit that the column's name ends in (_cm _mm _mm2 _mm3 _mm4 _m _kN _MPa _GPa _kg_per_m
 /// _kg_per_100m_per_mm2), in SI; a name without unit leaves it unchanged. Whole numbers of millimetres give the double
 /// that the program's own text has: "16" in d_mm is exactly 0.016.
 double si_value_of(std::string_view column, double value);

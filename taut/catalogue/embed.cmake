@@ -9,3 +9,7 @@ taut_embed(TARGET taut NAMESPACE taut::catalogue::embedded NAME rules_csv FILES
   data/rules/hoist_factors.csv data/rules/layout_limits.csv data/rules/rope_modulus.csv
   data/rules/groove_pressures.csv data/rules/wires.csv data/rules/temperatures.csv data/rules/life.csv
   data/rules/discard.csv)
+taut_embed(TARGET taut NAMESPACE taut::catalogue::embedded NAME anchor_trees_csv FILE data/trees/anchor_trees.csv)
+taut_embed(TARGET taut NAMESPACE taut::catalogue::embedded NAME support_trees_csv FILE data/trees/support_trees.csv)
+taut_embed(TARGET taut NAMESPACE taut::catalogue::embedded NAME carriages_csv FILE data/carriages/carriages.csv)
+taut_embed(TARGET taut NAMESPACE taut::catalogue::embedded NAME yarders_csv FILE data/yarders/yarders.csv)

@@ -9,11 +9,28 @@ namespace taut::checks {
 
 CheckedParts::CheckedParts(const CheckedDeck& given, const machine::Model& model)
     : deck(std::make_shared<const CheckedDeck>(given)), judge(given, model), ropes(given, model) {
+  carriages = carriage_states(given, model);
   if (!given.checks) return;
   guys = guy_states(given.checks->guys, given, model);
   anchors = anchor_states(given.checks->anchors);
   lines = line_states(given.checks->lines, model);
   masts = mast_states(given.checks->masts, given, model);
+  supports = support_states(given.checks->supports);
+  yarders = yarder_states(given.checks->yarders, model);
+}
+
+bool CheckedParts::any_shown() const {
+  return !anchors.empty() || !lines.empty() || !masts.empty() || !supports.empty() || !yarders.empty() ||
+         !carriages.empty();
+}
+
+void CheckedParts::show(const CheckState& seen) {
+  for (AnchorStates& one : anchors) checks::take(seen, one);
+  for (LineStates& one : lines) checks::take(seen, one);
+  for (MastStates& one : masts) checks::take(seen, *deck, one);
+  for (SupportStates& one : supports) checks::take(seen, one);
+  for (YarderLineStates& one : yarders) checks::take(seen, one);
+  for (CarriageStates& one : carriages) checks::take(seen, one);
 }
 
 void CheckedParts::take(const machine::Model& model, const solve::EquilibriumResult& state, const std::string& words,
@@ -22,23 +39,22 @@ void CheckedParts::take(const machine::Model& model, const solve::EquilibriumRes
   judge.take(model, state, words);
   ropes.take(model, state, words);
   drives.take(model, state, words);
-  if (guys.empty() && anchors.empty() && lines.empty() && masts.empty()) return;
+  if (guys.empty() && !any_shown()) return;
   const CheckState seen = state_of(model, state, words, analysis);
   for (GuyStates& one : guys) checks::take(seen, one);
-  for (AnchorStates& one : anchors) checks::take(seen, one);
-  for (LineStates& one : lines) checks::take(seen, one);
-  for (MastStates& one : masts) checks::take(seen, *deck, one);
+  show(seen);
 }
 
 void CheckedParts::take_empty(const machine::Model& model, const solve::EquilibriumResult& state,
-                              const std::string& line, const std::string& words) {
+                              const std::string& line, const std::string& words, bool put_up) {
   if (!judged) return;
   judge.take_ropes(model, state, words);
   ropes.take_tensions(model, state, words);
   const auto rope = std::find_if(model.reevings.begin(), model.reevings.end(),
                                  [&](const machine::Reeving& one) { return one.name == line; });
-  if (lines.empty() || rope == model.reevings.end()) return;
+  if ((lines.empty() && yarders.empty()) || rope == model.reevings.end()) return;
   const CheckState seen = state_of(model, state, words, "installation");
+  for (YarderLineStates& one : yarders) take_empty_line(seen, line, put_up, one);
   for (LineStates& one : lines) {
     if (one.request->name != line) continue;
     const int own = one.reeving;
@@ -52,12 +68,10 @@ void CheckedParts::take_moment(const machine::Model& model, const solve::Transie
                                const std::string& words, const std::string& analysis) {
   if (!judged) return;
   judge.take_moment(model, so_far, words);
-  if (anchors.empty() && lines.empty() && masts.empty()) return;
+  if (!any_shown()) return;
   const CheckState seen = state_of(model, so_far, so_far.frames.size() - 1,
                                    fmt::format("{}, t = {:.4g} s", words, so_far.frames.back().t), analysis);
-  for (AnchorStates& one : anchors) checks::take(seen, one);
-  for (LineStates& one : lines) checks::take(seen, one);
-  for (MastStates& one : masts) checks::take(seen, *deck, one);
+  show(seen);
 }
 
 void CheckedParts::take_rest(const machine::Model& model, const solve::TransientFrame& rest, bool rope_mass,

@@ -3,12 +3,15 @@
 #include <string>
 #include <vector>
 
+#include "taut/checks/anchor/support_checks.hpp"
 #include "taut/checks/checked_deck.hpp"
 #include "taut/checks/drive_uses.hpp"
 #include "taut/checks/guy/guy_checks.hpp"
 #include "taut/checks/judge.hpp"
 #include "taut/checks/mast/machine_masts.hpp"
 #include "taut/checks/rope/rope_uses.hpp"
+#include "taut/checks/yarder/carriage_checks.hpp"
+#include "taut/checks/yarder/yarder_checks.hpp"
 
 namespace taut::checks {
 
@@ -20,9 +23,10 @@ struct CheckedParts {
   /// `words`: which state it is; `analysis`: the name of its analysis, for load combinations.
   void take(const machine::Model& model, const solve::EquilibriumResult& state, const std::string& words,
             const std::string& analysis);
-  /// A line as it is put up, empty, in a model without what hangs on it: for its tension, bends, angles and clearance.
+  /// A line that is empty, in a model without what hangs on it: for its tension, bends, angles and clearance.
+  /// `put_up`: it is being put up, which its winch has to do.
   void take_empty(const machine::Model& model, const solve::EquilibriumResult& state, const std::string& line,
-                  const std::string& words);
+                  const std::string& words, bool put_up = false);
   /// A motion at an output step, the last frame of the result so far: forces and places.
   void take_moment(const machine::Model& model, const solve::TransientResult& so_far, const std::string& words,
                    const std::string& analysis);
@@ -33,6 +37,11 @@ struct CheckedParts {
   void take(const machine::Model& model, const solve::TransientResult& motion,
             const std::vector<study::TransientRecord::Slip>& slips, const std::string& words);
 
+  /// Shows a state to the parts that are named in `checks:` or have a rating.
+  void show(const CheckState& seen);
+  /// Whether there are any of them.
+  bool any_shown() const;
+
   std::shared_ptr<const CheckedDeck> deck;
   bool judged = true;  ///< false: the analysis that runs says `judge: false`, and its states do not count
   Judge judge;
@@ -41,6 +50,9 @@ struct CheckedParts {
   std::vector<GuyStates> guys;
   std::vector<AnchorStates> anchors;
   std::vector<LineStates> lines;
+  std::vector<SupportStates> supports;
+  std::vector<YarderLineStates> yarders;
+  std::vector<CarriageStates> carriages;
   std::vector<MastStates> masts;
 };
 

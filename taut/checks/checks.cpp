@@ -74,6 +74,8 @@ AskedChecks resolve(const CheckedDeck& deck, const machine::Model& model, std::v
   complain_of_guys(deck.checks->guys, deck, model, complaints);
   complain_of_anchors(deck.checks->anchors, model, complaints);
   complain_of_lines(deck.checks->lines, model, complaints);
+  complain_of_supports(deck.checks->supports, model, complaints);
+  complain_of_yarders(deck.checks->yarders, model, complaints);
   return asked;
 }
 
@@ -84,7 +86,10 @@ void add_checks(const CheckedDeck& deck, const machine::Model& model, const Chec
     add_guy_checks(seen.guys, deck, model, r);
     add_anchor_checks(seen.anchors, r);
     add_line_checks(seen.lines, model, r);
+    add_support_checks(seen.supports, r);
+    add_yarder_checks(seen.yarders, r);
   }
+  add_carriage_checks(seen.carriages, r);
   const std::vector<std::string> parts = parts_of(model);
   for (Check& c : r.checks) {
     if (c.part.empty()) c.part = part_of(c.name, parts);

@@ -12,6 +12,10 @@ const Description& ChecksRequest::describe() {
           .named_records(&ChecksRequest::guys, "guys", "by the name of a guy, or of a rope with all guys of it")
           .named_records(&ChecksRequest::anchors, "anchors", "by the name of a point at which ropes end")
           .named_records(&ChecksRequest::lines, "lines", "by the name of a reeving over supports")
+          .named_records(&ChecksRequest::supports, "supports",
+                         "trees that carry a line, by the name of the support or sheave on them")
+          .named_records(&ChecksRequest::yarders, "yarders",
+                         "drums of a yarder of the catalogue against the lines on them; the name is yours")
           .field(&ChecksRequest::confirmed, "confirmed",
                  "sources that you have compared, such as 'EN 1993-1-1' or 'ISO 4309': checks whose name or rule "
                  "contains the text are no longer unverified; their trust is 'user'")

@@ -4,7 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <set>
+#include <vector>
+
+#include "taut/calc/shown.hpp"
 
 namespace taut::io {
 namespace {
@@ -21,11 +25,68 @@ std::string csv_text(std::string text) {
   return out + '"';
 }
 
-std::string csv_number(double x) { return std::isnan(x) ? std::string{} : fmt::format("{}", x); }
+/// How the numbers of a column are written: as they are stored, or in a unit of print.
+struct CsvColumn {
+  std::string head;
+  std::optional<ShownUnit> shown;
 
-std::string csv_cell(const Cell& cell) {
-  if (const auto* text = std::get_if<std::string>(&cell)) return csv_text(*text);
-  return csv_number(std::get<double>(cell));
+  std::string number(double x) const {
+    if (std::isnan(x)) return {};
+    // a factor leaves 0.30000000000000004 of 0.3; the shortest exact text is for numbers that were not converted
+    return shown && !shown->name.empty() ? fmt::format("{:.12g}", shown->of(x)) : fmt::format("{}", x);
+  }
+  std::string cell(const Cell& cell) const {
+    if (const auto* text = std::get_if<std::string>(&cell)) return csv_text(*text);
+    return number(std::get<double>(cell));
+  }
+};
+
+/// `display`: null for SI.
+std::vector<CsvColumn> csv_columns(const Table& t, const Display* display) {
+  std::vector<CsvColumn> all;
+  for (const Column& c : t.columns) {
+    CsvColumn column;
+    if (display != nullptr) column.shown = shown_unit(c.unit, *display);
+    std::string unit = c.unit.symbol == "1" ? std::string() : std::string(c.unit.symbol);
+    if (column.shown) unit = column.shown->name;
+    column.head = csv_text(unit.empty() ? c.name : fmt::format("{} [{}]", c.name, unit));
+    all.push_back(std::move(column));
+  }
+  return all;
+}
+
+void write_csv(const Table& t, const Display* display, const std::function<void(const std::string&)>& write) {
+  constexpr std::size_t piece = 1 << 16;
+  const std::vector<CsvColumn> columns = csv_columns(t, display);
+  std::string csv;
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    if (i > 0) csv += ',';
+    csv += columns[i].head;
+  }
+  const auto end_line = [&] {
+    csv += line_end;
+    if (csv.size() < piece) return;
+    write(csv);
+    csv.clear();
+  };
+  end_line();
+  for (const auto& row : t.rows) {
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      if (i > 0) csv += ',';
+      csv += columns[i].cell(row[i]);
+    }
+    end_line();
+  }
+  if (t.long_rows) {
+    t.long_rows->each([&](const double* row) {
+      for (std::size_t i = 0; i < t.long_rows->width(); ++i) {
+        if (i > 0) csv += ',';
+        csv += columns[i].number(row[i]);
+      }
+      end_line();
+    });
+  }
+  write(csv);
 }
 
 /// Names of columns have to differ from each other.
@@ -55,44 +116,17 @@ std::string column_name(const std::string& label) {
   return name.empty() ? "value" : name;
 }
 
-void to_csv(const Table& t, const std::function<void(const std::string&)>& write) {
-  constexpr std::size_t piece = 1 << 16;
-  std::string csv;
-  for (std::size_t i = 0; i < t.columns.size(); ++i) {
-    const Column& c = t.columns[i];
-    const bool plain = c.unit.symbol == "1";
-    if (i > 0) csv += ',';
-    csv += csv_text(plain ? c.name : fmt::format("{} [{}]", c.name, c.unit.symbol));
-  }
-  const auto end_line = [&] {
-    csv += line_end;
-    if (csv.size() < piece) return;
-    write(csv);
-    csv.clear();
-  };
-  end_line();
-  for (const auto& row : t.rows) {
-    for (std::size_t i = 0; i < row.size(); ++i) {
-      if (i > 0) csv += ',';
-      csv += csv_cell(row[i]);
-    }
-    end_line();
-  }
-  if (t.long_rows) {
-    t.long_rows->each([&](const double* row) {
-      for (std::size_t i = 0; i < t.long_rows->width(); ++i) {
-        if (i > 0) csv += ',';
-        csv += csv_number(row[i]);
-      }
-      end_line();
-    });
-  }
-  write(csv);
-}
+void to_csv(const Table& t, const std::function<void(const std::string&)>& write) { write_csv(t, nullptr, write); }
 
 std::string to_csv(const Table& t) {
   std::string csv;
-  to_csv(t, [&](const std::string& piece) { csv += piece; });
+  write_csv(t, nullptr, [&](const std::string& piece) { csv += piece; });
+  return csv;
+}
+
+std::string to_csv(const Table& t, const Display& display) {
+  std::string csv;
+  write_csv(t, &display, [&](const std::string& piece) { csv += piece; });
   return csv;
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <numbers>
 
 namespace taut::io::table_test {
 
@@ -20,6 +21,21 @@ TEST(TableCsv, WritesUnitsInTheHeaderAndQuotesWhatNeedsIt) {
             "boom_length [m],case,\"moment, luffing [N m]\"\r\n"
             "9,\"rated, 8 falls\",0.1\r\n"
             ",\"say \"\"no\"\"\nnow\",1e+300\r\n");
+}
+
+TEST(TableCsv, WritesTheUnitsOfTheReport) {
+  const Table t{.name = "t",
+                .title = "",
+                .columns = {{.name = "T_max", .unit = si::N},
+                            {.name = "d", .unit = si::m.in("mm")},
+                            {.name = "slope", .unit = si::rad},
+                            {.name = "T", .unit = si::K.in("degC")},
+                            {.name = "n", .unit = si::one}},
+                .rows = {{42800.0, 0.016, std::numbers::pi / 4, 253.15, 0.1 + 0.2}}};
+  EXPECT_EQ(to_csv(t, Display()), "T_max [kN],d [mm],slope [deg],T [degC],n\r\n42.8,16,45,-20,0.30000000000000004\r\n");
+  EXPECT_EQ(to_csv(t, Display({{"force", "N"}, {"length", "m"}, {"angle", "%"}})),
+            "T_max [N],d [m],slope [%],T [degC],n\r\n42800,0.016,100,-20,0.30000000000000004\r\n");
+  EXPECT_EQ(to_csv(t).substr(0, 29), "T_max [N],d [m],slope [rad],T");
 }
 
 TEST(TableCsv, NumbersReadBackBitByBit) {

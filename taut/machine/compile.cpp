@@ -14,10 +14,13 @@
 #include "taut/machine/compile/drives.hpp"
 #include "taut/machine/compile/drums.hpp"
 #include "taut/machine/compile/given.hpp"
+#include "taut/machine/compile/guides.hpp"
+#include "taut/machine/compile/over_ground.hpp"
 #include "taut/machine/compile/path.hpp"
 #include "taut/machine/compile/room.hpp"
 #include "taut/machine/compile/rope_loads.hpp"
 #include "taut/machine/compile/terrain.hpp"
+#include "taut/machine/description/names.hpp"
 #include "taut/machine/links/body_on.hpp"
 #include "taut/machine/links/links.hpp"
 #include "taut/machine/links/motion_links.hpp"
@@ -60,6 +63,7 @@ class Compiler {
       for (const StraightBeam& beam : links_.beams().in_order()) add_beam(model_, beam);
     }
     check_axes();
+    check_holds(machine_, complaints_);
     for (std::size_t i = 0; i < machine_.reevings.size(); ++i) add_reeving(machine_.reevings[i], i);
     for (const auto& guy : machine_.guys) add_guy(guy);
     check_names();
@@ -70,6 +74,7 @@ class Compiler {
     check_drums(machine_, complaints_);
     check_rope_loads(machine_, complaints_);
     if (complaints_.empty()) finish_nodes();
+    check_guided_loads();
     if (complaints_.empty()) finish_drives(machine_, rope_of_reeving_, model_);
     if (complaints_.empty()) add_rope_loads(machine_, model_, complaints_);
     if (complaints_.empty()) add_motion(machine_, links_, model_, complaints_);
@@ -232,10 +237,22 @@ class Compiler {
           is_guy ? fmt::format("guys.{}", model_.reevings[r].name) : fmt::format("reevings[{}].path", r);
       if (!check_apart(stops, places, closed, path, complaints_) || !complaints_.empty()) continue;
       set_sides(stops, places, closed);
+      model_.reevings[r].guides = guides_of(stops, places, static_cast<int>(machine_.bodies.size()), complaints_);
       check_room(model_, stops, closed, path, complaints_);
       set_clamps(stops, places, model_.reevings[r]);
       for (Stop& stop : stops) model_.reevings[r].nodes.push_back(std::move(stop.node));
       if (r < machine_.reevings.size() && machine_.reevings[r].install) set_straight(places, model_.reevings[r]);
+    }
+  }
+
+  /// The free branches of a rope with guides change as the carriage passes them.
+  void check_guided_loads() {
+    for (std::size_t i = 0; i < machine_.rope_loads.size(); ++i) {
+      const auto rope = index_of(model_.reevings, machine_.rope_loads[i].rope);
+      if (!rope || model_.reevings[*rope].guides.empty()) continue;
+      complain(fmt::format("rope_loads[{}].rope", i),
+               fmt::format("'{}' has guides with 'holds', which change its spans: no force acts along it",
+                           machine_.rope_loads[i].rope));
     }
   }
 
@@ -361,6 +378,18 @@ class Compiler {
 
 }  // namespace
 
-tl::expected<Model, std::vector<Complaint>> compile(const Machine& machine) { return Compiler(machine).run(); }
+tl::expected<Model, std::vector<Complaint>> compile(const Machine& machine) {
+  if (!has_places_over_ground(machine)) return Compiler(machine).run();
+  Machine placed = machine;
+  std::vector<Complaint> complaints;
+  Array<PlaceOverGround> over_ground = stand_on_ground(placed, complaints);
+  if (!complaints.empty()) {
+    for (Complaint& one : unknown_names(machine)) complaints.push_back(std::move(one));
+    return tl::unexpected(complaints);
+  }
+  auto model = Compiler(placed).run();
+  if (model) model->over_ground = std::move(over_ground);
+  return model;
+}
 
 }  // namespace taut::machine

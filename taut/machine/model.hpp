@@ -129,6 +129,15 @@ struct PutUp {
   Array<int> loads;
 };
 
+/// Guides that hold a rope only ahead of the carriage at one of its ends: between it and what the rope comes from.
+/// Beside that end the path has the first `held` of them, counted from the other end of the rope.
+struct Guides {
+  Array<Node> all;                  ///< in the order of the path
+  bool at_end = false;              ///< the carriage is at the end of the path, else at its start
+  int held = 0;                     ///< how many are in the path
+  Vector3 away = Vector3::UnitX();  ///< horizontal unit vector from what the rope comes from along the line
+};
+
 /// One rope along its path; "in" and "out" follow the order of the path. Parallel parts are written out: a tackle of n
 /// falls is n branches with a contact at each turn.
 struct Reeving {
@@ -156,6 +165,7 @@ struct Reeving {
   /// Set until the rope has been put up. `value` is then only the straight length of its path, and no analysis may use
   /// it.
   std::optional<PutUp> put_up = std::nullopt;
+  Array<Guides> guides = {};
 };
 
 /// A clamp on a running rope.
@@ -171,9 +181,11 @@ struct Carriage {
   /// The reeving whose length determines its position. Without one a force along the track holds a rolling carriage,
   /// and its clamp a clamped one.
   std::optional<int> mainline;
-  int rollers = 1;                             ///< number of its nodes: node ... node + rollers - 1
-  std::optional<Grip> grip = std::nullopt;     ///< where it is also fixed to a running rope
-  std::optional<int> haulback = std::nullopt;  ///< the reeving that pulls it against the mainline
+  int rollers = 1;                                     ///< number of its nodes: node ... node + rollers - 1
+  std::optional<Grip> grip = std::nullopt;             ///< where it is also fixed to a running rope
+  std::optional<int> haulback = std::nullopt;          ///< the reeving that pulls it against the mainline
+  double mass = 0;                                     ///< its own, kg; that of its body may have a payload in it
+  std::optional<double> rated_payload = std::nullopt;  ///< kg
 };
 
 /// A point of the terrain, a polyline with x increasing. x is the distance from `Model::terrain_from` along
@@ -190,6 +202,15 @@ struct OffLine {
   double chainage = 0;  ///< of that row, m
 };
 
+/// A place that the deck gives by its height over the ground.
+struct PlaceOverGround {
+  std::string kind;  ///< "support", "point"
+  std::string name;
+  Vector3 at = Vector3::Zero();                                ///< m
+  double ground = 0;                                           ///< height of the terrain at its foot, m
+  double chainage = 0, offset = 0, over_ground = 0, lean = 0;  ///< m; rad (description::OverGround)
+};
+
 struct Model {
   double gravity = standard_gravity;  ///< m/s^2, along -z
   Array<Body> bodies;
@@ -200,6 +221,7 @@ struct Model {
   Vector3 terrain_from = Vector3::Zero();    ///< place with chainage 0, m
   Vector3 terrain_along = Vector3::UnitX();  ///< horizontal unit vector
   OffLine terrain_off_line;                  ///< of a survey
+  Array<PlaceOverGround> over_ground;        ///< in the order of the deck's lists
   // of a machine in motion
   Array<Signal> signals;
   Array<Drum> drums;

@@ -3,3 +3,4 @@ taut_embed(TARGET taut NAMESPACE taut::report::embedded NAME page_css FILE taut/
 taut_embed(TARGET taut NAMESPACE taut::report::embedded NAME math_font FILE taut/report/assets/taut_math.woff2)
 taut_embed(TARGET taut NAMESPACE taut::report::embedded NAME italic_font FILE taut/report/assets/taut_math_italic.woff2)
 taut_embed(TARGET taut NAMESPACE taut::report::embedded NAME animation_js FILE taut/report/assets/animation.js)
+taut_embed(TARGET taut NAMESPACE taut::report::embedded NAME figure_css FILE taut/report/assets/figure.css)

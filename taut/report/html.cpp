@@ -6,41 +6,34 @@
 
 #include "taut/base/expects.hpp"
 #include "taut/base/version.hpp"
+#include "taut/report/embedded/figure_css.hpp"
 #include "taut/report/embedded/italic_font.hpp"
 #include "taut/report/embedded/math_font.hpp"
 #include "taut/report/embedded/page_css.hpp"
 #include "taut/report/embedded/page_template.hpp"
+#include "taut/report/page_one.hpp"
 #include "taut/report/sections.hpp"
-#include "taut/report/summary.hpp"
 #include "taut/report/text/text.hpp"
-#include "taut/report/verdict.hpp"
 
 namespace taut::report {
 namespace {
 
 namespace mustache = kainjow::mustache;
 
-std::string_view mood_class(Mood m) {
-  switch (m) {
-    case Mood::good:
-      return "good";
-    case Mood::warning:
-      return "warning";
-    case Mood::bad:
-      return "bad";
-    case Mood::neutral:
-      break;
-  }
-  return "neutral";
-}
+/// Sections that a reader may fold away: those of several pages.
+bool folds(const Section& s) { return s.id != "errors" && s.id != "warnings" && s.id != "assumptions"; }
 
-mustache::data section_list(const Result& r) {
+mustache::data section_list(const std::vector<Section>& all, const HtmlOptions& options) {
   mustache::data list{mustache::data::type::list};
-  for (const Section& s : sections(r)) {
+  int number = 1;  // page 1
+  for (const Section& s : all) {
+    const bool appendix = s.id == "appendix";
     mustache::data one;
     one.set("id", s.id);
-    one.set("title", s.title);
+    one.set("title", s.numbered ? fmt::format("{} {}", ++number, s.title) : s.title);
     one.set("html", s.html);
+    one.set("folds", folds(s));
+    one.set("open", !appendix || options.appendix);
     list.push_back(one);
   }
   return list;
@@ -59,29 +52,30 @@ std::string packed(std::string_view css) {
   return out;
 }
 
+/// At the foot of each printed page: which calculation it belongs to.
+std::string foot_text(const Result& r) {
+  std::string text = fmt::format("taut {}", version);
+  if (!r.deck_name.empty()) text += fmt::format(" \u00B7 {}", shortened(clean(r.deck_name), 60));
+  if (!r.deck_hash.empty()) text += fmt::format(" \u00B7 {}", shortened(clean(r.deck_hash), 64));
+  return text;
+}
+
 }  // namespace
 
-std::string to_html(const Result& r) {
-  const std::string title =
-      clean(r.title.empty() ? (r.method_title.empty() ? "Calculation" : r.method_title) : r.title);
-  const Banner v = banner(r);
+std::string to_html(const Result& r, const HtmlOptions& options) {
+  const std::string title = clean(title_of(r));
+  const PageOne first = page_one(r);
   mustache::data page;
   page.set("title", title);
-  page.set("method", r.method_title.empty() || r.title.empty() ? clean(r.method) : clean(r.method_title));
-  page.set("source", clean(r.source));
-  if (const std::string line = project_line(r.project); !line.empty()) page.set("project", clean(line));
-  page.set("mood", std::string(mood_class(v.mood)));
-  page.set("headline", clean(v.headline));
-  page.set("icon", v.icon);
-  page.set("detail", clean(v.detail));
-  if (!v.scope.empty()) page.set("scope", clean(v.scope));
-  page.set("sections", section_list(r));
+  page.set("page_one", first.html);
+  page.set("sections", section_list(sections(r, first.figures), options));
   page.set("version", std::string(version));
-  page.set("deck", clean(r.deck_name));
-  page.set("hash", clean(r.deck_hash));
-  page.set("set", clean(overrides_text(r)));
-  page.set("css", packed(embedded::page_css));
+  page.set("css", packed(embedded::page_css) + packed(embedded::figure_css));
+  page.set("paper", std::string(options.paper == Paper::a3 ? "A3" : "A4"));
+  page.set("sheet", std::string(options.paper == Paper::a3 ? "381mm" : "258mm"));  // what the margins leave, less 1 mm
+  if (!options.appendix) page.set("without_appendix", true);
   page.set("running", css_string(shortened(title, 90)));
+  page.set("foot", css_string(foot_text(r)));
   page.set("math_font", base64(embedded::math_font));
   page.set("italic_font", base64(embedded::italic_font));
   mustache::mustache view{std::string(embedded::page_template)};

@@ -47,21 +47,56 @@ TEST(Html, EscapesWhatComesFromTheDeck) {
 }
 
 TEST(Html, KeepsTheOrderThatAnEngineerReads) {
-  const std::string page = report::to_html(taut_test::made_result());
+  Result r = taut_test::made_result();
+  r.values.back().detail = true;
+  const std::string page = report::to_html(r);
   std::size_t last = 0;
-  for (const char* id : {"<h1>", "class=\"verdict bad\"", "id=\"warnings\"", "id=\"drawings\"", "id=\"comparison\"",
-                         "id=\"results\"", "id=\"checks\"", "id=\"given\"", "id=\"calculation\"", "id=\"plots\"",
-                         "id=\"tables\"", "id=\"assumptions\"", "<footer>"}) {
+  for (const char* id : {"<nav>", "id=\"page-1\"", "<h1>", "class=\"verdict bad\"", "class=\"foot\"", "id=\"warnings\"",
+                         "id=\"inputs\"", "id=\"checks\"", "id=\"comparison\"", "id=\"calculation\"", "id=\"results\"",
+                         "id=\"pictures\"", "id=\"assumptions\"", "id=\"appendix\""}) {
     const std::size_t at = page.find(id);
     ASSERT_NE(at, std::string::npos) << id;
     EXPECT_GT(at, last) << id;
     last = at;
   }
+  for (const char* id : {"page-1", "inputs", "appendix"}) {
+    EXPECT_EQ(count(page, std::string("<a href=\"#") + id + "\""), 1) << id;
+    EXPECT_EQ(count(page, std::string(" id=\"") + id + "\""), 1) << id;
+  }
 }
 
-TEST(Html, SaysWhatItCutsFromALongTable) {
+TEST(Html, TheAppendixIsFoldedAndPrintedOnlyWhenAskedFor) {
+  Result r = taut_test::made_result();
+  r.values.back().detail = true;
+  const std::string without = report::to_html(r), with = report::to_html(r, {.appendix = true});
+  const auto appendix = [](const std::string& page) { return page.substr(page.find("<section id=\"appendix\"")); };
+  EXPECT_EQ(appendix(without).find("<details open"), std::string::npos);
+  EXPECT_NE(appendix(with).find("<details open"), std::string::npos);
+  EXPECT_NE(without.find("#appendix{display:none}"), std::string::npos);
+  EXPECT_EQ(with.find("#appendix{display:none}"), std::string::npos);
+  EXPECT_NE(without.find("compliance of the guyed head"), std::string::npos);
+}
+
+TEST(Html, HasPagesOfThePaper) {
+  const Result r = taut_test::made_result();
+  EXPECT_NE(report::to_html(r).find("@page{size:A4"), std::string::npos);
+  EXPECT_NE(report::to_html(r, {.paper = report::Paper::a3}).find("@page{size:A3"), std::string::npos);
+}
+
+/// No table is set in a smaller size than another, none below 8 pt in print.
+TEST(Html, HasNoSmallPrint) {
   const std::string page = report::to_html(taut_test::made_result());
-  EXPECT_NE(page.find("60 of 70 rows are shown; positions.csv has all of them."), std::string::npos);
+  const std::string print = page.substr(page.find("@media print"));
+  for (std::size_t at = print.find("pt;"); at != std::string::npos; at = print.find("pt;", at + 1)) {
+    const std::size_t from = print.rfind(':', at) + 1;
+    if (print.substr(from - 10, 10) != "font-size:") continue;
+    EXPECT_GE(std::stod(print.substr(from)), 8) << print.substr(from, at - from);
+  }
+}
+
+TEST(Html, LinksTheCsvFilesBesideIt) {
+  const std::string page = report::to_html(taut_test::made_result());
+  EXPECT_NE(page.find("all in <a href=\"positions.csv\">positions.csv</a>"), std::string::npos);
 }
 
 TEST(Html, IsCompleteForEveryStatusAndForNothing) {

@@ -3,15 +3,21 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <vector>
 
 #include "taut/base/version.hpp"
-#include "taut/report/html_table.hpp"
+#include "taut/report/figure/any_figure.hpp"
+#include "taut/report/page_one.hpp"
+#include "taut/report/page_plan.hpp"
+#include "taut/report/pictures.hpp"
 #include "taut/report/sections.hpp"
 #include "taut/report/steps.hpp"
 #include "taut/report/summary.hpp"
+#include "taut/report/tables/check_table.hpp"
+#include "taut/report/tables/html_table.hpp"
+#include "taut/report/tables/inputs.hpp"
+#include "taut/report/tables/thinning.hpp"
 #include "taut/report/text/quantity.hpp"
 #include "taut/report/text/text.hpp"
 #include "taut/report/verdict.hpp"
@@ -65,18 +71,12 @@ std::string errors(const Result& r) {
   return out;
 }
 
-std::string figures(const Result& r, bool plots) {
+std::string figures(const std::vector<const Figure*>& all) {
   std::string out;
-  for (const Figure& f : r.figures) {
-    const bool has_data = std::holds_alternative<Plot>(f) || std::holds_alternative<Profile>(f);
-    if (has_data != plots) continue;
-    const auto [title, caption, name] = std::visit(
-        [](const auto& x) {
-          return std::array<std::string, 3>{x.title, x.caption, x.name};
-        },
-        f);
-    out += fmt::format("- {}{}{}{}\n", safe(title), caption.empty() ? "" : ": ", safe(caption),
-                       plots && !name.empty() ? fmt::format(" (data: {}.csv)", safe(name)) : "");
+  for (const Figure* f : all) {
+    const FigureWords w = words_of(*f);
+    out += fmt::format("- {}{}{}{}\n", safe(w.title), w.caption.empty() ? "" : ": ", safe(w.caption),
+                       w.csv.empty() ? "" : fmt::format(" (data: {})", safe(w.csv)));
   }
   return out;
 }
@@ -94,40 +94,69 @@ std::string comparisons(const Result& r) {
   return table({"", "quantity", "as printed", "corrected", "exact", "unit", "build by"}, "llrrrll", rows);
 }
 
-std::string values(const Result& r) {
+std::string values(const std::vector<const Value*>& all, const Result& r) {
   const Display display = display_of(r);
   std::vector<Row> rows;
-  for (const Value& v : r.values) {
+  for (const Value* value : all) {
+    const Value& v = *value;
     const ShownUnit u = shown_unit(v.unit, display);
-    rows.push_back({code_cell(v.symbol), safe(v.label.empty() ? v.name : v.label), number_shown(u.of(v.value), 6),
+    rows.push_back({code_cell(v.symbol), safe(v.label.empty() ? v.name : v.label), value_number(v.value, u),
                     unit_text(u), safe(v.source)});
   }
   return rows.empty() ? "" : table({"", "result", "value", "unit", "from"}, "llrll", rows);
 }
 
-std::string checks(const Result& r) {
-  const Display display = display_of(r);
+/// Of all checks, or of the worst of each part.
+std::string checks(const std::vector<const Check*>& all, const Display& display) {
   std::vector<Row> rows;
-  rows.reserve(r.checks.size());
-  for (const Check& c : r.checks) {
-    rows.push_back({safe(c.name), quantity_shown(c.value, c.unit, display),
-                    (c.sense == Sense::at_most ? "≤ " : "≥ ") + quantity_shown(c.limit, c.unit, display),
-                    utilisation_text(c.utilisation), fmt::format("**{}**", outcome_text(c)), safe(c.rule),
-                    safe(c.trust)});
+  for (const Check* c : all) {
+    rows.push_back({safe(c->name), safe(value_text(*c, display)), limit_text(*c, display),
+                    utilisation_text(c->utilisation), fmt::format("**{}**", outcome_text(*c)), safe(c->rule),
+                    safe(c->trust)});
   }
-  return rows.empty() ? "" : table({"check", "value", "limit", "utilisation", "", "rule", "trust"}, "lrrrlll", rows);
+  return rows.empty() ? "" : table({"check", "value", "limit", "use", "", "rule", "limit is"}, "lrrrlll", rows);
+}
+
+std::string all_checks(const Result& r) {
+  std::vector<const Check*> all;
+  for (const Check& c : r.checks) all.push_back(&c);
+  return checks(all, display_of(r));
 }
 
 std::string given(const Result& r) {
   const Display display = display_of(r);
   std::vector<Row> rows;
-  for (const Given& g : r.given) {
-    std::string value;
-    for (const double x : g.numbers) value += (value.empty() ? "" : ", ") + quantity_shown(x, g.unit, display, 6);
-    if (g.numbers.empty()) value = safe(g.text);
-    rows.push_back({code_cell(g.symbol), safe(g.words), value, code_cell(g.key), g.is_default ? "default" : "given"});
+  for (const Given* g : single_inputs(r.given, false)) {
+    rows.push_back({code_cell(g->symbol), safe(g->words),
+                    safe(input_text(*g, display)) + (g->chosen ? " *chosen*" : ""), code_cell(g->key)});
   }
-  return rows.empty() ? "" : table({"", "quantity", "value", "key", ""}, "llrll", rows);
+  std::string out = rows.empty() ? "" : table({"", "quantity", "value", "key"}, "llll", rows) + "\n";
+  for (const InputTable& t : input_tables(r.given, display)) {
+    Row head;
+    std::string align;
+    for (const InputColumn& c : t.columns) {
+      head.push_back(safe(c.name) + (c.unit.empty() ? "" : fmt::format(" ({})", c.unit)));
+      align += c.numbers ? 'r' : 'l';
+    }
+    std::vector<Row> parts;
+    for (const auto& cells : t.rows) {
+      Row row;
+      for (const InputCell& c : cells) row.push_back(safe(c.text) + (c.chosen ? " *chosen*" : ""));
+      parts.push_back(std::move(row));
+    }
+    out += fmt::format("### {}\n\n{}\n", safe(t.title), table(head, align, parts));
+  }
+  return out;
+}
+
+std::string defaults(const Result& r) {
+  const Display display = display_of(r);
+  std::vector<Row> rows;
+  for (const InputDefault& d : input_defaults(r.given, display)) {
+    rows.push_back({code_cell(d.given->symbol), safe(d.given->words), safe(input_text(*d.given, display)),
+                    code_cell(d.key), safe(d.parts)});
+  }
+  return rows.empty() ? "" : "### Inputs by default\n\n" + table({"", "quantity", "value", "key", "of"}, "lllll", rows);
 }
 
 std::string step(const Step& s, const Display& display) {
@@ -163,7 +192,7 @@ std::string steps(const Result& r) {
   return out;
 }
 
-std::string data_table(const Table& t, const Display& display) {
+std::string data_table(const Table& t, const TableLimits& limits, const Display& display) {
   Row head;
   std::string align;
   for (std::size_t k = 0; k < t.columns.size(); ++k) {
@@ -173,7 +202,8 @@ std::string data_table(const Table& t, const Display& display) {
     align += number ? 'r' : 'l';
   }
   std::vector<Row> rows;
-  for (std::size_t i = 0; i < std::min(most_rows, t.rows.size()); ++i) {
+  const std::vector<std::size_t> shown = rows_that_matter(t, limits.rows);
+  for (const std::size_t i : shown) {
     Row row;
     for (std::size_t k = 0; k < t.columns.size() && k < t.rows[i].size(); ++k) {
       const auto* x = std::get_if<double>(&t.rows[i][k]);
@@ -183,44 +213,58 @@ std::string data_table(const Table& t, const Display& display) {
     rows.push_back(std::move(row));
   }
   std::string out = fmt::format("### {}\n\n{}\n", safe(t.title.empty() ? t.name : t.title), table(head, align, rows));
-  if (t.rows.size() > most_rows) {
-    out += fmt::format("{} of {} rows are shown; {}.csv has all of them.\n\n", most_rows, t.rows.size(), safe(t.name));
+  if (shown.size() < t.rows.size()) {
+    out += fmt::format("{} of {} rows: ends, extremes, changes; all in {}.csv\n\n", shown.size(), t.rows.size(),
+                       safe(t.name));
   }
   return out;
 }
 
-std::string tables(const Result& r) {
+std::string tables(const std::vector<const Table*>& all, const TableLimits& limits, const Result& r) {
   const Display display = display_of(r);
   std::string out;
-  for (const Table& t : r.tables) {
-    if ((t.name != "comparison" || r.comparisons.empty()) && !t.columns.empty() && !t.rows.empty())
-      out += data_table(t, display);
-  }
+  for (const Table* t : all) out += data_table(*t, limits, display);
+  return out;
+}
+
+std::string answers(const Result& r) {
+  std::string out;
+  for (const Answer& a : r.answers) out += fmt::format("- **{}** {}\n", safe(a.label), safe(a.text));
+  return out.empty() ? out : "\n" + out;
+}
+
+/// Page 1.
+std::string summary(const Result& r) {
+  const Banner v = banner(r);
+  std::string out = fmt::format("# {}\n\n", safe(title_of(r)));
+  if (const std::string line = project_line(r.project); !line.empty()) out += safe(line) + "\n\n";
+  if (!r.title.empty() && !r.method_title.empty()) out += safe(r.method_title) + "\n\n";
+  if (!r.source.empty()) out += fmt::format("Source: {}\n\n", safe(r.source));
+  out += fmt::format("**{}**{}{}\n", safe(v.headline), v.detail.empty() ? "" : ": ", safe(v.detail));
+  if (!v.scope.empty()) out += fmt::format("\n{}\n", safe(v.scope));
+  out += answers(r);
+  std::vector<const Check*> worst = worst_by_part(r);
+  worst.resize(std::min(worst.size(), most_summary_rows));
+  out += section("The worst check of each part", checks(worst, display_of(r)));
   return out;
 }
 
 }  // namespace
 
 std::string to_markdown(const Result& r) {
-  const Banner v = banner(r);
-  const std::string title = r.title.empty() ? r.method_title : r.title;
-  std::string out = fmt::format("# {}\n\n", safe(title.empty() ? "Calculation" : title));
-  if (const std::string line = project_line(r.project); !line.empty()) out += safe(line) + "\n\n";
-  if (!r.title.empty() && !r.method_title.empty()) out += safe(r.method_title) + "\n\n";
-  if (!r.source.empty()) out += fmt::format("Source: {}\n\n", safe(r.source));
-  out += fmt::format("**{}**{}{}\n", safe(v.headline), v.detail.empty() ? "" : ": ", safe(v.detail));
-  if (!v.scope.empty()) out += fmt::format("\n{}\n", safe(v.scope));
+  const PagePlan plan = plan_pages(r);
+  std::string out = summary(r);
   out += section("Mistakes in the deck", errors(r));
-  out += section("Warnings", list(r.warnings));
-  out += section("Drawings", figures(r, false));
+  out += section("Warnings", list(warnings_by_weight(r)));
+  out += section("Inputs", given(r));
+  out += section("Checks", all_checks(r));
   out += section(comparison_title(r), comparisons(r));
-  out += section("Results", values(r));
-  out += section("Checks", checks(r));
-  out += section("Given", given(r));
   out += section("Calculation", steps(r));
-  out += section("Plots", figures(r, true));
-  out += section("Tables", tables(r));
+  out += section("Results", values(plan.values, r) + "\n" + tables(plan.tables, plan.limits, r));
+  out += section("Pictures", figures(figures_in_order(r)));
   out += section("Assumptions", list(r.assumptions));
+  out += section("Appendix",
+                 values(plan.appendix_values, r) + tables(plan.appendix_tables, plan.appendix_limits, r) + defaults(r));
   out += fmt::format("\ntaut {}", version);
   if (!r.deck_name.empty()) out += fmt::format(", deck {}", safe(r.deck_name));
   if (!r.deck_hash.empty()) out += fmt::format(", hash {}, --set {}", safe(r.deck_hash), safe(overrides_text(r)));

@@ -4,102 +4,30 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
 
-#include "taut/report/figure/animation.hpp"
-#include "taut/report/figure/svg_drawing.hpp"
-#include "taut/report/figure/svg_plot.hpp"
-#include "taut/report/figure/svg_profile.hpp"
-#include "taut/report/given.hpp"
-#include "taut/report/html_table.hpp"
+#include "taut/report/page_one.hpp"
+#include "taut/report/page_plan.hpp"
+#include "taut/report/pictures.hpp"
 #include "taut/report/steps.hpp"
 #include "taut/report/summary.hpp"
+#include "taut/report/tables/check_table.hpp"
+#include "taut/report/tables/given.hpp"
+#include "taut/report/tables/html_table.hpp"
 #include "taut/report/text/quantity.hpp"
 #include "taut/report/text/symbol.hpp"
 #include "taut/report/text/text.hpp"
-#include "taut/report/verdict.hpp"
 
 namespace taut::report {
 namespace {
+
+/// The table of a comparison of decks with published values.
+constexpr std::string_view compared_table = "compared";
 
 std::string list_html(const std::vector<std::string>& lines) {
   std::string out;
   for (const std::string& l : lines) out += fmt::format("<li>{}</li>\n", prose_html(l));
   return lines.empty() ? "" : fmt::format("<ul>\n{}</ul>\n", out);
-}
-
-std::string errors_html(const Result& r) {
-  std::string out;
-  for (const Diagnostic& d : r.errors) {
-    std::string lines;  // the caret under the mistake needs its line breaks
-    const std::string text = to_text(d);
-    for (std::size_t i = 0; i < text.size();) {
-      const std::size_t end = std::min(text.find('\n', i), text.size());
-      lines += escape(text.substr(i, end - i)) + "\n";
-      i = end + 1;
-    }
-    out += fmt::format("<pre>{}</pre>\n", lines);
-  }
-  return out;
-}
-
-std::string caption_html(const std::string& title, const std::string& caption, const std::string& more) {
-  std::string out = "<figcaption>";
-  if (!title.empty()) out += fmt::format("<b>{}</b> ", prose_html(title));
-  if (!caption.empty()) out += prose_html(caption) + " ";
-  if (!more.empty()) out += escape(more);
-  return out + "</figcaption>";
-}
-
-std::string drawings_html(const Result& r) {
-  const Display display = display_of(r);
-  std::string out;
-  for (const Figure& f : r.figures) {
-    const auto* d = std::get_if<Drawing>(&f);
-    if (d == nullptr) continue;
-    out += fmt::format("<figure>{}{}</figure>\n", drawing_svg(*d, display),
-                       caption_html(d->title, d->caption, scale_words(*d)));
-  }
-  return out;
-}
-
-/// Each on a page of its own, turned, in print.
-std::string profiles_html(const Result& r) {
-  const Display display = display_of(r);
-  std::string out;
-  for (const Figure& f : r.figures) {
-    const auto* p = std::get_if<Profile>(&f);
-    if (p == nullptr) continue;
-    out += fmt::format("<figure class=\"landscape\">{}{}</figure>\n", profile_svg(*p, display, turned_width),
-                       caption_html(p->title, p->caption,
-                                    profile_scale_words(*p, turned_width) + fmt::format(" Data: {}.csv", p->name)));
-  }
-  return out;
-}
-
-std::string animations_html(const Result& r) {
-  const Display display = display_of(r);
-  std::string out;
-  int number = 0;
-  for (const Figure& f : r.figures) {
-    const auto* a = std::get_if<Animation>(&f);
-    const std::string moving = a == nullptr ? std::string{} : animation_html(*a, display, number);
-    if (moving.empty()) continue;
-    ++number;
-    out += fmt::format("<figure>{}{}</figure>\n", moving, caption_html(a->title, a->caption, {}));
-  }
-  return out;
-}
-
-std::string plots_html(const Result& r) {
-  const Display display = display_of(r);
-  std::string out;
-  for (const Figure& f : r.figures) {
-    const auto* p = std::get_if<Plot>(&f);
-    if (p == nullptr) continue;
-    const std::string data = p->name.empty() ? "" : fmt::format("Data: {}.csv", p->name);
-    out += fmt::format("<figure>{}{}</figure>\n", plot_svg(*p, display), caption_html(p->title, p->caption, data));
-  }
-  return out;
 }
 
 std::string comparisons_html(const Result& r) {
@@ -119,79 +47,69 @@ std::string comparisons_html(const Result& r) {
             cell(mark + prose_html(c.build_by)) + "</tr>\n";
   }
   return fmt::format(
-      "<table><thead><tr><th></th><th>quantity</th><th class=\"num short\">as printed</th><th class=\"num\">"
-      "corrected</th>{}<th></th><th>build by</th></tr></thead><tbody>\n{}</tbody></table>\n",
+      "<div class=\"wide\"><table><thead><tr><th></th><th>quantity</th><th class=\"num\">as printed</th><th "
+      "class=\"num\">"
+      "corrected</th>{}<th></th><th>build by</th></tr></thead><tbody>\n{}</tbody></table></div>\n",
       exact ? "<th class=\"num\">exact</th>" : "", rows);
 }
 
-std::string values_html(const Result& r) {
+std::string values_html(const std::vector<const Value*>& values, std::string_view caption, const Result& r) {
   const Display display = display_of(r);
-  if (r.values.empty()) return {};
   std::string rows;
-  for (const Value& v : r.values) {
+  for (const Value* value : values) {
+    const Value& v = *value;
     const ShownUnit u = shown_unit(v.unit, display);
     rows += "<tr>" + cell(symbol_html(v.symbol)) + cell(prose_html(v.label.empty() ? v.name : v.label)) +
-            cell(escape(number_shown(u.of(v.value), 6)), "num") + cell(escape(unit_text(u)), "u") +
+            cell(escape(value_number(v.value, u)), "num") + cell(escape(unit_text(u)), "u") +
             cell(prose_html(v.source), length(v.source) <= 24 ? "src short" : "src") + "</tr>\n";
   }
+  if (rows.empty()) return {};
   return fmt::format(
-      "<table><thead><tr><th></th><th>result</th><th class=\"num\">value</th><th></th><th>from</th></tr>"
-      "</thead><tbody>\n{}</tbody></table>\n",
-      rows);
+      "<div class=\"wide\"><table>{}<thead><tr><th></th><th>result</th><th class=\"num\">value</th><th></th>"
+      "<th>from</th></tr></thead><tbody>\n{}</tbody></table></div>\n",
+      caption.empty() ? "" : fmt::format("<caption>{}</caption>", caption), rows);
 }
 
-std::string bar_html(const Check& c) {
-  const double part = std::isnan(c.utilisation) ? 1 : std::clamp(c.utilisation, 0.0, 1.25) / 1.25;
-  return fmt::format(
-      "<svg class=\"bar\" width=\"84\" height=\"10\" viewBox=\"0 0 84 10\" aria-hidden=\"true\"><rect "
-      "class=\"track\" width=\"84\" height=\"10\"/><rect class=\"{}\" width=\"{:.1f}\" height=\"10\"/>"
-      "<path d=\"M67.2 0V10\"/></svg>",
-      c.passes ? "good" : "bad", 84 * part);
-}
-
-std::string trust_html(const std::string& trust) {
-  if (trust.empty()) return {};
-  const bool doubt = is_unverified(trust);
-  const std::string words = doubt ? "unverified" + trust.substr(std::string_view("unverified").size()) : trust;
-  return fmt::format(" <span class=\"badge {}\">{}</span>", doubt ? "doubt" : "calm", escape(words));
-}
-
-std::string checks_html(const Result& r) {
-  const Display display = display_of(r);
-  if (r.checks.empty()) return {};
-  std::string rows;
-  const std::string* part = nullptr;
-  const bool parts = std::any_of(r.checks.begin(), r.checks.end(), [](const Check& c) { return !c.part.empty(); });
-  for (const Check& c : r.checks) {
-    if (parts && (part == nullptr || *part != c.part)) {
-      rows += fmt::format("<tr class=\"part\"><th colspan=\"6\">{}</th></tr>\n",
-                          c.part.empty() ? "General" : escape(c.part));
-    }
-    part = &c.part;
-    const ShownUnit u = shown_unit(c.unit, display);
-    const std::string unit = escape(unit_text(u));
-    const auto number = [&](double x) { return escape(number_shown(u.of(x))) + (unit.empty() ? "" : " " + unit); };
-    rows += fmt::format("<tr class=\"{}\">", c.passes ? "good" : "bad") + cell(prose_html(name_below_part(c))) +
-            cell(number(c.value), "num") + cell((c.sense == Sense::at_most ? "≤ " : "≥ ") + number(c.limit), "num") +
-            cell(fmt::format("{} {}", bar_html(c), escape(utilisation_text(c.utilisation))), "util") +
-            cell(fmt::format("<b>{}</b>", outcome_text(c)), "out") +
-            cell(prose_html(c.rule) + trust_html(c.trust), "rule") + "</tr>\n";
+/// The numbers of what is not shown here, and where it is.
+std::string elsewhere_html(const PagePlan& plan) {
+  std::string names;
+  if (!plan.appendix_values.empty()) names = fmt::format("{} more values", plan.appendix_values.size());
+  for (const Table* t : plan.appendix_tables) {
+    if (std::find(plan.tables.begin(), plan.tables.end(), t) != plan.tables.end()) continue;
+    names += (names.empty() ? "" : ", ") + csv_link(t->name);
   }
-  return fmt::format(
-      "<table class=\"checks\"><thead><tr><th>check</th><th class=\"num\">value</th><th class=\"num\">"
-      "limit</th><th>utilisation</th><th></th><th>rule, trust of the limit</th></tr></thead><tbody>\n{}"
-      "</tbody></table>\n",
-      rows);
+  if (names.empty()) return {};
+  return fmt::format("<p class=\"cut\">In the appendix: {}</p>\n", names);
 }
 
-std::string tables_html(const Result& r) {
+std::string results_html(const Result& r, const PagePlan& plan) {
   const Display display = display_of(r);
-  std::string out;
-  for (const Table& t : r.tables) {
-    if (t.name == "comparison" && !r.comparisons.empty()) continue;  // shown above, with its marks
-    if (!t.columns.empty()) out += table_html(t, display);
+  std::string out = values_html(plan.values, {}, r);
+  for (const Table* t : plan.tables) {
+    if (t->name != compared_table) out += table_html(*t, display, plan.limits);
   }
-  return out;
+  return out + elsewhere_html(plan);
+}
+
+/// The checks of a comparison are the rows of its table.
+std::string all_checks_html(const Result& r, const PagePlan& plan) {
+  const auto compared =
+      std::find_if(plan.tables.begin(), plan.tables.end(), [](const Table* t) { return t->name == compared_table; });
+  return compared == plan.tables.end() ? checks_html(r) : table_html(**compared, display_of(r), plan.limits);
+}
+
+std::string appendix_html(const Result& r, const PagePlan& plan, int& animations) {
+  const Display display = display_of(r);
+  std::string out = values_html(plan.appendix_values, "Further values", r);
+  for (const Table* t : plan.appendix_tables) out += table_html(*t, display, plan.appendix_limits);
+  out += defaults_html(r);
+  return out + pictures_html(plan.appendix_pictures, r, animations);
+}
+
+/// Warnings in full, and what page 1 shortens.
+std::string notes_html(const Result& r) {
+  const std::string texts = full_texts_html(r);
+  return list_html(warnings_by_weight(r)) + texts;
 }
 
 }  // namespace
@@ -209,20 +127,24 @@ std::string comparison_title(const Result& r) {
   return has_exact(r) ? "Printed, corrected and exact" : "Printed against corrected";
 }
 
-std::vector<Section> sections(const Result& r) {
-  std::vector<Section> all{{.id = "errors", .title = "Mistakes in the deck", .html = errors_html(r)},
-                           {.id = "warnings", .title = "Warnings", .html = list_html(r.warnings)},
-                           {.id = "profiles", .title = "Profile of the line", .html = profiles_html(r)},
-                           {.id = "drawings", .title = "Drawings", .html = drawings_html(r)},
-                           {.id = "animation", .title = "Motion", .html = animations_html(r)},
-                           {.id = "comparison", .title = comparison_title(r), .html = comparisons_html(r)},
-                           {.id = "results", .title = "Results", .html = values_html(r)},
-                           {.id = "checks", .title = "Checks", .html = checks_html(r)},
-                           {.id = "given", .title = "Given", .html = given_html(r)},
-                           {.id = "calculation", .title = "Calculation", .html = steps_html(r)},
-                           {.id = "plots", .title = "Plots", .html = plots_html(r)},
-                           {.id = "tables", .title = "Tables", .html = tables_html(r)},
-                           {.id = "assumptions", .title = "Assumptions", .html = list_html(r.assumptions)}};
+std::vector<Section> sections(const Result& r, const std::vector<const Figure*>& shown) {
+  const PagePlan plan = plan_pages(r, shown);
+  int animations = 0;
+  const std::string pictures = pictures_html(plan.pictures, r, animations);
+  std::vector<Section> all{
+      {.id = "errors", .title = "Mistakes in the deck", .html = errors_html(r, r.errors.size()), .numbered = false},
+      {.id = "warnings",
+       .title = r.warnings.empty() ? "Page 1 in full" : "Warnings",
+       .html = notes_html(r),
+       .numbered = false},
+      {.id = "inputs", .title = "Inputs", .html = given_html(r)},
+      {.id = "checks", .title = "Checks", .html = all_checks_html(r, plan)},
+      {.id = "comparison", .title = comparison_title(r), .html = comparisons_html(r)},
+      {.id = "calculation", .title = "Calculation", .html = steps_html(r)},
+      {.id = "results", .title = "Results", .html = results_html(r, plan)},
+      {.id = "pictures", .title = "Pictures", .html = pictures},
+      {.id = "assumptions", .title = "Assumptions", .html = list_html(r.assumptions)},
+      {.id = "appendix", .title = "Appendix", .html = appendix_html(r, plan, animations), .numbered = false}};
   std::erase_if(all, [](const Section& s) { return s.html.empty(); });
   return all;
 }

@@ -6,17 +6,18 @@
 
 namespace taut::report {
 
-/// One section of the page: empty html when the result has nothing for it.
+/// One section behind page 1.
 struct Section {
   std::string id;
   std::string title;
   std::string html;
+  bool numbered = true;
 };
 
-/// Everything between the verdict and the footer, in the order in which an engineer reads it: mistakes of the deck,
-/// warnings, drawings, published against corrected against exact, results, checks, given, calculation, plots, tables,
-/// assumptions. Sections without content are left out.
-std::vector<Section> sections(const Result& r);
+/// Everything behind page 1 in the order in which an engineer reads it: mistakes of the deck, warnings in full, inputs,
+/// checks, published against corrected against exact, calculation, results, pictures, assumptions, appendix. Sections
+/// without content are left out. `shown`: figures of page 1.
+std::vector<Section> sections(const Result& r, const std::vector<const Figure*>& shown = {});
 
 /// What was set over the deck: "input.span=200 m; title=x", or "none".
 std::string overrides_text(const Result& r);

@@ -29,6 +29,9 @@ Words payload_words() {
 
 std::vector<TableWords> of_states() {
   return {
+      {.name = "places",
+       .rows = "every place given over the ground (`at: {chainage: ...}`)",
+       .columns = words_of(over_ground_quantities())},
       {.name = "spans",
        .rows = "every branch of free rope",
        .columns = both(both(words_of(solve::branch_quantities()), words_of(solve::branch_band_quantities())),

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "taut/results/machine_beams.hpp"
+#include "taut/results/plot_curves.hpp"
 
 namespace taut::results {
 namespace {
@@ -48,6 +49,7 @@ void add_plot(const MachineRun& run, const std::string& name, const std::string&
     }
     dashed = true;
   }
+  keep_largest(plot, most_shown_curves);
   if (!plot.curves.empty()) r.figures.emplace_back(std::move(plot));
 }
 

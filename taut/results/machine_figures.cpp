@@ -14,6 +14,7 @@
 #include "taut/results/line_profile.hpp"
 #include "taut/results/machine_beams.hpp"
 #include "taut/results/machine_tables.hpp"
+#include "taut/results/plot_curves.hpp"
 #include "taut/solve/quantities.hpp"
 #include "taut/study/line/rope_clearance.hpp"
 
@@ -23,6 +24,8 @@ namespace {
 constexpr int points_per_span = 32;
 /// Machines narrower than this part of their length need no plan.
 constexpr double least_width = 1e-3;
+constexpr std::size_t most_named_ropes = 8;
+constexpr std::size_t most_dimensions = 6;
 
 /// A view: which horizontal direction goes to the right, and which one up.
 struct View {
@@ -149,6 +152,89 @@ void draw_beams(Drawing& d, const solve::EquilibriumResult& e, const View& view,
   if (times > 0) draw(beam_lines(e, times), Role::highlight);
 }
 
+/// Each rope with its largest tension, where that is; too many names would hide the machine.
+void name_ropes(Drawing& d, const machine::Model& m, const solve::EquilibriumResult& e, const View& view) {
+  if (m.reevings.size() > most_named_ropes) {
+    d.caption += " Tensions of the ropes: table ropes.";
+    return;
+  }
+  for (std::size_t i = 0; i < m.reevings.size() && i < e.ropes.size(); ++i) {
+    const auto& rope = e.ropes[i];
+    if (rope.branch < 0 || static_cast<std::size_t>(rope.branch) >= e.branches.size()) continue;
+    const std::vector<Vector3> line = line_of(e.branches[rope.branch]);
+    const auto at = [&](double share) {
+      const double place = share * static_cast<double>(line.size() - 1);
+      const auto k = std::min(static_cast<std::size_t>(place), line.size() - 2);
+      return view.point(line[k] + (place - static_cast<double>(k)) * (line[k + 1] - line[k]));
+    };
+    d.shapes.emplace_back(Label{.at = at(0.5),
+                                .text = "T " + m.reevings[i].name,
+                                .or_at = {at(0.35), at(0.65), at(0.2), at(0.8)},
+                                .force = rope.T_max});
+  }
+}
+
+/// Lengths of beams; the span and the difference in height of the first rope's ends; the sag of wide branches.
+void draw_dimensions(Drawing& d, const machine::Model& m, const solve::EquilibriumResult& e, const View& view) {
+  const Box box = box_of(e);
+  const double size = box.size().norm();
+  for (const auto& b : e.beams) {
+    const Point from = view.point(b.points.front().place), to = view.point(b.points.back().place);
+    if (e.beams.size() > most_dimensions || std::hypot(to.x - from.x, to.y - from.y) < 0.1 * size) continue;
+    d.shapes.emplace_back(DimensionLine{
+        .from = from, .to = to, .offset = 0.03 * size, .text = m.beams[b.beam].name, .with_length = true});
+  }
+  if (view.plan) return;
+  std::size_t drawn = 0;
+  for (const auto& s : e.branches) {
+    if (s.reeving != 0 || s.slack || drawn == most_dimensions) continue;
+    const std::vector<Vector3> line = line_of(s);
+    const Point from = view.point(line.front()), to = view.point(line.back());
+    const double span = std::abs(to.x - from.x);
+    if (span < 0.3 * size || line.size() < 3) continue;
+    ++drawn;
+    double sag = 0;
+    Point lowest, chord;
+    for (const Vector3& v : line) {
+      const Point p = view.point(v);
+      const double on_chord = from.y + (p.x - from.x) / (to.x - from.x) * (to.y - from.y);
+      if (on_chord - p.y <= sag) continue;
+      sag = on_chord - p.y;
+      lowest = p;
+      chord = {.x = p.x, .y = on_chord};
+    }
+    if (sag > 0.02 * span) {
+      d.shapes.emplace_back(
+          DimensionLine{.from = chord, .to = lowest, .offset = 0, .text = "sag", .with_length = true});
+    }
+  }
+}
+
+/// Over everything that is drawn: how far the first rope's ends are apart, level and in height.
+void draw_span(Drawing& d, const machine::Model& m, const solve::EquilibriumResult& e, const View& view) {
+  if (view.plan || m.reevings.empty() || m.reevings.front().closed) return;
+  const auto first = std::find_if(e.branches.begin(), e.branches.end(), [](const auto& s) { return s.reeving == 0; });
+  const auto last = std::find_if(e.branches.rbegin(), e.branches.rend(), [](const auto& s) { return s.reeving == 0; });
+  if (first == e.branches.end()) return;
+  Point from = view.point(first->start), to = view.point(last->end);
+  if (from.x > to.x) std::swap(from, to);
+  const Box box = box_of(e);
+  const double size = box.size().norm(), span = to.x - from.x, rise = std::abs(to.y - from.y);
+  if (span < 0.5 * size) return;
+  const double top = box.high.z() + 0.06 * size;
+  d.shapes.emplace_back(DimensionLine{
+      .from = {.x = from.x, .y = top}, .to = {.x = to.x, .y = top}, .offset = 0, .text = "span", .with_length = true});
+  if (rise > 0.02 * span) {
+    const Point& low = from.y < to.y ? from : to;
+    const double x = low.x + (low.x == to.x ? 0.03 : -0.03) * size;
+    d.shapes.emplace_back(DimensionLine{.from = {.x = x, .y = low.y},
+                                        .to = {.x = x, .y = low.y + rise},
+                                        .offset = 0,
+                                        .text = "height",
+                                        .with_length = true});
+  }
+}
+
 void draw_holders(Drawing& d, const machine::Model& m, const solve::EquilibriumResult& e, const View& view,
                   double size) {
   for (const auto& [name, h] : held_of(m, e)) {
@@ -159,11 +245,13 @@ void draw_holders(Drawing& d, const machine::Model& m, const solve::EquilibriumR
                                  .from = 0,
                                  .to = 0,
                                  .filled = !round});
-    d.shapes.emplace_back(Label{.at = view.point(h.at), .text = name});
-    if (h.moves) continue;  // its ropes are in balance with its weight
     const Point f = view.point(h.force);
-    d.shapes.emplace_back(
-        ForceArrow{.at = view.point(h.at), .fx = f.x, .fy = f.y, .label = "F", .role = Role::force, .towards = false});
+    if (h.moves || std::hypot(f.x, f.y) <= 0) {  // the ropes of what moves are in balance with its weight
+      d.shapes.emplace_back(Label{.at = view.point(h.at), .text = name});
+      continue;
+    }
+    d.shapes.emplace_back(ForceArrow{
+        .at = view.point(h.at), .fx = f.x, .fy = f.y, .label = "F " + name, .role = Role::force, .towards = false});
   }
 }
 
@@ -192,7 +280,7 @@ void draw_rope_loads(Drawing& d, const solve::EquilibriumResult& e, const machin
 }
 
 void draw_weights(Drawing& d, const machine::Model& m, const solve::EquilibriumResult& e, const View& view) {
-  const auto draw = [&](const machine::Place& place, const Vector3& force, const char* label) {
+  const auto draw = [&](const machine::Place& place, const Vector3& force, const std::string& label) {
     const Point f = view.point(force);
     if (std::hypot(f.x, f.y) <= 0) return;
     d.shapes.emplace_back(ForceArrow{.at = view.point(machine::in_ground(e.state, place)),
@@ -213,10 +301,10 @@ void draw_weights(Drawing& d, const machine::Model& m, const solve::EquilibriumR
       if ((load.at.at - body.centre).norm() == 0) {
         own += load.force;
       } else {
-        draw(load.at, load.force, "P");
+        draw(load.at, load.force, "P " + body.name);
       }
     }
-    draw({.body = index, .at = body.centre}, own, body.mass > 0 ? "W" : "P");
+    draw({.body = index, .at = body.centre}, own, (body.mass > 0 ? "W " : "P ") + body.name);
   }
 }
 
@@ -227,7 +315,12 @@ Drawing drawing_of(const machine::Model& m, const solve::EquilibriumResult& e, c
   Drawing d;
   d.name = plan ? "plan" : "machine";
   d.title = plan ? "Plan" : "Side view";
-  d.caption = fmt::format("{}. Forces as they are seen in this view.", words);
+  d.caption = fmt::format(
+      "{}. T: largest tension of a rope. F: ropes on what holds them, W and P: weights and loads, as they are seen in "
+      "this view.",
+      words);
+  d.across = view.right == Vector3::UnitX() ? "x" : view.right == Vector3::UnitY() ? "y" : "along the line";
+  d.upward = plan ? "y" : "z";
   d.legend = {{Role::rope, m.reevings.empty() ? "rope" : m.reevings.front().name},
               {Role::second_rope, m.reevings.size() == 2 ? m.reevings.back().name : "other ropes"},
               {Role::force, "ropes on what holds them"},
@@ -242,6 +335,9 @@ Drawing drawing_of(const machine::Model& m, const solve::EquilibriumResult& e, c
   draw_holders(d, m, e, view, box.size().norm());
   draw_weights(d, m, e, view);
   draw_rope_loads(d, e, m, view);
+  name_ropes(d, m, e, view);
+  draw_span(d, m, e, view);
+  draw_dimensions(d, m, e, view);
   return d;
 }
 
@@ -293,6 +389,7 @@ void add_plots(const machine::Model& m, const study::LoadPathRun& run, Result& r
   for (std::size_t i = 0; i < m.reevings.size(); ++i) {
     tensions.curves.push_back(curve(run, m.reevings[i].name, [&](const auto& p) { return p.at.ropes[i].T_max; }));
   }
+  keep_largest(tensions, most_shown_curves);
   r.figures.emplace_back(std::move(tensions));
   if (m.terrain.empty()) return;
   Plot clearance = plot(run, "load_path_clearance", "Clearance over the ground", {.label = "clearance", .unit = si::m});

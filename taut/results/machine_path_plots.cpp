@@ -5,13 +5,12 @@
 
 #include "taut/calc/none.hpp"
 #include "taut/results/machine_figures.hpp"
+#include "taut/results/plot_curves.hpp"
 
 namespace taut::results {
 namespace {
 
 constexpr int clearance_points_per_span = 12;
-constexpr std::size_t most_curves = 6;
-constexpr std::size_t most_names = 9;
 /// Tension at a share of a span; what is above H and V, the centrifugal tension of a running rope, is the same
 /// everywhere.
 double tension_at(const solve::BranchResult& s, double share) {
@@ -71,7 +70,6 @@ Plot path_plot(const std::string& name, const std::string& title) {
 
 /// The names of the path at the height of the first curve there.
 void place_marks(const Curve& curve, std::vector<Mark> marks, Plot& p) {
-  if (marks.size() > most_names) return;
   for (Mark& mark : marks) {
     const auto at = std::lower_bound(curve.x.begin(), curve.x.end(), mark.x - 1e-12);
     const auto i = std::min(static_cast<std::size_t>(at - curve.x.begin()), curve.y.size() - 1);
@@ -85,21 +83,22 @@ void add_one_rope(const MachineRun& run, Result& r) {
   Plot p = path_plot("path_tensions", fmt::format("Tension along {}", run.model.reevings.front().name));
   std::vector<Mark> marks;
   for (const study::EquilibriumRun& one : run.equilibria) {
-    if (!one.result.outcome.ok() || p.curves.size() == most_curves) continue;
+    if (!one.result.outcome.ok()) continue;
     p.curves.push_back(along(one.model, one.result, 0, p.curves.empty() ? &marks : nullptr));
     p.curves.back().label = one.words;
   }
   if (p.curves.empty()) return;
   place_marks(p.curves.front(), std::move(marks), p);
+  keep_largest(p, most_shown_curves);
   r.figures.emplace_back(std::move(p));
 }
 
 void add_all_ropes(const study::EquilibriumRun& one, Result& r) {
   Plot p = path_plot("path_tensions" + one.ending, fmt::format("Tension along the ropes, {}", one.words));
-  for (std::size_t i = 0; i < one.model.reevings.size() && p.curves.size() < most_curves; ++i) {
+  for (std::size_t i = 0; i < one.model.reevings.size(); ++i) {
     p.curves.push_back(along(one.model, one.result, static_cast<int>(i), nullptr));
   }
-  if (one.model.reevings.size() > most_curves) p.caption = fmt::format("The first {} ropes of the deck.", most_curves);
+  keep_largest(p, most_shown_curves);
   r.figures.emplace_back(std::move(p));
 }
 

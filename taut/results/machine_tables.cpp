@@ -65,6 +65,21 @@ Table closure(const EquilibriumResult& e) {
 
 }  // namespace
 
+const Quantities<machine::PlaceOverGround>& over_ground_quantities() {
+  using Row = machine::PlaceOverGround;
+  static const Quantities<Row> all = {
+      {"part", "", si::one, "what stands there", [](const Row& p) { return fmt::format("{} {}", p.kind, p.name); }},
+      {"x", "x", si::m, "its place", [](const Row& p) { return p.at.x(); }},
+      {"y", "y", si::m, "its place", [](const Row& p) { return p.at.y(); }},
+      {"z", "z", si::m, "its height", [](const Row& p) { return p.at.z(); }},
+      {"chainage", "", si::m, "of its foot along the line of the terrain", &Row::chainage},
+      {"ground", "", si::m, "height of the terrain at its foot", &Row::ground},
+      {"over_ground", "h", si::m, "from its foot, along the support", &Row::over_ground},
+      {"offset", "", si::m, "from the line to the left, seen towards growing chainage", &Row::offset},
+      {"lean", "", si::rad, "from the vertical towards growing chainage", &Row::lean}};
+  return all;
+}
+
 const Quantities<solve::BranchRow>& branch_terrain_quantities() {
   static const Quantities<solve::BranchRow> all = {
       {"clearance", "", si::m, "least height of the branch over the ground, where there is terrain",
@@ -79,6 +94,10 @@ void add_tables(const MachineRun& run, Result& r) {
     t.heading = heading_of(run, one);
     r.tables.push_back(std::move(t));
   };
+  if (!run.model.over_ground.empty()) {
+    r.tables.push_back(
+        make_table("places", "Places given over the ground", over_ground_quantities(), run.model.over_ground));
+  }
   for (const study::EquilibriumRun& one : run.equilibria) {
     if (!one.result.outcome.ok()) continue;
     add(spans(one.model, one.result), one);

@@ -17,6 +17,9 @@ void add_tables(const MachineRun& run, Result& r);
 /// ropes' ends; drives. The worst cases over all states are the judge's.
 void add_values(const MachineRun& run, Result& r);
 
+/// The table `places`.
+const Quantities<machine::PlaceOverGround>& over_ground_quantities();
+
 /// What `spans` has besides, where there is terrain.
 const Quantities<solve::BranchRow>& branch_terrain_quantities();
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "taut/machine/compile/guides.hpp"
 #include "taut/results/machine_beams.hpp"
 #include "taut/results/machine_tables.hpp"
 #include "taut/results/put_up.hpp"
@@ -74,6 +75,16 @@ std::vector<std::string> assumptions_of(const machine::Machine& m) {
             : fmt::format("Carriage {}: rolls on {} with {} tensions on both sides, {}; a point, its rollers' "
                           "radius and distance not counted.",
                           car.name, car.rides, car.friction > 0 ? "friction between the" : "equal", held));
+  }
+  for (const auto* rounds : {&m.sheaves, &m.supports}) {
+    for (const auto& one : *rounds) {
+      if (const auto car = machine::ahead_of(m, one)) {
+        all.push_back(fmt::format(
+            "Guide {}: in the path of its rope only ahead of {}; the rope's length is that along the path as it is "
+            "then.",
+            one.name, m.carriages[static_cast<std::size_t>(*car)].name));
+      }
+    }
   }
   for (const auto& drum : m.drums) {
     const bool thin = std::any_of(m.reevings.begin(), m.reevings.end(), [&](const auto& r) {

@@ -69,7 +69,8 @@ void show_put_up(const machine::Model& model, const std::vector<study::PutUpLine
                  checks::CheckedParts& checked) {
   for (const study::PutUpLine& one : lines) {
     if (!one.at.outcome.ok()) continue;
-    checked.take_empty(one.at.at.model, one.at.at.result, model.reevings[one.reeving].name, put_up_words(model, one));
+    checked.take_empty(one.at.at.model, one.at.at.result, model.reevings[one.reeving].name, put_up_words(model, one),
+                       true);
   }
 }
 

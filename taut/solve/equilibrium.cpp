@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "taut/base/array.hpp"
+#include "taut/machine/compile/guides.hpp"
 #include "taut/machine/without_rope.hpp"
 #include "taut/math/index.hpp"
 #include "taut/solve/band.hpp"
@@ -519,6 +520,10 @@ EquilibriumResult standing(const machine::Model& model, const EquilibriumOptions
   const mechanics::System system = system_of(model, s.layout, options);
   if (const std::string past = past_stop(system, s.c); !past.empty()) {
     result.outcome = taut::infeasible(past);
+    return result;
+  }
+  if (const std::string misplaced = machine::misplaced_guide(model, s.c.bodies); !misplaced.empty()) {
+    result.outcome = taut::infeasible(misplaced);
     return result;
   }
   fill_tables(system, s.c, s.e, result.state, result);

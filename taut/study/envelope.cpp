@@ -9,6 +9,7 @@
 #include <unordered_map>
 
 #include "taut/base/suggest.hpp"
+#include "taut/machine/compile/guides.hpp"
 #include "taut/solve/quantities.hpp"
 #include "taut/study/deck/bounds.hpp"
 #include "taut/study/deck/names.hpp"
@@ -127,6 +128,7 @@ class Combination {
     if (!std::isnan(where.load)) model.bodies[*run_.load_body].mass += where.load;
     if (!run_.carriage) {
       if (!watch_.go_on(motion.words)) return;
+      model = machine::with_guides_at_start(std::move(model));
       const auto result = solve::equilibrium(model, options_for(motion, model));
       take(model, result, where, fmt::format("envelope, {}", motion.words));
       return;

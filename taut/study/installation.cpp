@@ -7,6 +7,7 @@
 
 #include "taut/base/array.hpp"
 #include "taut/base/expects.hpp"
+#include "taut/machine/compile/guides.hpp"
 #include "taut/math/index.hpp"
 #include "taut/study/deck/bounds.hpp"
 #include "taut/study/deck/names.hpp"
@@ -157,9 +158,8 @@ void resolve_temperatures(const InstallationRequest& request, const std::string&
   }
 }
 
-}  // namespace
-
-EmptyLine empty_line(const machine::Model& model, int reeving, const PutUpWith& with) {
+/// `model`: with its guides at the start.
+EmptyLine emptied(const machine::Model& model, int reeving, const PutUpWith& with) {
   expects(reeving >= 0 && as_size(reeving) < model.reevings.size(), "a rope of the model");
   EmptyLine line;
   Array<bool> gone(model.bodies.size(), false), ropes_gone(model.reevings.size(), false);
@@ -198,6 +198,12 @@ EmptyLine empty_line(const machine::Model& model, int reeving, const PutUpWith& 
   }
   line.model.reevings = std::move(kept);
   return line;
+}
+
+}  // namespace
+
+EmptyLine empty_line(const machine::Model& model, int reeving, const PutUpWith& with) {
+  return emptied(machine::with_guides_at_start(model), reeving, with);
 }
 
 RopeLengths lengths_of(const machine::Model& model, const solve::EquilibriumResult& r, int reeving) {

@@ -10,6 +10,7 @@
 #include "taut/base/array.hpp"
 #include "taut/base/expects.hpp"
 #include "taut/machine/compile.hpp"
+#include "taut/machine/compile/guides.hpp"
 #include "taut/math/index.hpp"
 #include "taut/solve/condition.hpp"
 #include "taut/study/deck/bounds.hpp"
@@ -308,7 +309,10 @@ LeastTensionRun resolve(const LeastTensionRequest& request, const std::string& p
 void solve(const machine::Model& model, LeastTensionRun& run, const std::function<bool()>& go_on) {
   Array<machine::Model> cases = run.models;
   cases.front() = model;
-  for (machine::Model& one : cases) keep_lengths(run, model, one);
+  for (machine::Model& one : cases) {
+    keep_lengths(run, model, one);
+    one = machine::with_guides_at_start(std::move(one));
+  }
   run.answer = least_tension(cases, run.chosen, run.tension, go_on);
 }
 

@@ -56,7 +56,7 @@ void add_supports(const machine::Model& model, const PayloadLimits& limits, cons
 }  // namespace
 
 Array<LimitState> limits_at(const machine::Model& model, int body, const PayloadLimits& limits,
-                            const solve::EquilibriumResult& r) {
+                            const solve::EquilibriumResult& r, double payload) {
   Array<LimitState> all;
   if (!r.outcome.ok()) {
     all.push_back({.kind = LimitKind::none, .margin = -1, .fails = true});
@@ -90,7 +90,25 @@ Array<LimitState> limits_at(const machine::Model& model, int body, const Payload
                    length_margin(height - limits.rope_clearance[k], place.z())});
   }
   add_supports(model, limits, r, all);
+  if (limits.rated_payload) {
+    for (const machine::Carriage& car : model.carriages) {
+      if (car.body != body) continue;
+      const double load = load_on(model, car) + payload;
+      all.push_back({.kind = LimitKind::rated_payload,
+                     .value = load,
+                     .limit = *limits.rated_payload,
+                     .margin = 1 - load / *limits.rated_payload});
+    }
+  }
   return all;
+}
+
+double load_on(const machine::Model& model, const machine::Carriage& carriage) {
+  double load = model.bodies[carriage.body].mass - carriage.mass;
+  for (const machine::Load& one : model.loads) {
+    if (one.at.body == carriage.body && model.gravity > 0) load -= one.force.z() / model.gravity;
+  }
+  return load;
 }
 
 std::string limit_words(const machine::Model& model, int body, const LimitState& l) {
@@ -114,6 +132,8 @@ std::string limit_words(const machine::Model& model, int body, const LimitState&
       return fmt::format("least break angle at '{}'", node());
     case LimitKind::lift_off:
       return fmt::format("lift-off from '{}'", node());
+    case LimitKind::rated_payload:
+      return fmt::format("rated payload of '{}'", model.bodies[body].name);
   }
   return {};
 }

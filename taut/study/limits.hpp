@@ -29,14 +29,29 @@ struct PayloadLimits {
   /// Largest and least angle by which a rope may bend over a support on the ground, rad.
   double break_angle = std::numeric_limits<double>::infinity();
   double least_break_angle = -std::numeric_limits<double>::infinity();
-  bool lift_off = false;  ///< true: no rope may pull a support upwards or lift off it
-  double most = 1e6;      ///< upper bound of the search, kg
+  bool lift_off = false;                               ///< true: no rope may pull a support upwards or lift off it
+  std::optional<double> rated_payload = std::nullopt;  ///< largest load on the carriage whose body it is, kg
+  double most = 1e6;                                   ///< upper bound of the search, kg
 };
 
-/// Kind of a limit.
-enum class LimitKind { none, tension, pull, clearance, rope_clearance, break_angle, least_break_angle, lift_off };
+/// What a carriage carries besides its own mass: hanging masses and downward forces on its body, and a payload in the
+/// mass of its body, kg.
+double load_on(const machine::Model& model, const machine::Carriage& carriage);
 
-/// One limit and the value compared with it, N, m or rad.
+/// Kind of a limit.
+enum class LimitKind {
+  none,
+  tension,
+  pull,
+  clearance,
+  rope_clearance,
+  break_angle,
+  least_break_angle,
+  lift_off,
+  rated_payload
+};
+
+/// One limit and the value compared with it, N, m, rad or kg.
 struct LimitState {
   LimitKind kind = LimitKind::none;
   std::optional<int> reeving = std::nullopt;  ///< the rope to which it refers
@@ -49,9 +64,9 @@ struct LimitState {
 };
 
 /// All limits in one state, in the order of the members of PayloadLimits. A state without equilibrium gives one entry
-/// with `fails`.
+/// with `fails`. `payload`: a mass on the body that the state has and the model has not, kg.
 Array<LimitState> limits_at(const machine::Model& model, int body, const PayloadLimits& limits,
-                            const solve::EquilibriumResult& result);
+                            const solve::EquilibriumResult& result, double payload = 0);
 
 /// "tension of 'skyline'", "break angle at 'jack1'".
 std::string limit_words(const machine::Model& model, int body, const LimitState& limit);

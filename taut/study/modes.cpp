@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "taut/calc/none.hpp"
+#include "taut/machine/compile/guides.hpp"
 #include "taut/study/deck/motion_checks.hpp"
 
 namespace taut::study {
@@ -80,7 +81,7 @@ ModesRun resolve(const ModesRequest& request, const std::string& path, Names& na
 }
 
 void solve(const machine::Model& model, ModesRun& run) {
-  run.model = model;
+  run.model = machine::with_guides_at_start(model);
   run.result = solve::modes(run.model, run.options);
 }
 

@@ -187,6 +187,7 @@ void resolve_limits(const LimitsRequest& request, std::optional<int> carriage, c
   if (request.break_angle) l.break_angle = *request.break_angle;
   if (request.least_break_angle) l.least_break_angle = *request.least_break_angle;
   l.lift_off = request.lift_off;
+  if (carriage) l.rated_payload = p.model.carriages[*carriage].rated_payload;
   l.rope_between = {.along = run.way.along, .from = run.way.from, .to = run.way.to};
   if (request.rope_clearance && carriage) {
     l.rope_clearance[p.model.carriages[*carriage].reeving] = *request.rope_clearance;
@@ -203,7 +204,7 @@ void resolve_limits(const LimitsRequest& request, std::optional<int> carriage, c
   needs_ground(request.rope_clearance.has_value(), "rope_clearance");
   for (const RopeLimitRequest& one : request.named) needs_ground(one.clearance.has_value(), one.name + ".clearance");
   const bool any = !request.named.empty() || request.clearance || request.rope_clearance || request.break_angle ||
-                   request.least_break_angle || request.lift_off;
+                   request.least_break_angle || request.lift_off || l.rated_payload;
   if (!any) p.complaints.push_back({path, "say at least one limit, such as 'skyline: {safety_factor: 3}'"});
 }
 
@@ -243,7 +244,7 @@ Payload payload(const machine::Model& model, int body, const PayloadLimits& limi
   static_cast<void>(find_root([&](double mass) { return search.margin(mass); }, *search.holds, search.stops));
   answer.mass = *search.holds;
   answer.at = std::move(search.result);
-  answer.limit = governing_of(search, limits_at(model, body, limits, answer.at));
+  answer.limit = governing_of(search, limits_at(model, body, limits, answer.at, answer.mass));
   answer.governing = limit_words(model, body, search.stopped);
   answer.reeving = search.stopped.kind == LimitKind::tension ? search.stopped.reeving : std::nullopt;
   return answer;
@@ -389,7 +390,7 @@ void solve(const machine::Model& model, PayloadRun& run, Watch& watch) {
     if (part.last == part.first && points.size() > 1) points.resize(1);
     const int body = part.model.carriages[run.way.carriage].body;
     for (PayloadPoint& point : points) {
-      Array<LimitState> states = limits_at(part.model, body, run.limits, point.payload.at);
+      Array<LimitState> states = limits_at(part.model, body, run.limits, point.payload.at, point.payload.mass);
       run.positions.push_back({&part.model, std::move(point), std::move(states), {}});
     }
   }

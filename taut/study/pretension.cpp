@@ -8,6 +8,7 @@
 
 #include "taut/base/array.hpp"
 #include "taut/base/expects.hpp"
+#include "taut/machine/compile/guides.hpp"
 #include "taut/machine/links/observable.hpp"
 #include "taut/study/deck/bounds.hpp"
 #include "taut/study/deck/motion_checks.hpp"
@@ -395,6 +396,7 @@ PretensionRun resolve(const PretensionRequest& request, const std::string& path,
       names.complaints.push_back({path, "a machine with beams is pulled without contacts, cylinders and 'until'"});
     } else {
       check_inertia(names.machine, names.model, names.complaints);
+      check_guides(names.machine, names.complaints);
       check_masses(names.machine, names.model, true, names.complaints);
     }
   }
@@ -407,7 +409,7 @@ void solve(const machine::Model& model, PretensionRun& run,
   for (int i = 0; i < run.rounds; ++i) pulls.insert(pulls.end(), run.pulls.begin(), run.pulls.end());
   PretensionOptions options = run.options;
   options.progress = [&](std::size_t i) { return go_on(i, pulls.size()); };
-  run.answer = pretension(model, pulls, options);
+  run.answer = pretension(machine::with_guides_at_start(model), pulls, options);
 }
 
 const Quantities<PullRow>& pull_quantities() {

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "taut/machine/compile/carriage_span.hpp"
+#include "taut/machine/compile/guides.hpp"
 #include "taut/study/deck/watch.hpp"
 
 namespace taut::study {
@@ -55,10 +56,18 @@ EquilibriumRun resolve(const EquilibriumRequest& request, const std::string& pat
   return run;
 }
 
-void solve(const machine::Model& model, EquilibriumRun& run) {
-  run.model = run.prescribed
-                  ? machine::with_carriage_at(model, run.prescribed->carriage, run.prescribed->x, run.prescribed->along)
-                  : model;
+namespace {
+
+int guides_of(const machine::Model& model) {
+  std::size_t all = 0;
+  for (const machine::Reeving& rope : model.reevings) {
+    for (const machine::Guides& guides : rope.guides) all += guides.all.size();
+  }
+  return static_cast<int>(all);
+}
+
+/// Fills `run.result` for `run.model`.
+void solve_once(EquilibriumRun& run) {
   solve::EquilibriumOptions options = run.motion.options(run.model);
   options.prescribed = run.prescribed;
   options.held = run.held;
@@ -68,6 +77,25 @@ void solve(const machine::Model& model, EquilibriumRun& run) {
     run.result = std::move(found.result);
   } else {
     run.result = solve::equilibrium(run.model, options);
+  }
+}
+
+}  // namespace
+
+void solve(const machine::Model& model, EquilibriumRun& run) {
+  if (run.prescribed) {
+    run.model = machine::with_carriage_at(model, run.prescribed->carriage, run.prescribed->x, run.prescribed->along);
+    solve_once(run);
+    return;
+  }
+  run.model = machine::with_guides_at_start(model);
+  solve_once(run);
+  // a carriage that comes to rest on the other side of its guides: once more with those that hold there
+  for (int changes = guides_of(model); changes > 0 && !run.result.state.bodies.empty(); --changes) {
+    machine::Model there = machine::with_guides_at(run.model, run.result.state);
+    if (machine::same_guides(there, run.model)) return;
+    run.model = std::move(there);
+    solve_once(run);
   }
 }
 

@@ -6,6 +6,7 @@
 
 #include "taut/machine/compile.hpp"
 #include "taut/machine/compile/carriage_span.hpp"
+#include "taut/machine/compile/guides.hpp"
 #include "taut/study/deck/bounds.hpp"
 #include "taut/study/deck/parameter.hpp"
 #include "taut/study/deck/temperature.hpp"
@@ -22,10 +23,16 @@ namespace {
 /// that value; while the temperature changes they keep their lengths.
 bool changes_the_building(const std::string& parameter) {
   const std::string below = parameter.starts_with("machine.") ? parameter.substr(8) : parameter;
-  for (const char* kind : {"points", "sheaves", "supports", "guys", "ropes", "gravity"}) {
+  for (const char* kind : {"points", "sheaves", "supports", "guys", "ropes", "terrain", "gravity"}) {
     if (below.starts_with(kind)) return true;
   }
   return false;
+}
+
+/// With the carriage in its span.
+machine::Model placed(const machine::Model& model, const SweepRun& run) {
+  if (!run.prescribed) return machine::with_guides_at_start(model);
+  return machine::with_carriage_at(model, run.prescribed->carriage, run.prescribed->x, run.prescribed->along);
 }
 
 std::string below_machine(const std::string& parameter) {
@@ -59,9 +66,7 @@ tl::expected<machine::Model, Outcome> model_at(const SweepRun& run, const machin
   }
   std::vector<PutUpLine> lines;
   if (const Outcome outcome = put_up_lines(*model, lines); !outcome.ok()) return tl::unexpected(outcome);
-  if (run.prescribed)
-    *model = machine::with_carriage_at(*model, run.prescribed->carriage, run.prescribed->x, run.prescribed->along);
-  return *model;
+  return placed(*model, run);
 }
 
 void resolve_values(const SweepRequest& request, const std::string& path, Names& p, SweepRun& run) {
@@ -143,10 +148,7 @@ SweepRun resolve(const SweepRequest& request, const std::string& path, Names& na
 }
 
 void solve(const machine::Model& model, SweepRun& run, Watch& watch) {
-  machine::Model base = model;
-  if (run.prescribed) {
-    base = machine::with_carriage_at(base, run.prescribed->carriage, run.prescribed->x, run.prescribed->along);
-  }
+  const machine::Model base = placed(model, run);
   solve::SweepOptions options;
   options.from = run.from;
   options.to = run.to;

@@ -171,6 +171,7 @@ void check(const TransientRequest& request, const std::string& path, Names& p) {
   check_names(request, path, complaints);
   check_signals(p.machine, p.model, complaints);
   check_inertia(p.machine, p.model, complaints);
+  check_guides(p.machine, complaints);
   check_masses(p.machine, p.model, request.rope_mass, complaints);
   check_actuators(p.model, complaints);
   check_rope_loads(p, complaints);

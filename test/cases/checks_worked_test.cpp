@@ -125,15 +125,15 @@ TEST(ChecksWorked, guys_and_anchors) {
   const taut::Result r = run_text(kite(
       "  guys: {guy: {safety_factor: 3, dynamic_factor: 1.5}}\n"
       "  anchors: {left: {strength: 20 kN, safety_factor: 2, dynamic_factor: 1.5, as_strong_as_rope: true, uplift: 8 "
-      "kN, angle: 50 deg, tree_diameter: 25 cm}, right: {}}\n"));
+      "kN, angle: 50 deg, tree_diameter: 25 cm, ground_slope: 10 deg}, right: {}}\n"));
   const double pull = 10e3 / std::numbers::sqrt2;
   EXPECT_NEAR(check_of(r, "a.guy_safety").value, 40e3 / (1.5 * pull), 1e-3);
   EXPECT_NEAR(check_of(r, "left.anchor_strength").value, 20e3 / (1.5 * pull), 1e-3);
   EXPECT_NEAR(check_of(r, "left.anchor_uplift").value, 7500, 1);
   EXPECT_NEAR(check_of(r, "left.anchor_angle").value, 45 * degree, 1e-4);
   EXPECT_NEAR(check_of(r, "left.anchor_as_rope").limit, 40e3, 1e-6);
-  // 80 kN at 50 cm (Austrian rule of thumb), by the square of the diameter: 20 kN
-  EXPECT_NEAR(check_of(r, "left.anchor_tree").limit, 20e3, 1e-6);
+  // 10.6 kN at 35 deg above the ground: the first row of the table of anchor trees, 15 kN and 24 cm
+  EXPECT_NEAR(check_of(r, "left.anchor_tree").limit, 0.24, 1e-12);
   const taut::Table& t = table_of(r, "anchor_forces");
   EXPECT_NEAR(cell(t, 1, "horizontal"), 5e3, 1);
   EXPECT_NEAR(cell(t, 1, "angle"), 45 * degree, 1e-4);

@@ -170,7 +170,7 @@ class Boom(unittest.TestCase):
 
     @unittest.skipIf(FEWER, "other figures only")
     def test_pads_that_yield_hold_longer(self):
-        # what docs/guide/dynamics.md says of the difference to the balance on rigid pads
+        # what docs/methods/telescopic_boom.md says of the difference to the balance on rigid pads
         for stiffness, clearance, more in ((2000, 0, 0.0), (2000, 2, 0.3), (100, 0, 0.4), (100, 2, 0.7), (100, 5, 1.1)):
             code, result = run("slip_out_21_load", "--set", f"parameters.pad_stiffness={stiffness} MN/m", "--set",
                                f"parameters.pad_clearance={clearance} mm")
@@ -230,7 +230,7 @@ class Boom(unittest.TestCase):
             self.assertLess(abs(value(chain, name) / value(plain, name) - 1), 0.005)
 
     def test_broken_ropes_run_to_their_end(self):
-        # what the model says, where it is determined well: docs/guide/dynamics.md names the others
+        # what the model says, where it is determined well: docs/methods/telescopic_boom.md names the others
         wanted = {
             "break_extension_21_load": {"jerk": (0.11, 0.2), "slip_angle": (math.radians(47.1), math.radians(1)),
                                         "impact_speed": (11.5, 0.07), "sling_ratio": (25, 6.25)},
@@ -255,7 +255,7 @@ class Boom(unittest.TestCase):
 
     @unittest.skipIf(FEWER, "other figures only")
     def test_a_swinging_load_lets_section_3_go_early(self):
-        # docs/guide/dynamics.md: by when and how fast the boom is luffed, 17 m with 3 t, 21 m with the hook block
+        # docs/methods/telescopic_boom.md: by when and how fast the boom is luffed, 17 m with 3 t, 21 m with the hook block
         def luffed(deck, start, per_second, to):
             code, result = run(deck, "--set", f"parameters.luffing_start={start} s", "--set", f"parameters.luffing_per_second={per_second} deg",
                                "--set", f"analyses[0].transient.duration={start + 2 + to / per_second} s")

@@ -3,6 +3,7 @@
 
 TAUT_PROGRAM names the program, TAUT_SOURCE_DIR the source tree with its examples.
 """
+import csv
 import json
 import math
 import os
@@ -116,6 +117,21 @@ class Contract(unittest.TestCase):
                 self.assertNotIn("http://", html.replace("http://www.w3.org/", ""))
                 self.assertNotIn("https://", html)
 
+    def test_csv_in_the_units_of_the_report_or_si(self):
+        with tempfile.TemporaryDirectory() as folder:
+            out = pathlib.Path(folder)
+            deck = str(EXAMPLES / "machines" / "base_tension.yaml")
+            rows = {}
+            for name, more in (("shown", ()), ("si", ("--si",))):
+                self.assertIn(taut("run", deck, "-q", "-o", str(out / name), *more).returncode, (0, 4))
+                with open(out / name / "put_up.csv", encoding="utf-8", newline="") as file:
+                    rows[name] = list(csv.reader(file))
+            self.assertEqual((out / "shown" / "result.json").read_text(), (out / "si" / "result.json").read_text())
+            column = rows["si"][0].index("T_start [N]")
+            self.assertEqual(rows["shown"][0][column], "T_start [kN]")
+            for kilonewton, newton in zip(rows["shown"][1:], rows["si"][1:]):
+                self.assertAlmostEqual(float(kilonewton[column]) * 1e3, float(newton[column]), places=3)
+
     def test_unreadable_and_unwritable(self):
         self.assertEqual(taut("run", "/nowhere/deck.yaml").returncode, 5)
         self.assertEqual(taut("run", "/").returncode, 5)
@@ -157,7 +173,7 @@ class Contract(unittest.TestCase):
         rows = [row for row in ropes.splitlines() if "6x36" in row]
         self.assertGreater(len(rows), 5)
         self.assertTrue(all(any(t in row for t in ("verified", "derived", "unverified")) for row in rows))
-        for what in ("methods", "sections", "steels", "rules", "units"):
+        for what in ("methods", "sections", "steels", "rules", "carriages", "yarders", "units"):
             self.assertGreater(len(taut("list", what).stdout.splitlines()), 4, what)
 
     def test_quiet_prints_nothing(self):

@@ -2,7 +2,8 @@
 """usage: validate.py SCHEMA DECK...
 
 Checks that SCHEMA is valid draft 7 and that each deck is valid by it, read as YAML 1.2 (YAML 1.1 turns `on` and `y` into
-booleans). Decks that end in .part.yaml do not stand alone and are passed over. Ends with 1 when anything is wrong.
+booleans). Decks that end in .part.yaml do not stand alone and are passed over. Ends with 3 when a deck is not valid; a
+program that breaks ends with 1.
 """
 import json
 import sys
@@ -40,7 +41,7 @@ def main(arguments):
             mistakes += 1
             where = "/".join(str(part) for part in error.absolute_path)
             print(f"{path}: {where}: {error.message[:300]}")
-    return 1 if mistakes else 0
+    return 3 if mistakes else 0
 
 
 if __name__ == "__main__":

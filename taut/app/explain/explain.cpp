@@ -2,83 +2,18 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
-#include <functional>
 #include <set>
 
 #include "taut/app/explain/described.hpp"
+#include "taut/app/explain/keys.hpp"
 #include "taut/app/job.hpp"
 #include "taut/app/machine_deck.hpp"
 #include "taut/io/deck/read.hpp"
 #include "taut/machine/links/observable.hpp"
 #include "taut/results/described.hpp"
-#include "taut/units/display.hpp"
 
 namespace taut::app {
 namespace {
-
-/// As a deck writes it.
-std::string default_number_text(double si, const Unit& unit) {
-  if (std::isinf(si)) return si > 0 ? ".inf" : "-.inf";
-  return Display().quantity(si, unit);
-}
-
-std::string kind_text(const Field& f) {
-  switch (f.kind) {
-    case FieldKind::number:
-      return f.unit.needs_text() ? std::string(f.unit.shown) : "number";
-    case FieldKind::numbers:
-      return fmt::format("{}, one or a list", f.unit.needs_text() ? f.unit.shown : "number");
-    case FieldKind::whole_number:
-      return "whole number";
-    case FieldKind::flag:
-      return "true or false";
-    case FieldKind::text:
-    case FieldKind::choice:
-      return "text";
-    case FieldKind::record:
-      return "map";
-    case FieldKind::records:
-      return "list of maps";
-    case FieldKind::triple:
-      return fmt::format("[x, y, z], each {}", f.unit.needs_text() ? f.unit.shown : "number");
-    case FieldKind::texts:
-      return "text, one or a list";
-    case FieldKind::named_records:
-      return f.rest ? "map" : "map of names and maps";
-  }
-  return {};
-}
-
-std::string default_of(const Description& d, const Field& f) {
-  if (f.required) return "required";
-  if (const auto number = default_number(d, f)) return default_number_text(*number, f.unit);
-  const std::string text = default_text(d, f);
-  return text.empty() ? "-" : text;
-}
-
-std::string words_of(const Field& f) {
-  std::string words = f.words;
-  std::string choices;
-  for (const std::string& c : f.choices) choices += fmt::format("{}`{}`", choices.empty() ? "" : ", ", c);
-  if (!choices.empty()) words += fmt::format(": {}", choices);
-  const std::string range = range_text(f);
-  if (!range.empty()) words += fmt::format(" ({})", range);
-  return words;
-}
-
-using Visit = std::function<void(const std::string& key, const Description&, const Field&)>;
-
-/// Visits a description and its nested ones, with dotted keys.
-void walk(const std::string& prefix, const Description& d, const Visit& visit) {
-  for (const Field& f : d.fields) {
-    const std::string key = prefix + (f.rest ? "NAME" : f.key);
-    visit(key, d, f);
-    if (f.record == nullptr) continue;
-    const char* const inner = f.is_list ? "[]." : f.kind == FieldKind::named_records && !f.rest ? ".NAME." : ".";
-    walk(key + inner, *f.record, visit);
-  }
-}
 
 /// A bar would end the cell of a Markdown table.
 std::string cell(const std::string& text) {
@@ -106,10 +41,10 @@ std::string equations(const Result& example) {
 /// The keys of a description and its nested ones.
 std::string keys_table(const std::string& head, const Description& description) {
   std::string text = fmt::format("| {} | unit | default | symbol | meaning |\n|---|---|---|---|---|\n", head);
-  walk("", description, [&](const std::string& key, const Description& d, const Field& f) {
+  walk_keys("", description, [&](const std::string& key, const Description& d, const Field& f) {
     const std::string symbol = f.symbol.empty() ? "" : fmt::format("`{}`", f.symbol);
     text +=
-        fmt::format("| `{}` | {} | {} | {} | {} |\n", key, kind_text(f), default_of(d, f), symbol, cell(words_of(f)));
+        fmt::format("| `{}` | {} | {} | {} | {} |\n", key, kind_text(f), default_of(d, f), symbol, cell(full_words(f)));
   });
   return text;
 }
@@ -138,9 +73,9 @@ std::string exact_values(const Description& d) {
 
 std::string keys_text(const std::string& prefix, const Description& description) {
   std::string text;
-  walk(prefix, description, [&](const std::string& key, const Description& d, const Field& f) {
+  walk_keys(prefix, description, [&](const std::string& key, const Description& d, const Field& f) {
     text += fmt::format("  {:<31} {:<23} {:<13} {}{}\n", key, kind_text(f), default_of(d, f),
-                        f.symbol.empty() ? "" : f.symbol + ": ", words_of(f));
+                        f.symbol.empty() ? "" : f.symbol + ": ", full_words(f));
   });
   return text;
 }
@@ -156,7 +91,7 @@ std::string explain_text(const MethodEntry& method) {
   text += "\nDeck keys below `input:`\n";
   text += keys_text("", *method.input);
   text += "\nResult values\n";
-  walk("", *method.output, [&](const std::string& key, const Description&, const Field& f) {
+  walk_keys("", *method.output, [&](const std::string& key, const Description&, const Field& f) {
     text += fmt::format("  {:<24}{:<8}{}{}\n", key, f.unit.symbol, f.words, f.source.empty() ? "" : "  " + f.source);
   });
   if (method.exact != nullptr) text += "\nValues of the exact solution by the engine\n" + exact_values(*method.exact);
@@ -172,7 +107,7 @@ std::string reference_markdown(const MethodEntry& method) {
   std::string text = fmt::format("## `method: {}`\n\n{}. Source: {}\n\n", about.name, about.title, about.source);
   text += keys_table("key below `input:`", *method.input);
   text += "\n| value | SI unit | meaning | equation |\n|---|---|---|---|\n";
-  walk("", *method.output, [&](const std::string& key, const Description&, const Field& f) {
+  walk_keys("", *method.output, [&](const std::string& key, const Description&, const Field& f) {
     text += fmt::format("| `{}` | {} | {} | {} |\n", key, f.unit.symbol, cell(f.words), cell(f.source));
   });
   if (method.exact != nullptr) {

@@ -6,6 +6,7 @@
 
 #include "taut/app/explain/explain.hpp"
 #include "taut/app/machine_deck.hpp"
+#include "taut/results/described.hpp"
 
 namespace taut::app {
 namespace {
@@ -32,6 +33,7 @@ constexpr const char* laws[][3] = {
      "equilibrium.md"}};
 
 constexpr const char* equilibrium_tables[][2] = {
+    {"places", "places given over the ground: x, y, z"},
     {"spans", "tensions at both ends, their components H and V, chord, unstretched and stretched length, sag"},
     {"sheaves", "T_in and T_out by the order of the path, wrap, force on it, state"},
     {"bodies", "place, rotation, force that holds each body"},
@@ -57,6 +59,17 @@ std::string table_lines(const char* const (&tables)[N][2]) {
   return text;
 }
 
+/// Those that are not of an equilibrium, with what their rows are.
+std::string analysis_tables() {
+  std::string text;
+  for (const TableWords& t : results::table_words()) {
+    const auto same = [&](const auto& row) { return t.name == row[0]; };
+    if (std::any_of(std::begin(equilibrium_tables), std::end(equilibrium_tables), same)) continue;
+    text += fmt::format("  {:<23}a row for: {}\n", t.name, t.rows);
+  }
+  return text;
+}
+
 constexpr const char* blocks[] = {"checks", "design"};
 
 const Field* analysis_named(const std::string& name) { return study::AnalysisRequest::describe().find(name); }
@@ -75,6 +88,7 @@ std::string whole_machine() {
   text += "\nLaws (docs/theory)\n";
   for (const auto& [name, law, page] : laws) text += fmt::format("  {:<17}{}  [{}]\n", name, law, page);
   text += "\nResult tables of an equilibrium\n" + table_lines(equilibrium_tables);
+  text += "\nResult tables of analyses\n" + analysis_tables();
   text +=
       "\nResult values\n"
       "  T_max, ROPE.T_max, ROPE.safety_factor, clearance_min over all analyses; BODY.x, y, z and ROPE.unstretched of "
@@ -98,7 +112,7 @@ std::string analysis_text(const Field& f) {
 
 /// A block beside the machine: checks, design.
 std::string block_text(const Field& f) {
-  return fmt::format("{}: {}\nThe guide: docs/guide/checks.md.\n\nDeck keys\n{}", f.key, f.words,
+  return fmt::format("{0}: {1}\nThe guide: docs/guide/{0}.md.\n\nDeck keys\n{2}", f.key, f.words,
                      keys_text(f.key + ".", *f.record));
 }
 

@@ -1,6 +1,7 @@
 #include "taut/app/explain/listing.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cctype>
@@ -8,6 +9,8 @@
 #include "taut/app/explain/starters.hpp"
 #include "taut/app/methods.hpp"
 #include "taut/base/suggest.hpp"
+#include "taut/catalogue/forestry/carriage.hpp"
+#include "taut/catalogue/forestry/yarder.hpp"
 #include "taut/catalogue/rope_search.hpp"
 #include "taut/catalogue/rule.hpp"
 #include "taut/catalogue/section_search.hpp"
@@ -126,6 +129,33 @@ Listing rules(const ListFilter& f) {
   return rows;
 }
 
+std::string figure(const std::optional<double>& x, double unit) { return x ? number(*x / unit) : ""; }
+
+Listing carriages(const ListFilter& f) {
+  Rows rows = {{"name", "kind", "mass kg", "payload kg", "rope mm", "to mm", "trust", "source"}};
+  for (const auto& c : catalogue::carriages()) {
+    if (!contains(c.name, f.name) || !catalogue::at_least(c.trust, least_trust(f))) continue;
+    rows.push_back({c.name, c.kind, number(c.mass), number(c.payload), figure(c.rope_least, millimetre),
+                    figure(c.rope_most, millimetre), std::string(catalogue::to_text(c.trust)), c.trust_text});
+  }
+  return rows;
+}
+
+/// One row for each drum.
+Listing yarders(const ListFilter& f) {
+  Rows rows = {{"yarder", "tower m", "drum", "m", "of mm", "pull kN", "hold kN", "speed m/s", "trust", "source"}};
+  for (const auto& y : catalogue::yarders()) {
+    if (!contains(y.name, f.name)) continue;
+    for (const auto& d : y.drums) {
+      if (!catalogue::at_least(d.trust, least_trust(f))) continue;
+      rows.push_back({y.name, figure(y.tower_height, 1), d.line, figure(d.capacity, 1),
+                      figure(d.at_diameter, millimetre), number(d.pull / 1e3), figure(d.hold, 1e3), figure(d.speed, 1),
+                      std::string(catalogue::to_text(d.trust)), d.trust_text});
+    }
+  }
+  return rows;
+}
+
 Listing units(const ListFilter& f) {
   Rows rows = {{"unit", "of", "meaning"}};
   for (const UnitName& u : unit_names()) {
@@ -156,12 +186,13 @@ Listing rows_of(const std::string& what, const ListFilter& f) {
   if (what == "sections") return sections(f);
   if (what == "steels") return steels(f);
   if (what == "rules") return rules(f);
+  if (what == "carriages") return carriages(f);
+  if (what == "yarders") return yarders(f);
   if (what == "units") return units(f);
   if (what == "machines") return machines(f);
-  const std::vector<std::string> lists = {"methods", "machines", "ropes", "sections", "steels", "rules", "units"};
-  return tl::unexpected(
-      fmt::format("there is no list of '{}'{}; the lists are methods, machines, ropes, sections, steels, rules, units",
-                  what, did_you_mean(what, lists)));
+  const std::vector<std::string> lists = list_names();
+  return tl::unexpected(fmt::format("there is no list of '{}'{}; the lists are {}", what, did_you_mean(what, lists),
+                                    fmt::join(lists, ", ")));
 }
 
 bool looks_like_a_number(const std::string& text) {
@@ -196,6 +227,10 @@ std::string aligned(const std::vector<std::vector<std::string>>& rows) {
     text += line + "\n";
   }
   return text;
+}
+
+std::vector<std::string> list_names() {
+  return {"methods", "machines", "ropes", "sections", "steels", "rules", "carriages", "yarders", "units"};
 }
 
 tl::expected<std::string, std::string> list_text(const std::string& what, const ListFilter& filter) {

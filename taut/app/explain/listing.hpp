@@ -20,12 +20,15 @@ struct ListFilter {
   std::string max_height;           ///< sections: the larger outer side
   std::string min_section_modulus;  ///< sections: elastic, about the strong axis
   std::string standard;             ///< beginning of its name: "EN", "GOST 2688"
-  std::string name;                 ///< steels, rules, units: part of the name
+  std::string name;                 ///< steels, rules, carriages, yarders, units: part of the name
   bool verified_only = false;       ///< rows marked verified
 };
 
+/// What list_text lists.
+std::vector<std::string> list_names();
+
 /// An aligned text table of what matches, one line each with its trust, smallest or lightest first, and a last line
-/// that counts. `what`: methods, machines, ropes, sections, steels, rules, units. The error says which filter can't be
+/// that counts. `what`: one of list_names. The error says which filter can't be
 /// read, or what the lists are.
 tl::expected<std::string, std::string> list_text(const std::string& what, const ListFilter& filter);
 

@@ -59,6 +59,10 @@ const Starter* find_starter(std::string_view name) {
   return found;
 }
 
+std::string starter_deck(std::string_view text) {
+  return "# yaml-language-server: $schema=taut.schema.json\n" + std::string(text);
+}
+
 std::vector<std::string> starter_names() {
   std::vector<std::string> names;
   for (const Starter& one : starters()) names.push_back(one.name);

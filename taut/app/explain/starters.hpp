@@ -18,6 +18,9 @@ const std::vector<Starter>& starters();
 /// By its whole name, by a short one ("skyline", "tackle"), or by a part that only one name has; nullptr without one.
 const Starter* find_starter(std::string_view name);
 
+/// A deck as `taut new` prints it: its text, behind the line that names the schema for an editor.
+std::string starter_deck(std::string_view text);
+
 /// Names of all starters.
 std::vector<std::string> starter_names();
 

@@ -33,8 +33,18 @@ TEST(Starters, AreFoundByTheWordsOfTheTrade) {
   EXPECT_EQ(name("guyed_tower"), "guyed_tower");
   EXPECT_EQ(name("rope_saw"), "rope_saw_drive");
   EXPECT_EQ(name("running_skyline"), "running_skyline");
+  EXPECT_EQ(name("terrain"), "skyline_over_terrain");
   EXPECT_EQ(name("e"), "") << "several";
   EXPECT_EQ(name(""), "");
+}
+
+TEST(Starters, NameTheSchemaForAnEditorAndStillRun) {
+  const app::Starter* one = app::find_starter("skyline_over_terrain");
+  ASSERT_NE(one, nullptr);
+  const std::string deck = app::starter_deck(one->text);
+  EXPECT_EQ(deck.substr(0, deck.find('\n')), "# yaml-language-server: $schema=taut.schema.json");
+  const Result r = app::run(app::Job{.text = deck, .name = "line.yaml", .set = {}});
+  EXPECT_EQ(exit_code(r), 0) << r.message << to_text(r.errors);
 }
 
 TEST(ExplainMachine, KnowsItsPartsAndEveryTableOfAnEquilibrium) {

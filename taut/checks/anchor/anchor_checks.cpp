@@ -4,22 +4,12 @@
 #include <cmath>
 
 #include "taut/base/suggest.hpp"
+#include "taut/calc/none.hpp"
+#include "taut/checks/anchor/rope_ends.hpp"
 #include "taut/checks/guy/guy_checks.hpp"
 
 namespace taut::checks {
 namespace {
-
-/// The ends of ropes at a place: calls `take(reeving, pull of all its copies)`.
-template <class Take>
-void each_end_at(const CheckState& state, const std::string& name, Take&& take) {
-  for (const CheckBranch& b : state.branches) {
-    const machine::Reeving& rope = state.model->reevings[b.reeving];
-    if (rope.closed) continue;
-    const int last = static_cast<int>(rope.nodes.size()) - 1;
-    if (b.from == 0 && rope.nodes.front().name == name) take(rope, Vector3(rope.copies * b.on_start));
-    if (b.to == last && rope.nodes.back().name == name) take(rope, Vector3(rope.copies * b.on_end));
-  }
-}
 
 std::vector<std::string> anchors_of(const machine::Model& model) {
   std::vector<std::string> known;
@@ -36,8 +26,7 @@ constexpr const char* fastening =
     "Lines on stumps and trees: 2.5 wraps, 8 spikes or 6 staples on the first and the last wrap, 2 clips up to 1 in. "
     "and 3 above (WAC 296-54-569): say 'fastening' of an anchor to have it checked; a skyline does not count as a "
     "guyline.";
-constexpr double inch = 0.0254;        // m
-constexpr double rule_diameter = 0.5;  // m, of the tree that the rule of thumb speaks of
+constexpr double inch = 0.0254;  // m
 
 double elevation(const Vector3& F) { return std::atan2(F.z(), std::hypot(F.x(), F.y())); }
 
@@ -50,7 +39,9 @@ const Quantities<AnchorStates>& anchor_quantities() {
       {"horizontal", "", si::N, "its horizontal part", [](const Row& s) { return std::hypot(s.pull.x(), s.pull.y()); }},
       {"upwards", "", si::N, "its vertical part, uplift positive", [](const Row& s) { return s.pull.z(); }},
       {"angle", "", si::rad, "its angle above the horizontal", [](const Row& s) { return elevation(s.pull); }},
-      {"where", "", si::one, "state in which that is", &Row::where}};
+      {"where", "", si::one, "state in which that is", &Row::where},
+      {"tree_diameter", "", si::m.in("cm"), "diameter of a tree that holds it, by force and angle, in the worst state",
+       [](const Row& s) { return s.tree.needed().value_or(none); }}};
   return all;
 }
 
@@ -85,7 +76,11 @@ void complain_of_anchors(const std::vector<AnchorCheckRequest>& anchors, const m
 
 std::vector<AnchorStates> anchor_states(const std::vector<AnchorCheckRequest>& anchors) {
   std::vector<AnchorStates> all;
-  for (const AnchorCheckRequest& one : anchors) all.emplace_back().request = &one;
+  for (const AnchorCheckRequest& one : anchors) {
+    AnchorStates& anchor = all.emplace_back();
+    anchor.request = &one;
+    anchor.tree.level = one.ground_slope == 0;
+  }
   return all;
 }
 
@@ -99,6 +94,7 @@ void take(const CheckState& state, AnchorStates& anchor) {
     anchor.thickest_rope = std::max(anchor.thickest_rope, rope.diameter);
   });
   if (F.norm() == 0) return;
+  anchor.tree.take(factor * F.norm(), elevation(F) - anchor.request->ground_slope, with_factor(state.words, factor));
   if (factor * F.norm() > anchor.force) {
     anchor.force = factor * F.norm();
     anchor.pull = F;
@@ -117,7 +113,7 @@ void take(const CheckState& state, AnchorStates& anchor) {
 
 namespace {
 
-/// Force against what the anchor holds: declared, by its ropes, by the tree's diameter.
+/// Force against what the anchor holds: declared, by its ropes, by the tree that it is.
 void check_holding(const AnchorStates& s, Result& r) {
   const AnchorCheckRequest& one = *s.request;
   const std::string where = with_factor(s.where, s.factor);
@@ -144,18 +140,8 @@ void check_holding(const AnchorStates& s, Result& r) {
                     .trust = "derived"},
                    r);
   }
-  if (one.tree_diameter) {
-    const RuleLimit rule = rule_limit("layout.anchor_tree", false);
-    const double share = *one.tree_diameter / rule_diameter;
-    add_part_check(
-        one.name, "anchor_tree", s.force, si::N,
-        {.sense = Sense::at_most,
-         .limit = rule.value * share * share,
-         .rule = fmt::format("pull ({}) on a tree of {:.3g} cm: {:.3g} kN x ({:.3g}/50)^2; {}", where,
-                             *one.tree_diameter * 100, rule.value / 1e3, *one.tree_diameter * 100, rule.words),
-         .trust = rule.trust},
-        r);
-  }
+  // a declared strength, of a deadman or a plate, needs no tree
+  if (one.tree_diameter || !one.strength) add_anchor_tree(one.name, s.tree, one.tree_diameter, r);
 }
 
 void check_fastening(const AnchorStates& s, Result& r) {

@@ -4,6 +4,7 @@
 #include <numbers>
 #include <string>
 
+#include "taut/calc/verdict.hpp"
 #include "test/support/guyed_decks.hpp"
 #include "test/support/machine_decks.hpp"
 
@@ -37,11 +38,10 @@ TEST(AnchorChecks, PullOfAllRopesThere) {
   EXPECT_NEAR(cell(t, 1, "force"), value_of(r, "g3.T_start"), 1e-6 * T);
 }
 
-// Wraps, spikes, staples and clips of WAC 296-54-569: 2 clips up to 1 in., 3 above; a tree of 40 cm by the rule of
-// thumb 80 kN at 50 cm and the square of the diameter: 51.2 kN.
-TEST(AnchorChecks, FasteningAndTree) {
+// Wraps, spikes, staples and clips of WAC 296-54-569: 2 clips up to 1 in., 3 above.
+TEST(AnchorChecks, Fastening) {
   const std::string anchors =
-      "  anchors:\n    a1: {tree_diameter: 40 cm, dynamic_factor: 1.5, fastening: {wraps: 2, spikes: 8, clips: 2}}\n"
+      "  anchors:\n    a1: {dynamic_factor: 1.5, fastening: {wraps: 2, spikes: 8, clips: 2}}\n"
       "    a2: {fastening: {wraps: 2.5, staples: 5, clips: 3}}\n";
   const Result r = run_text(guyed(anchors), {"machine.ropes.guy.diameter=25.4 mm"});
   EXPECT_FALSE(check_of(r, "a1.anchor_wraps").passes);
@@ -51,13 +51,65 @@ TEST(AnchorChecks, FasteningAndTree) {
   EXPECT_TRUE(check_of(r, "a1.anchor_clips").passes);
   EXPECT_EQ(check_of(r, "a1.anchor_clips").trust, "verified");
   EXPECT_FALSE(check_of(r, "a2.anchor_staples").passes);
-  EXPECT_NEAR(check_of(r, "a1.anchor_tree").limit, 51.2e3, 1e-6);
-  EXPECT_NEAR(check_of(r, "a1.anchor_tree").value, 1.5 * value_of(r, "g1.T_end"), 0.1);
-  EXPECT_NE(check_of(r, "a1.anchor_tree").trust.find("UNVERIFIED"), std::string::npos);
   const Result thick = run_text(guyed(anchors), {"machine.ropes.guy.diameter=26 mm"});
   EXPECT_FALSE(check_of(thick, "a1.anchor_clips").passes);
   const Result unknown = run_text(guyed(anchors));  // a line of unknown diameter counts as thick
   EXPECT_FALSE(check_of(unknown, "a1.anchor_clips").passes);
+}
+
+/// A rope of no weight that pulls with 60 kN at an anchor on the ground, up by so many degrees.
+std::string pull_at(const std::string& rise, const std::string& anchor, const std::string& tension = "60 kN") {
+  return "taut: 1\nmachine:\n  ropes: {line: {mass: 0.001 kg/m, stiffness: 20 MN, breaking_force: 900 kN}}\n"
+         "  points: {stump: [0 m, 0 m, 0 m], head: [20 m, 0 m, " +
+         rise +
+         "]}\n"
+         "  reevings:\n    - {rope: line, path: [{anchor: stump}, {anchor: head}], tension_at_start: " +
+         tension + "}\nchecks:\n  ropes: {line: {safety_factor: 2}}\n  anchors: {stump: " + anchor + "}\n";
+}
+
+// By hand, from the table: 60 kN at 9 deg lie between 32 cm (51 kN) and 40 cm (80 kN):
+// sqrt(32^2 + (60 - 51)/(80 - 51) (40^2 - 32^2)) = 34.68 cm; at 20 deg between 40 cm (53) and 48 cm (77): 42.5 cm; at
+// 40 deg between 48 cm (55) and 52 cm (65): 50.04 cm.
+TEST(AnchorChecks, TreeByForceAndAngle) {
+  struct Row {
+    double degrees, needed;
+  };
+  for (const Row& row : {Row{9, 0.34681}, Row{20, 0.42489}, Row{40, 0.50040}}) {
+    const std::string rise = std::to_string(20 * std::tan(row.degrees * std::numbers::pi / 180)) + " m";
+    const Result r = run_text(pull_at(rise, "{tree_diameter: 45 cm}"));
+    EXPECT_NEAR(value_of(r, "stump.tree_diameter"), row.needed, 2e-5) << row.degrees;
+    const Check& c = check_of(r, "stump.anchor_tree");
+    EXPECT_NEAR(c.limit, row.needed, 2e-5);
+    EXPECT_EQ(c.value, 0.45);
+    EXPECT_EQ(c.passes, row.needed < 0.45);
+    EXPECT_EQ(c.trust, "derived");
+    EXPECT_NEAR(cell(table_of(r, "anchor_forces"), 0, "tree_diameter"), row.needed, 2e-5);
+    EXPECT_FALSE(has_check(run_text(pull_at(rise, "{}")), "stump.anchor_tree")) << "a value alone";
+  }
+}
+
+TEST(AnchorChecks, TheAngleCountsFromTheGround) {
+  // 20 deg above the horizontal over ground that rises by 15 deg: 5 deg
+  const Result r = run_text(pull_at("7.2794 m", "{tree_diameter: 45 cm, ground_slope: 15 deg}"));
+  EXPECT_NEAR(value_of(r, "stump.tree_diameter"), 0.34681, 2e-5);
+  // over ground that falls: 40 deg
+  const Result falls = run_text(pull_at("7.2794 m", "{tree_diameter: 45 cm, ground_slope: -20 deg}"));
+  EXPECT_NEAR(value_of(falls, "stump.tree_diameter"), 0.50040, 2e-5);
+}
+
+TEST(AnchorChecks, BeyondTheTableATreeNeverPasses) {
+  // 50 deg: the table ends at 45 deg; 60 kN need 50.0 cm there already
+  const Result thin = run_text(pull_at("23.835 m", "{tree_diameter: 48 cm}"));
+  EXPECT_FALSE(check_of(thin, "stump.anchor_tree").passes);
+  EXPECT_EQ(verdict_of(thin)->kind, VerdictKind::fails);
+  const Result thick = run_text(pull_at("23.835 m", "{tree_diameter: 90 cm}"));
+  EXPECT_FALSE(has_check(thick, "stump.anchor_tree"));
+  EXPECT_EQ(thick.find_value("stump.tree_diameter"), nullptr);
+  EXPECT_EQ(verdict_of(thick)->kind, VerdictKind::not_judged);
+  EXPECT_EQ(verdict_of(thick)->verdict_class, "unmade");
+  // 300 kN: the table ends at 215 kN and 65 cm
+  EXPECT_FALSE(check_of(run_text(pull_at("1 m", "{tree_diameter: 60 cm}", "300 kN")), "stump.anchor_tree").passes);
+  EXPECT_EQ(verdict_of(run_text(pull_at("1 m", "{tree_diameter: 80 cm}", "300 kN")))->kind, VerdictKind::not_judged);
 }
 
 TEST(AnchorChecks, MistakesHaveTheirPlace) {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "taut/calc/quantity.hpp"
+#include "taut/checks/anchor/anchor_tree.hpp"
 #include "taut/checks/check_state.hpp"
 #include "taut/checks/checked_deck.hpp"
 #include "taut/checks/guy/guy_checks_deck.hpp"
@@ -37,6 +38,7 @@ struct AnchorStates {
   Vector3 pull = Vector3::Zero();                           ///< where the force is largest, without a factor, N
   double factor = 1;                                        ///< in `force`: the dynamic factor of a state at rest
   std::string where, where_uplift, where_angle;
+  AnchorTree tree;
   double strongest_rope = 0;  ///< N, all copies
   bool strength_unknown = false;
   double thickest_rope = 0;  ///< m; 0: not known

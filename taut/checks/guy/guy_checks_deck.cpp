@@ -65,10 +65,16 @@ const Description& AnchorCheckRequest::describe() {
           .field(&R::angle, "angle", "", si::rad, "largest angle of the pull above the horizontal")
           .above(-1.5708)
           .below(1.5708)
-          .field(&R::tree_diameter, "tree_diameter", "", si::m.in("cm"),
-                 "diameter of the tree or stump; its strength by a rule of thumb, 80 kN at 50 cm")
+          .field(
+              &R::tree_diameter, "tree_diameter", "", si::m.in("cm"),
+              "diameter of the tree or stump at breast height; what it needs follows from force and angle of the pull")
           .above(0)
           .at_most(5)
+          .field(&R::ground_slope, "ground_slope", "", si::rad,
+                 "slope of the ground from the anchor in the direction of the pull, up positive: the angle of the pull "
+                 "counts from there")
+          .above(-1.5708)
+          .below(1.5708)
           .record(&R::fastening, "fastening", "fastening of the line to it, by WAC 296-54-569");
   return d;
 }

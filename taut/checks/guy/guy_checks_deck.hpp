@@ -38,6 +38,7 @@ struct AnchorCheckRequest {
   std::optional<double> uplift;         ///< N, largest
   std::optional<double> angle;          ///< rad, largest, of the force above the horizontal
   std::optional<double> tree_diameter;  ///< m, of the tree or stump that it is
+  double ground_slope = 0;  ///< of the ground from the anchor in the direction of the pull, rad, up positive
   std::optional<FasteningRequest> fastening;
   static const Description& describe();
 };

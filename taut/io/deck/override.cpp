@@ -191,6 +191,8 @@ class Override {
       Node* place = map.find("at");
       const bool asked = step.index || component(step.key);
       if (asked && place != nullptr && place->kind == Node::Kind::sequence) return item(*place, steps, --i);
+      if (place != nullptr && place->kind == Node::Kind::map && place->find(step.key) != nullptr)
+        return member(*place, steps, --i);
     }
     if (step.bracket && step.index) {
       if (map.kind != Node::Kind::map && map.kind != Node::Kind::null && *step.index == 0) return &map;  // list of one

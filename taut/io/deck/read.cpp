@@ -157,7 +157,8 @@ class FieldReader {
       const std::string have =
           n.kind == Node::Kind::sequence ? fmt::format("{} of them", n.items.size()) : std::string(kind_text(n));
       wrong(n.spot,
-            fmt::format("three components along x, y, z are expected, such as {}, not {}", example_value(f_), have));
+            fmt::format("three components along x, y, z are expected, such as {}{}, not {}", example_value(f_),
+                        f_.map_form ? fmt::format(" (or a map of {})", fmt::join(f_.record->keys(), ", ")) : "", have));
       return std::nullopt;
     }
     Triple all{};
@@ -331,7 +332,9 @@ bool read(const Node& map, const Description& description, void* object, std::st
       continue;
     }
     const Entry* entry = map.find_entry(f.key);
-    if (entry != nullptr) std::visit(FieldReader(f, *entry, mistakes), f.slot(object));
+    if (entry == nullptr) continue;
+    const bool as_map = f.map_form && entry->value.kind == Node::Kind::map;
+    std::visit(FieldReader(f, *entry, mistakes), as_map ? Slot(f.map_form(object)) : f.slot(object));
   }
   note_missing_keys(map, description, what, mistakes);
   note_exclusive_keys(map, description, what, mistakes);

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 #include <string>
 #include <utility>
 #include <vector>
@@ -158,6 +159,11 @@ TEST(Read, NamedStructsVectorsAndShortForms) {
   EXPECT_EQ(t.machine.path[0].over, "head");
   EXPECT_FALSE(t.machine.path[0].axis.has_value());
   EXPECT_EQ(t.machine.path[1].axis, (Triple{0, 1, 0}));
+  EXPECT_FALSE(t.machine.path[1].tilted.has_value());
+  const ReadMachine tilted = read_machine("path: [{over: head, axis: {tilt: 30 deg}}]\n");
+  ASSERT_TRUE(tilted.good) << tilted.text;
+  EXPECT_FALSE(tilted.machine.path[0].axis.has_value());
+  EXPECT_NEAR(tilted.machine.path[0].tilted->tilt, std::numbers::pi / 6, 1e-15);
   ASSERT_EQ(t.machine.motion.size(), 1U);
   EXPECT_EQ(t.machine.motion[0].name, "");
   EXPECT_EQ(t.machine.motion[0].sense, "out");
@@ -181,6 +187,9 @@ TEST(Read, TellsMistakesOfNamesVectorsAndShortForms) {
        "'coluor' is not a field of pins.head; did you mean 'colour'?"},
       {"pins: [[0 m, 0 m, 0 m]]", "pins: a map of names is expected ('name: ...' on each line), not a list"},
       {"pins: {head: {at: [0 m, 0 m, 0 m], free: [x, rz]}}", "free: 'rz' is not a choice"},
+      {"path: [{over: a, axis: 3}]", "such as [1, 1, 1] (or a map of tilt), not a text"},
+      {"path: [{over: a, axis: {tlit: 3 deg, tilt: 2 deg}}]", "'tlit' is not a field of axis; did you mean 'tilt'?"},
+      {"path: [{over: a, axis: {}}]", "axis lacks 'tilt'"},
       {"path: [{axis: [0, 1, 0]}]", "path[0] needs one of over, anchor"},
       {"path: [{over: a, anchor: b}]",
        "deck.yaml:1:18: error: anchor: path[0] has 'over' already; give one of the two"},

@@ -105,16 +105,29 @@ struct SamplePin {
   }
 };
 
+struct SampleTilt {
+  double tilt = 0;
+
+  static const Description& describe() {
+    static const Description d = Describe<SampleTilt>()
+                                     .field(&SampleTilt::tilt, "tilt", "", si::rad.in("deg"), "from the horizontal")
+                                     .required();
+    return d;
+  }
+};
+
 struct SampleStop {
   std::optional<std::string> over;
   std::optional<std::string> anchor;
   std::optional<Triple> axis;
+  std::optional<SampleTilt> tilted;
 
   static const Description& describe() {
     static const Description d = Describe<SampleStop>()
                                      .field(&SampleStop::over, "over", "a sheave")
                                      .field(&SampleStop::anchor, "anchor", "a pin")
                                      .field(&SampleStop::axis, "axis", "", si::one, "axis of the sheave")
+                                     .or_map(&SampleStop::tilted)
                                      .exactly_one({"over", "anchor"})
                                      .later("spring", "springs come with the dynamics");
     return d;

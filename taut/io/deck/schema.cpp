@@ -112,8 +112,11 @@ Json of_kind(const Field& f, bool whole) {
     }
     case FieldKind::choice:
       return {{"enum", f.choices}};
-    case FieldKind::triple:
-      return {{"type", "array"}, {"items", one_number(f)}, {"minItems", 3}, {"maxItems", 3}};
+    case FieldKind::triple: {
+      Json list = {{"type", "array"}, {"items", one_number(f)}, {"minItems", 3}, {"maxItems", 3}};
+      if (!f.map_form) return list;
+      return {{"anyOf", {std::move(list), object(*f.record, whole)}}};
+    }
     case FieldKind::texts: {
       const Json text = f.choices.empty() ? Json{{"type", {"string", "number", "boolean"}}} : Json{{"enum", f.choices}};
       return {{"anyOf", {text, Json{{"type", "array"}, {"items", text}}}}};

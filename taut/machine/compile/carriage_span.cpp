@@ -7,6 +7,7 @@
 
 #include "taut/base/array.hpp"
 #include "taut/machine/compile/carriages.hpp"
+#include "taut/machine/compile/guides.hpp"
 
 namespace taut::machine {
 namespace {
@@ -116,12 +117,10 @@ void share_out(Model& model, int reeving, int node) {
   clamp.length_before = length * way[node] / way.back();
 }
 
-}  // namespace
-
-Model with_carriage_at(Model model, int carriage, double x, const Vector3& along) {
+void move_carriage(Model& model, int carriage, double x, const Vector3& along) {
   Carriage& car = model.carriages[carriage];
   const Moved moved = move_nodes(model, car.reeving, car.node, car.rollers, x, along);
-  if (!moved.found) return model;
+  if (!moved.found) return;
   Body& body = model.bodies[car.body];
   turn_along(body, moved.to - moved.from, car.rollers);
   const Vector3& above = model.reevings[car.reeving].nodes[car.node].at.at;
@@ -129,6 +128,15 @@ Model with_carriage_at(Model model, int carriage, double x, const Vector3& along
   if (moved.passes) share_out(model, car.reeving, car.node);
   if (car.grip && move_nodes(model, car.grip->reeving, car.grip->node, 1, x, along).passes)
     share_out(model, car.grip->reeving, car.grip->node);
+}
+
+}  // namespace
+
+Model with_carriage_at(Model model, int carriage, double x, const Vector3& along) {
+  const int body = model.carriages[carriage].body;
+  release_guides(model, body);
+  move_carriage(model, carriage, x, along);
+  hold_guides(model, body, x, along);
   return model;
 }
 

@@ -133,6 +133,9 @@ void check(const description::Carriage& car, const std::string& path, std::vecto
     complain(complaints, path + (car.rollers > 1 ? ".rollers" : ".height"),
              "a clamped carriage is a point on its rope");
   if (car.rollers > 1 && !car.wheelbase) complain(complaints, path + ".rollers", "several rollers need a 'wheelbase'");
+  const auto& ropes = car.rope_diameters;
+  if (!ropes.empty() && (ropes.size() != 2 || ropes[0] > ropes[1]))
+    complain(complaints, path + ".rope_diameters", "are the least and the largest, in this order: [16 mm, 22 mm]");
   if (car.rollers == 1 && car.wheelbase) complain(complaints, path + ".wheelbase", "needs 'rollers: 2' or more");
 }
 
@@ -169,6 +172,8 @@ Carriage carriage_of(const Machine& machine, std::size_t index, const Array<Reev
   car.name = given.name;
   car.body = static_cast<int>(machine.bodies.size() + index);
   car.rollers = given.rollers;
+  car.mass = given.mass;
+  car.rated_payload = given.rated_payload;
   const auto own = reeving(given.rides, ".rides");
   car.reeving = own.value_or(0);
   const auto fixed_to = given.fixed_to ? reeving(*given.fixed_to, ".fixed_to") : std::nullopt;

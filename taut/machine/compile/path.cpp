@@ -9,6 +9,7 @@
 #include "taut/base/array.hpp"
 #include "taut/machine/compile/carriages.hpp"
 #include "taut/machine/compile/drums.hpp"
+#include "taut/machine/compile/guides.hpp"
 
 namespace taut::machine {
 namespace {
@@ -29,12 +30,17 @@ Vector3 unit_axis(const Triple& axis) {
 
 bool is_over(const PathElement& e, const std::string& name) { return e.over && *e.over == name; }
 
-Stop round_stop(const Machine& machine, const Target& target, Side side) {
+const Round& given_round(const Machine& machine, const Target& target) {
   const auto sheaves = machine.sheaves.size();
   const auto index = static_cast<std::size_t>(target.index);
-  const Round& round = index < sheaves ? machine.sheaves[index] : machine.supports[index - sheaves];
+  return index < sheaves ? machine.sheaves[index] : machine.supports[index - sheaves];
+}
+
+Stop round_stop(const Machine& machine, const Target& target, Side side) {
+  const Round& round = given_round(machine, target);
   Stop stop;
-  stop.saddle = round.law == RoundLaw::saddle || (round.law == RoundLaw::usual && index >= sheaves);
+  const bool support = static_cast<std::size_t>(target.index) >= machine.sheaves.size();
+  stop.saddle = round.law == RoundLaw::saddle || (round.law == RoundLaw::usual && support);
   stop.side = side;
   Node& node = stop.node;
   stop.drives = round.motor.has_value();
@@ -74,7 +80,12 @@ class PathReader {
     if (e.through) carriage(*e.through, e.grip, at + ".through");
     if (!e.over) return;
     const Target* own = links_.find(*e.over, {Thing::sheave}, at + ".over", complaints_);
-    if (own != nullptr) stops.push_back(round_stop(machine_, *own, e.side));
+    if (own == nullptr) return;
+    stops.push_back(round_stop(machine_, *own, e.side));
+    if (given_round(machine_, *own).holds) {
+      complain(at + ".over",
+               fmt::format("'{}' holds a rope that ends at a carriage ('holds'); this one is endless", *e.over));
+    }
   }
 
   void add(const Array<PathElement>& path, std::size_t i, const std::string& at) {
@@ -163,12 +174,18 @@ class PathReader {
     const Target* own = links_.find(*e.over, {Thing::sheave}, at + ".over", complaints_);
     if (own == nullptr) return;
     const Stop single = round_stop(machine_, *own, e.side);
+    const Round& round = given_round(machine_, *own);
     if (e.parts == 1) {
       if (single.drives) drive(at);
       stops.push_back(single);
       if (single.drives) stops.back().node.kind = NodeKind::drive;
+      if (const auto carriage = ahead_of(machine_, round)) stops.back().ahead_of = AheadOf{*carriage, at + ".over"};
+      if (single.drives && round.holds) {
+        complain(at + ".over", fmt::format("'{}' has a motor; a guide that 'holds' has none", *e.over));
+      }
       return;
     }
+    if (round.holds) complain(at + ".over", fmt::format("'{}' has 'holds'; a tackle's sheaves have not", *e.over));
     if (single.drives) complain(at + ".over", fmt::format("'{}' has a motor; a tackle's sheaves have none", *e.over));
     const auto name = partner(path, i, at);
     if (!name) return;

@@ -9,6 +9,12 @@
 
 namespace taut::machine {
 
+/// What a guide with `holds: ahead_of` says: the carriage's index, and its element of the path for complaints.
+struct AheadOf {
+  int carriage = 0;
+  std::string path;
+};
+
 /// One node of a path with what is needed until its side is known.
 struct Stop {
   Node node;
@@ -18,6 +24,7 @@ struct Stop {
   bool grip = false;            ///< where a rope that the carriage does not ride on is fixed to it
   bool saddle = false;
   bool drives = false;  ///< has a motor
+  std::optional<AheadOf> ahead_of = std::nullopt;
 };
 
 /// The nodes of a reeving's path, an endless one from its drive on, tackles written out: between two sheaves of a

@@ -56,6 +56,7 @@ const Description& Point::describe() {
           .field(&Point::at, "at", "", si::m, "place in the frame of its body, or of the ground")
           .at_least(-farthest)
           .at_most(farthest)
+          .or_map(&Point::over_ground)
           .required()
           .field(&Point::body, "body", "the body to which it belongs; default: the ground");
   return d;
@@ -107,6 +108,7 @@ const Description& Body::describe() {
           .field(&Body::at, "at", "", si::m, "place of its origin; of a free body a first guess")
           .at_least(-farthest)
           .at_most(farthest)
+          .or_map(&Body::over_ground)
           .field(&Body::centre, "centre", "", si::m, "centre of mass relative to the origin")
           .at_least(-farthest)
           .at_most(farthest)
@@ -130,6 +132,7 @@ const Description& Round::describe() {
           .field(&Round::at, "at", "", si::m, "centre, in the frame of its body, or of the ground")
           .at_least(-farthest)
           .at_most(farthest)
+          .or_map(&Round::over_ground)
           .required()
           .field(&Round::body, "body", "the body that carries it; default: the ground")
           .field(&Round::diameter, "diameter", "D", si::m.in("mm"),
@@ -155,6 +158,9 @@ const Description& Round::describe() {
                  "viscous drag of its turning: moment by angular velocity; used in motion only, with an 'inertia'")
           .at_least(0)
           .at_most(strongest)
+          .field(&Round::holds, "holds",
+                 "'ahead_of CARRIAGE': it holds a rope that ends at this carriage only while the carriage has not "
+                 "passed it; default: always")
           .record(&Round::motor, "motor", "the sheave drives its rope");
   return d;
 }

@@ -20,6 +20,7 @@ struct Point {
   std::string name;
   std::optional<std::string> body;
   Triple at{};
+  std::optional<OverGround> over_ground = std::nullopt;  ///< in place of `at`
   static const Description& describe();
 };
 
@@ -57,6 +58,7 @@ struct Body {
   std::optional<BodyMotion> motion;
   std::optional<Turned> turned = std::nullopt;   ///< how it stands at the start; of a free body a first guess
   std::optional<std::string> on = std::nullopt;  ///< the body in whose frame `at`, the axes and the guide are given
+  std::optional<OverGround> over_ground = std::nullopt;  ///< in place of `at`
   static const Description& describe();
 };
 
@@ -89,6 +91,10 @@ struct Round {
   std::optional<double> inertia;   ///< kg m2, for dynamics
   double drag = 0;                 ///< N m s, for dynamics
   std::optional<Motor> motor;
+  std::optional<OverGround> over_ground = std::nullopt;  ///< in place of `at`
+  /// "ahead_of CARRIAGE": it is in the path of a rope that ends at this carriage only where it lies between the
+  /// carriage and what the rope comes from.
+  std::optional<std::string> holds = std::nullopt;
   static const Description& describe();
 };
 
@@ -123,6 +129,7 @@ struct Drum {
   std::optional<double> flange_diameter;  ///< m; default: not limited
   std::optional<double> pitch;            ///< from wrap to wrap, m; default: the rope's diameter
   std::optional<double> layer_height;     ///< m; default: the rope's diameter
+  std::optional<OverGround> over_ground = std::nullopt;  ///< in place of `at`
   static const Description& describe();
 };
 
@@ -130,6 +137,8 @@ enum class Hold { rolling, clamped, fixed_to };
 
 struct Carriage {
   std::string name;
+  std::optional<std::string> library = std::nullopt;    ///< its name in the catalogue of carriages
+  std::optional<std::string> catalogue = std::nullopt;  ///< a file of the user's in place of the built-in carriages
   double mass = 0;
   std::string rides;  ///< a reeving
   Hold hold = Hold::rolling;
@@ -143,6 +152,11 @@ struct Carriage {
   double height = 0;                    ///< of the rollers above the origin, m; its mass acts at the origin
   std::optional<double> length_before;  ///< of a clamp: unstretched rope from the reeving's start, m
   std::optional<Triple> at;             ///< first guess of its place; default: between its neighbours
+  std::optional<double> rated_payload = std::nullopt;  ///< kg
+  std::vector<double> rope_diameters = {};             ///< least and largest, of the rope on which it rides, m
+  /// Not of the deck: trust of the two, and what was taken from the catalogue, in words.
+  std::string rating_trust = "user", from_library = {};
+  std::optional<OverGround> over_ground = std::nullopt;  ///< in place of `at`
   static const Description& describe();
 };
 

@@ -13,6 +13,11 @@ using std::numbers::pi;
 const Description& Carriage::describe() {
   static const Description d =
       Describe<Carriage>()
+          .field(&Carriage::library, "carriage",
+                 "a carriage by its name in the catalogue (taut list carriages): mass, rated payload, rope diameters, "
+                 "rollers and wheelbase, where the deck does not give them")
+          .field(&Carriage::catalogue, "catalogue",
+                 "a file of carriages (CSV) in place of the built-in ones, beside the deck")
           .field(&Carriage::mass, "mass", "m", si::kg, "mass")
           .at_most(heaviest)
           .at_least(0)
@@ -35,6 +40,7 @@ const Description& Carriage::describe() {
           .field(&Carriage::at, "at", "", si::m, "a first guess of its place")
           .at_least(-farthest)
           .at_most(farthest)
+          .or_map(&Carriage::over_ground)
           .field(&Carriage::rollers, "rollers", "n", si::one,
                  "number of rollers, at equal distances; with more than one the carriage pitches")
           .at_least(1)
@@ -49,7 +55,15 @@ const Description& Carriage::describe() {
                  "height of the rollers above the origin of the carriage, at which its mass, loads and ropes act; the "
                  "carriage then swings")
           .at_least(0)
-          .at_most(100);
+          .at_most(100)
+          .field(&Carriage::rated_payload, "rated_payload", "", si::kg,
+                 "largest load on it: checked in every state, and a limit of each payload analysis")
+          .above(0)
+          .at_most(heaviest)
+          .field(&Carriage::rope_diameters, "rope_diameters", "d", si::m.in("mm"),
+                 "least and largest diameter of the rope on which it rides: checked")
+          .above(0)
+          .at_most(1);
   return d;
 }
 

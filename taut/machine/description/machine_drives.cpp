@@ -41,6 +41,7 @@ const Description& Drum::describe() {
           .field(&Drum::at, "at", "", si::m, "centre, in the frame of its body, or of the ground")
           .at_least(-farthest)
           .at_most(farthest)
+          .or_map(&Drum::over_ground)
           .required()
           .field(&Drum::body, "body", "the body that carries it; default: the ground")
           .field(&Drum::axis, "axis", "", si::one, "direction of its axis")

@@ -1,10 +1,13 @@
 function (number, data) {
   "use strict";
-  var svg = document.getElementById("motion" + number);
+  var box = document.getElementById("motion" + number);
+  var svg = box.querySelector("svg.moving");
   var controls = svg.nextElementSibling, readings = controls.nextElementSibling;
   var button = controls.children[0], slider = controls.children[1], output = controls.children[2];
   var lines = svg.querySelectorAll("polyline"), rounds = svg.querySelectorAll(":scope > g");
+  var leaders = svg.querySelectorAll(":scope > path.leader");
   var last = data.t.length - 1, playing = 0, begun = 0, from = 0;
+  box.classList.add("on");
   controls.style.display = readings.style.display = "flex";
   slider.max = last;
   function at(frames, i) { return frames[frames.length > 1 ? i : 0]; }
@@ -13,11 +16,15 @@ function (number, data) {
       var p = at(frames, i), text = "";
       for (var j = 0; j < p.length; j += 2) text += p[j] / 10 + "," + p[j + 1] / 10 + " ";
       lines[k].setAttribute("points", text);
+      var letter = data.k[k] ? data.k[k][i] : "";
+      if (letter && letter !== "-") lines[k].setAttribute("class", "line " + (letter === "s" ? "slack" : "t" + letter));
     });
     data.c.forEach(function (frames, k) {
       var c = at(frames, i);
       rounds[k].setAttribute("transform", "translate(" + c[0] / 10 + " " + c[1] / 10 + ")");
       rounds[k].children[1].setAttribute("transform", "rotate(" + c[2] + ")");
+      var leader = leaders[k].getAttribute("d");
+      if (leader) leaders[k].setAttribute("d", leader.split("L")[0] + "L" + c[0] / 10 + " " + c[1] / 10);
     });
     var now = data.t[i], happened = "";
     data.e.forEach(function (e) { if (e[0] <= now && e[0] > now - 0.08 * (data.t[last] - data.t[0])) happened = e[1]; });

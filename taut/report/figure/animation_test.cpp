@@ -1,5 +1,6 @@
 #include "taut/report/figure/animation.hpp"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -35,10 +36,11 @@ Animation sinking(std::size_t times) {
   return a;
 }
 
-TEST(Animation, ShowsTheFirstTimeWithoutScripts) {
+TEST(Animation, IsAStripWithoutScripts) {
   const std::string html = animation_html(sinking(11), Display(), 0);
-  EXPECT_THAT(html, HasSubstr("<svg class=\"moving\" id=\"motion0\""));
-  EXPECT_THAT(html, HasSubstr("<polyline points="));
+  EXPECT_THAT(html, HasSubstr("<div class=\"plays\" id=\"motion0\"><svg class=\"strip"));
+  EXPECT_THAT(html, HasSubstr("<svg class=\"moving\""));
+  EXPECT_THAT(html, HasSubstr("<polyline class="));
   EXPECT_THAT(html, HasSubstr(">head</text>"));
   EXPECT_THAT(html, HasSubstr("sinking &lt;fast&gt;"));
 }
@@ -48,7 +50,7 @@ TEST(Animation, WhatRestsIsWrittenOnce) {
   // the rope has eleven frames, the mast one
   const std::size_t lines = html.find("l:[[[");
   ASSERT_NE(lines, std::string::npos);
-  const std::string data = html.substr(lines + 2, html.find(",c:") - lines - 2);
+  const std::string data = html.substr(lines + 2, html.find(",k:") - lines - 2);
   EXPECT_EQ(std::count(data.begin(), data.end(), '['), 1 + (1 + 11) + (1 + 1));
 }
 
@@ -70,17 +72,28 @@ TEST(Animation, NothingToPlay) {
   EXPECT_EQ(animation_html(Animation{}, Display(), 0), "");
 }
 
-/// A load that hangs below its trolley, seen from above: one name above, the other below.
-TEST(Animation, NamesOfOnePlaceStandApart) {
+/// Two rounds at one place, one of which runs over the other: its name stands in the margin, with a line to it.
+TEST(Animation, NamesThatWouldMeetStandInTheMargin) {
   Animation a = sinking(4);
-  a.rounds.push_back(a.rounds[0]);
-  a.rounds[1].label = "hook";
+  EXPECT_THAT(animation_html(a, Display(), 0), Not(HasSubstr("<path class=\"leader\" d=\"M")));
+  for (const char* name : {"hook", "block", "bolt", "nut"}) {
+    a.rounds.push_back(a.rounds[0]);
+    a.rounds.back().label = name;
+  }
   const std::string html = animation_html(a, Display(), 0);
-  const auto y_of = [&](const std::string& label) {
-    const std::size_t end = html.find(">" + label + "</text>"), y = html.rfind(" y=\"", end) + 4;
-    return std::stod(html.substr(y));
-  };
-  EXPECT_GT(std::abs(y_of("hook") - y_of("head")), 12);
+  EXPECT_THAT(html, HasSubstr("<path class=\"leader\" d=\"M"));
+  for (const char* name : {"head", "hook", "block", "bolt", "nut"}) {
+    EXPECT_THAT(html.substr(html.find("class=\"moving\"")), HasSubstr(fmt::format(">{}</text>", name)));
+  }
+}
+
+TEST(Animation, RopesHaveTheColourOfTheirTension) {
+  Animation a = sinking(4);
+  a.lines[0].tension = {0, 1000, 4000, 8000};
+  const std::string html = animation_html(a, Display(), 0);
+  EXPECT_THAT(html, HasSubstr("k:[\"s147\",0]"));
+  EXPECT_THAT(html, HasSubstr("class=\"line slack\""));
+  EXPECT_THAT(html, HasSubstr("tension 0"));
 }
 
 TEST(Animation, WhatIsNotFiniteIsLeftOut) {

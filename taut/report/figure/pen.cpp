@@ -4,29 +4,30 @@
 
 #include <cmath>
 
+#include "taut/report/text/text.hpp"
+
 namespace taut::report {
 
+std::string svg_element(std::string_view classes, std::string_view title, const Box& box, const std::string& body) {
+  const double left = std::floor(box.left), top = std::floor(box.top);
+  const double wide = std::ceil(box.right - left), high = std::ceil(box.bottom - top);
+  return fmt::format(
+      "<svg class=\"{}\" role=\"img\" aria-label=\"{}\" viewBox=\"{:.0f} {:.0f} {:.0f} {:.0f}\" width=\"{:.0f}\" "
+      "height=\"{:.0f}\">\n{}</svg>\n",
+      classes, escape(title), left, top, wide, high, wide, high, body);
+}
+
 const Pen& pen(Role role) {
-  static constexpr Pen rope{
-      .stroke = "#1d5fa6", .width = 2, .dashes = "", .fill = "#d6e4f3", .words = "rope", .weight = 2.5};
-  static constexpr Pen second_rope{
-      .stroke = "#0f8577", .width = 2, .dashes = "7 2.5", .fill = "#d3ebe7", .words = "second rope", .weight = 2.5};
-  static constexpr Pen structure{
-      .stroke = "#333b44", .width = 2.4, .dashes = "", .fill = "#dde1e6", .words = "", .weight = 2};
-  static constexpr Pen body{
-      .stroke = "#5b6570", .width = 1.4, .dashes = "", .fill = "#eceff2", .words = "", .weight = 1.5};
-  static constexpr Pen ground{
-      .stroke = "#8a7a5c", .width = 1.4, .dashes = "", .fill = "#f1ece2", .words = "", .weight = 1.5};
-  static constexpr Pen hidden{
-      .stroke = "#8a929b", .width = 1.1, .dashes = "4 3", .fill = "none", .words = "hidden or unloaded", .weight = 1};
-  static constexpr Pen force{
-      .stroke = "#b3261e", .width = 1.8, .dashes = "", .fill = "#b3261e", .words = "force", .weight = 4};
-  static constexpr Pen second_force{
-      .stroke = "#7b3fa0", .width = 1.8, .dashes = "", .fill = "#7b3fa0", .words = "second force", .weight = 4};
-  static constexpr Pen axis{
-      .stroke = "#8a929b", .width = 0.8, .dashes = "9 2.5 2 2.5", .fill = "none", .words = "", .weight = 0.7};
-  static constexpr Pen highlight{
-      .stroke = "#d9730d", .width = 2.8, .dashes = "", .fill = "#fbe5d0", .words = "governs", .weight = 2.5};
+  static constexpr Pen rope{.name = "rope", .words = "rope", .weight = 2.5};
+  static constexpr Pen second_rope{.name = "second-rope", .words = "second rope", .weight = 2.5};
+  static constexpr Pen structure{.name = "structure", .words = "", .weight = 2};
+  static constexpr Pen body{.name = "body", .words = "", .weight = 1.5};
+  static constexpr Pen ground{.name = "ground", .words = "", .weight = 1.5};
+  static constexpr Pen hidden{.name = "hidden", .words = "hidden or unloaded", .weight = 1};
+  static constexpr Pen force{.name = "force", .words = "force", .weight = 4};
+  static constexpr Pen second_force{.name = "second-force", .words = "second force", .weight = 4};
+  static constexpr Pen axis{.name = "axis", .words = "", .weight = 0.7};
+  static constexpr Pen highlight{.name = "highlight", .words = "governs", .weight = 2.5};
   switch (role) {
     case Role::rope:
       return rope;
@@ -74,18 +75,16 @@ std::string path_data(const std::vector<Pixel>& points, bool closed) {
   return d;
 }
 
-std::string stroke_of(const Pen& p) {
-  const std::string dashes = p.dashes.empty() ? "" : fmt::format(" stroke-dasharray=\"{}\"", p.dashes);
-  return fmt::format("stroke=\"{}\" stroke-width=\"{}\"{}", p.stroke, p.width, dashes);
-}
+std::string line_class(Role role) { return fmt::format("class=\"line {}\"", pen(role).name); }
+std::string area_class(Role role) { return fmt::format("class=\"area {}\"", pen(role).name); }
 
-std::string arrow_head(Pixel tip, double dx, double dy, double size, std::string_view colour) {
+std::string arrow_head(Pixel tip, double dx, double dy, double size, std::string_view name) {
   const double l = std::hypot(dx, dy);
   if (!(l > 0)) return {};
   const double ux = dx / l;
   const double uy = dy / l;
   const double half = 0.36 * size;
-  return fmt::format("<path fill=\"{}\" d=\"M{:.1f} {:.1f}L{:.1f} {:.1f}L{:.1f} {:.1f}Z\"/>", colour, tip.x, tip.y,
+  return fmt::format("<path class=\"head {}\" d=\"M{:.1f} {:.1f}L{:.1f} {:.1f}L{:.1f} {:.1f}Z\"/>", name, tip.x, tip.y,
                      tip.x - size * ux - half * uy, tip.y - size * uy + half * ux, tip.x - size * ux + half * uy,
                      tip.y - size * uy - half * ux);
 }

@@ -10,16 +10,18 @@ namespace taut::report {
 
 /// Of all figures, pixels.
 inline constexpr double font_size = 12.5;
-inline constexpr double paper_width = 660;  ///< what a page takes in its full width
+inline constexpr double paper_width = 660;    ///< what a page takes in its full width, 176 mm: 12.5 pixels are 9.4 pt
+inline constexpr double figure_height = 470;  ///< a higher figure is of the class "tall"
 
-/// How a role is drawn.
+/// The element <svg> of a figure: its classes, its title for those who do not see it, the box shown at its own size.
+std::string svg_element(std::string_view classes, std::string_view title, const Box& box, const std::string& body);
+
+/// How a role is drawn. Colours, widths and dashes are those of its class in assets/figure.css, so that a page may
+/// change them (a dark screen).
 struct Pen {
-  std::string_view stroke;
-  double width = 1;
-  std::string_view dashes;  ///< empty: solid
-  std::string_view fill;    ///< for filled shapes
-  std::string_view words;   ///< in the legend; empty: needs none
-  double weight = 1;        ///< how little a label should cover it
+  std::string_view name;   ///< class of its lines and areas
+  std::string_view words;  ///< in the legend; empty: needs none
+  double weight = 1;       ///< how little a label should cover it
 };
 const Pen& pen(Role role);
 
@@ -36,10 +38,11 @@ bool is_finite(Point p);
 /// line.
 std::string path_data(const std::vector<Pixel>& points, bool closed);
 
-/// stroke="..." stroke-width="..." and dashes of a role.
-std::string stroke_of(const Pen& p);
+/// class="..." of a line of this role, and of one whose inside is painted.
+std::string line_class(Role role);
+std::string area_class(Role role);
 
-/// A filled triangle with its tip at `tip`, pointing along (dx, dy).
-std::string arrow_head(Pixel tip, double dx, double dy, double size, std::string_view colour);
+/// A filled triangle with its tip at `tip`, pointing along (dx, dy), in the colour of the class `name`.
+std::string arrow_head(Pixel tip, double dx, double dy, double size, std::string_view name);
 
 }  // namespace taut::report

@@ -56,14 +56,39 @@ struct Placed {
   bool has_leader = false;
   Pixel leader_from;
   Pixel leader_to;
+  bool is_number = false;  ///< of a label in the list
 };
 
-/// Finds places: tries directions and distances around each anchor, pays for covered lines, other labels, distance and
-/// for leaving `frame`, and looks twice. Far labels get a leader line. Same input, same places.
-std::vector<Placed> place_labels(const std::vector<Wanted>& wanted, const std::vector<Obstacle>& obstacles,
-                                 const Box& frame, double font_size);
+/// What a number on the drawing stands for.
+struct Listed {
+  int number = 0;  ///< 0: no place was left for the number either
+  Runs runs;
+};
 
-/// Text (white behind the letters) and leader lines.
+struct Placement {
+  std::vector<Placed> labels;
+  std::vector<Listed> list;  ///< labels without a place of their own, by number; those of one anchor share a number
+  std::size_t left_out = 0;  ///< the last of them, for which the list has no room either; its last line says so
+};
+
+/// Where labels may stand.
+struct LabelRoom {
+  Box frame;               ///< they should stay in it; empty: anywhere
+  Box bounds;              ///< they must stay in it; empty: anywhere
+  std::vector<Box> taken;  ///< other texts: no label may touch them
+};
+
+/// Finds places: tries directions and distances around each anchor, pays for covered lines, for distance and for
+/// leaving the frame, and looks twice. No two boxes touch. Far labels get a leader line. A label that finds no place,
+/// or only one across several lines, becomes a number on the drawing and a line of the list. The cost grows with the
+/// number of labels and lines, not with its square. Same input, same places.
+Placement place_labels(const std::vector<Wanted>& wanted, const std::vector<Obstacle>& obstacles, const LabelRoom& room,
+                       double font_size);
+
+/// Text (in the colour of the paper behind the letters), numbers and leader lines.
 std::string to_svg(const std::vector<Placed>& labels, double font_size);
+
+/// The list in columns below `top`, from `left`, at most `wide` pixels wide; its box is added to `box`.
+std::string list_svg(const std::vector<Listed>& list, Pixel left_top, double wide, double font_size, Box& box);
 
 }  // namespace taut::report

@@ -9,6 +9,8 @@
 
 #include "taut/report/figure/pen.hpp"
 #include "taut/report/figure/placement.hpp"
+#include "taut/report/figure/ruler.hpp"
+#include "taut/report/figure/text_width.hpp"
 #include "taut/report/figure/ticks.hpp"
 #include "taut/report/text/text.hpp"
 
@@ -16,14 +18,17 @@ namespace taut::report {
 namespace {
 
 constexpr double drawing_width = 520;  ///< for the machine itself, before arrows and labels
-constexpr double drawing_height = 380;
+constexpr double drawing_height = 360;
 constexpr double polygon_height = 310;
 constexpr double longest_arrow = 95;
+constexpr double drawing_margin = 8;
 constexpr int longest_label = 64;
+constexpr int most_rounds = 5;  ///< of shrinking the machine until it fits with its labels
 
 /// Everything that is known before the first line is drawn.
 struct Layout {
   Fit fit;
+  Box machine;             ///< in metres (newtons), y up
   double force_scale = 0;  ///< pixels per newton
   bool is_polygon = false;
 };
@@ -54,16 +59,25 @@ void want_label(Canvas& c, const std::string& text, Place place) {
                       place.may_cover});
 }
 
+/// "G_3 = 12 kN" for a symbol, "F tower 51 kN" and "span 200 m" for words.
+std::string named(const std::string& name, const std::string& value) {
+  if (name.empty()) return value;
+  return fmt::format("{}{}{}", name, split_symbol(name).is_word ? " " : " = ", value);
+}
+
 Pixel between(Pixel a, Pixel b, double t) { return {.x = a.x + t * (b.x - a.x), .y = a.y + t * (b.y - a.y)}; }
 
+/// The line becomes part of the picture and something for labels to keep off, in pieces as long as matters to a label.
 void add_line(Canvas& c, const std::vector<Pixel>& points, double weight, bool closed = false) {
+  constexpr double piece = 5;
+  if (points.empty()) return;
   for (const Pixel p : points) c.box.add(p);
-  const std::size_t step = std::max<std::size_t>(1, points.size() / 200);
-  for (std::size_t i = step; i < points.size(); i += step) {
-    c.obstacles.push_back({points[i - step], points[i], weight});
+  Pixel last = points.front();
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    if (i + 1 < points.size() && std::hypot(points[i].x - last.x, points[i].y - last.y) < piece) continue;
+    c.obstacles.push_back({last, points[i], weight});
+    last = points[i];
   }
-  if (points.size() > 1 && step > 1)
-    c.obstacles.push_back({points[(points.size() - 1) / step * step], points.back(), weight});
   if (closed && points.size() > 2) c.obstacles.push_back({points.back(), points.front(), weight});
 }
 
@@ -99,7 +113,7 @@ bool is_drawable(const Circle& c) {
 }
 
 /// Short strokes below a ground line.
-std::string hatching(const std::vector<Pixel>& line, const Pen& p) {
+std::string hatching(const std::vector<Pixel>& line) {
   std::string d;
   constexpr double pitch = 9;
   double next = pitch / 2;
@@ -114,17 +128,16 @@ std::string hatching(const std::vector<Pixel>& line, const Pen& p) {
     }
     done += l;
   }
-  return d.empty() ? d : fmt::format("<path d=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\".8\"/>\n", d, p.stroke);
+  return d.empty() ? d : fmt::format("<path class=\"hatch\" d=\"{}\"/>\n", d);
 }
 
 void draw_chain(Canvas& c, const std::vector<Pixel>& points, Role role, bool closed, bool filled) {
   if (points.empty()) return;
-  const Pen& p = pen(role);
   c.roles.insert(role);
-  add_line(c, points, p.weight, closed);
-  if (role == Role::ground && !closed) c.behind += hatching(points, p);
-  c.behind += fmt::format("<path d=\"{}\" fill=\"{}\" {}/>\n", path_data(points, closed), filled ? p.fill : "none",
-                          stroke_of(p));
+  add_line(c, points, pen(role).weight, closed);
+  if (role == Role::ground && !closed) c.behind += hatching(points);
+  c.behind +=
+      fmt::format("<path d=\"{}\" {}/>\n", path_data(points, closed), filled ? area_class(role) : line_class(role));
 }
 
 struct Drawer {
@@ -145,7 +158,7 @@ struct Drawer {
     c.roles.insert(s.role);
     const double force = std::hypot(s.fx, s.fy);
     const std::string value = quantity_shown(force, si::N, c.display, 4);
-    const std::string text = s.label.empty() ? value : fmt::format("{} = {}", s.label, value);
+    const std::string text = named(s.label, value);
     const Pixel at = c.layout.fit.of(s.at);
     // Along the stretched rope, not across it; the length shows the force whatever the direction.
     const double dy = -s.fy * c.layout.fit.vertical;
@@ -157,9 +170,9 @@ struct Drawer {
     const Pixel tip = s.towards ? at : Pixel{.x = at.x + d.x, .y = at.y + d.y};
     const double head = std::min(9.0, 0.6 * length + 2);
     const double shaft = std::max(0.0, 1 - 0.8 * head / length);
-    c.front += fmt::format("<path d=\"M{:.1f} {:.1f}L{:.1f} {:.1f}\" fill=\"none\" {}/>", tail.x, tail.y,
-                           tail.x + shaft * d.x, tail.y + shaft * d.y, stroke_of(p));
-    c.front += arrow_head(tip, d.x, d.y, head, p.stroke) + "\n";
+    c.front += fmt::format("<path d=\"M{:.1f} {:.1f}L{:.1f} {:.1f}\" {}/>", tail.x, tail.y, tail.x + shaft * d.x,
+                           tail.y + shaft * d.y, line_class(s.role));
+    c.front += arrow_head(tip, d.x, d.y, head, p.name) + "\n";
     add_line(c, {tail, tip}, p.weight);
     // The free end has more room; a side of a polygon is named at its middle.
     const Pixel free_end = s.towards ? tail : tip;
@@ -193,11 +206,11 @@ struct Drawer {
     c.front += fmt::format("<path class=\"dimension\" d=\"M{:.1f} {:.1f}L{:.1f} {:.1f}\"/>", a.x, a.y, b.x, b.y);
     const double head = std::min(7.0, px / 3);
     c.front +=
-        arrow_head(a, a.x - b.x, a.y - b.y, head, "#555d66") + arrow_head(b, b.x - a.x, b.y - a.y, head, "#555d66");
+        arrow_head(a, a.x - b.x, a.y - b.y, head, "dimension") + arrow_head(b, b.x - a.x, b.y - a.y, head, "dimension");
     c.front += "\n";
     add_line(c, {a, b}, 2);
-    const std::string text =
-        s.text.empty() ? quantity_shown(l, c.layout.is_polygon ? si::N : si::m, c.display, 4) : s.text;
+    const std::string length = quantity_shown(l, c.layout.is_polygon ? si::N : si::m, c.display, 4);
+    const std::string text = s.text.empty() || s.with_length ? named(s.text, length) : s.text;
     const double side = s.offset < 0 ? -1 : 1;
     want_label(c, text,
                {.at = between(a, b, 0.5),
@@ -222,7 +235,8 @@ struct Drawer {
     if (!is_finite(s.at)) return;
     const Pixel at = c.layout.fit.of(s.at);
     c.box.add(at);
-    want_label(c, s.text, {.at = at, .toward = {}, .or_at = {}, .may_cover = true});
+    const std::string text = s.force ? named(s.text, quantity_shown(*s.force, si::N, c.display, 4)) : s.text;
+    want_label(c, text, {.at = at, .toward = {}, .or_at = pixels_of(c.layout.fit, s.or_at), .may_cover = true});
   }
 };
 
@@ -261,22 +275,24 @@ double largest_force(const Drawing& d) {
   return largest;
 }
 
-/// Scale so that the machine fits into `wide` pixels; empty drawings and single points get a scale of 1.
-Layout layout_of(const Drawing& d, double wide) {
+/// Scale so that the machine fits into the room for it, times `shrink`; empty drawings and single points get a scale
+/// of 1.
+Layout layout_of(const Drawing& d, double shrink) {
   Layout layout;
   layout.is_polygon = d.unit.dimension == si::N.dimension;
   layout.fit.vertical = std::isfinite(d.vertical_scale) && d.vertical_scale > 0 ? d.vertical_scale : 1;
   std::vector<Point> points;
   for (const Shape& s : d.shapes)
     std::visit(Extent{.all = points, .is_polygon = layout.is_polygon, .vertical = layout.fit.vertical}, s);
-  Box box;
   for (const Point& p : points) {
-    if (is_finite(p)) box.add(Pixel{.x = p.x, .y = p.y * layout.fit.vertical});
+    if (is_finite(p)) layout.machine.add(Pixel{.x = p.x, .y = p.y});
   }
   const double high = layout.is_polygon ? polygon_height : drawing_height;
-  const double w = box.empty() ? 0 : box.width();
-  const double h = box.empty() ? 0 : box.height();
-  if (w > 0 || h > 0) layout.fit.scale = std::min(w > 0 ? wide / w : HUGE_VAL, h > 0 ? high / h : HUGE_VAL);
+  const double w = layout.machine.empty() ? 0 : layout.machine.width();
+  const double h = layout.machine.empty() ? 0 : layout.machine.height() * layout.fit.vertical;
+  if (w > 0 || h > 0) {
+    layout.fit.scale = shrink * std::min(w > 0 ? drawing_width / w : HUGE_VAL, h > 0 ? high / h : HUGE_VAL);
+  }
   const double force = largest_force(d);
   if (force > 0) layout.force_scale = layout.is_polygon ? layout.fit.scale : longest_arrow / force;
   return layout;
@@ -284,17 +300,16 @@ Layout layout_of(const Drawing& d, double wide) {
 
 /// One scale bar: a line of `pixels` with its text; returns the width it takes.
 double scale_bar(std::string& out, Pixel at, double pixels, const std::string& text, bool is_force) {
-  const Pen& p = pen(Role::force);
   if (is_force) {
-    out += fmt::format("<path d=\"M{:.1f} {:.1f}h{:.1f}\" {}/>", at.x, at.y, pixels - 6, stroke_of(p));
-    out += arrow_head({.x = at.x + pixels, .y = at.y}, 1, 0, 9, p.stroke);
+    out += fmt::format("<path d=\"M{:.1f} {:.1f}h{:.1f}\" {}/>", at.x, at.y, pixels - 6, line_class(Role::force));
+    out += arrow_head({.x = at.x + pixels, .y = at.y}, 1, 0, 9, pen(Role::force).name);
   } else {
-    out += fmt::format("<path class=\"bar\" d=\"M{:.1f} {:.1f}v6M{:.1f} {:.1f}h{:.1f}M{:.1f} {:.1f}v6\"/>", at.x,
-                       at.y - 3, at.x, at.y, pixels, at.x + pixels, at.y - 3);
+    out += fmt::format("<path class=\"bar\" d=\"M{0:.1f} {1:.1f}v8M{2:.1f} {3:.1f}v5M{0:.1f} {4:.1f}h{5:.1f}v-4v8\"/>",
+                       at.x, at.y - 4, at.x + pixels / 2, at.y - 5, at.y, pixels);
   }
-  out += fmt::format("<text class=\"label\" x=\"{:.1f}\" y=\"{:.1f}\">{}</text>\n", at.x + pixels + 6, at.y + 4,
+  out += fmt::format("<text class=\"label\" x=\"{:.1f}\" y=\"{:.1f}\">{}</text>\n", at.x + pixels + 7, at.y + 4,
                      escape(text));
-  return pixels + 6 + 0.52 * font_size * length(text) + 20;
+  return pixels + 7 + text_width(text, font_size) + 20;
 }
 
 /// A round length of 30 to 90 pixels.
@@ -307,26 +322,36 @@ std::string legend_words(const Drawing& d, Role role) {
   return std::string(pen(role).words);
 }
 
-/// The row below: scale bars and legend.
-void draw_foot(Canvas& c, const Drawing& d) {
-  constexpr double row = 20;
+/// A row that starts again at the left when it is full.
+struct FootRow {
+  Pixel at;
+  double left, right;
+  static constexpr double high = 20;
+  void room(double needed) {
+    if (at.x > left && at.x + needed > right) at = {.x = left, .y = at.y + high};
+  }
+};
+
+/// The rows below: scale bars and legend. `with_bar`: no ruler shows the lengths.
+void draw_foot(Canvas& c, const Drawing& d, bool with_bar) {
   const double left = c.box.left;
-  const double right = std::max(c.box.right, left + 480);
-  Pixel at{.x = left, .y = c.box.bottom + 26};
+  const double right = std::max(c.box.right, left + paper_width - 2 * drawing_margin);
+  FootRow row{.at = {.x = left, .y = c.box.bottom + 22}, .left = left, .right = right};
   std::string out;
-  const auto next = [&](double taken) { at.x += taken; };
-  const auto room = [&](double needed) {
-    if (at.x > left && at.x + needed > right) at = {.x = left, .y = at.y + row};
+  double widest = left;
+  const auto next = [&](double taken) {
+    row.at.x += taken;
+    widest = std::max(widest, row.at.x - 12);
   };
   const ShownUnit unit = shown_unit(d.unit, c.display);
   const double bar = round_length(c.layout.fit.scale, unit);
-  if (std::isfinite(bar) && bar > 0) {
-    next(scale_bar(out, at, bar * c.layout.fit.scale, quantity_shown(bar, d.unit, c.display), c.layout.is_polygon));
+  if (with_bar && std::isfinite(bar) && bar > 0) {
+    next(scale_bar(out, row.at, bar * c.layout.fit.scale, quantity_shown(bar, d.unit, c.display), c.layout.is_polygon));
   }
   if (c.layout.force_scale > 0 && !c.layout.is_polygon) {
     const double force = round_length(c.layout.force_scale, shown_unit(si::N, c.display));
-    room(170);
-    next(scale_bar(out, at, force * c.layout.force_scale, quantity_shown(force, si::N, c.display), true));
+    row.room(190);
+    next(scale_bar(out, row.at, force * c.layout.force_scale, quantity_shown(force, si::N, c.display), true));
   }
   std::vector<Role> named;
   for (const Role r : c.roles) {
@@ -334,15 +359,39 @@ void draw_foot(Canvas& c, const Drawing& d) {
   }
   if (named.size() < 2) named.clear();
   for (const Role r : named) {
-    const std::string words = escape(legend_words(d, r));
-    const double needed = 34 + 0.52 * font_size * length(words) + 12;
-    room(needed);
-    out += fmt::format("<path d=\"M{:.1f} {:.1f}h26\" fill=\"none\" {}/>", at.x, at.y, stroke_of(pen(r)));
-    out += fmt::format("<text class=\"label\" x=\"{:.1f}\" y=\"{:.1f}\">{}</text>\n", at.x + 32, at.y + 4, words);
+    const std::string words = shortened(clean(legend_words(d, r)), longest_label);
+    const double needed = 34 + text_width(words, font_size) + 12;
+    row.room(needed);
+    out += fmt::format("<path d=\"M{:.1f} {:.1f}h26\" {}/>", row.at.x, row.at.y, line_class(r));
+    out += fmt::format("<text class=\"label\" x=\"{:.1f}\" y=\"{:.1f}\">{}</text>\n", row.at.x + 32, row.at.y + 4,
+                       escape(words));
     next(needed);
   }
-  c.box.add(Pixel{.x = right, .y = at.y + 8});
+  if (out.empty()) return;
+  c.box.add(Pixel{.x = widest, .y = row.at.y + 10});
   c.front += out;
+}
+
+/// Rulers along the sides that have room for two ticks; true: the lower one is there.
+bool draw_rulers(Canvas& c, const Drawing& d) {
+  if (c.layout.machine.empty() || d.across.empty() || d.upward.empty()) return false;
+  const Box& m = c.layout.machine;
+  const Pixel low = c.layout.fit.of({.x = m.left, .y = m.top}), high = c.layout.fit.of({.x = m.right, .y = m.bottom});
+  const ShownUnit unit = shown_unit(d.unit, c.display);
+  const auto ruler = [&](const std::string& name, double from, double to, double a, double b) {
+    return EdgeRuler{.title = fmt::format("{}, {}", clean(name), unit_text(unit)),
+                     .from = unit.of(from),
+                     .to = unit.of(to),
+                     .from_pixel = a,
+                     .to_pixel = b};
+  };
+  const Box drawn = c.box;
+  const Drawn side = ruler_upright(ruler(d.upward, m.top, m.bottom, low.y, high.y), drawn.left - 10);
+  const Drawn foot = ruler_level(ruler(d.across, m.left, m.right, low.x, high.x), drawn.bottom + 10);
+  c.front += side.svg + foot.svg;
+  c.box.add(side.box);
+  c.box.add(foot.box);
+  return !foot.svg.empty();
 }
 
 /// The sides of a polygon are named from outside: between two of them a name could belong to either.
@@ -358,12 +407,13 @@ void turn_outward(Canvas& c) {
 
 std::string drawing_svg(const Drawing& d, const Display& display) {
   if (d.shapes.empty()) return "<p class=\"empty\">Nothing to draw.</p>";
-  double wide = drawing_width;
+  double shrink = 1;
   std::string body;
   Box box;
-  for (int round = 0; round < 3; ++round) {  // arrows and labels take room that is known only when they are placed
+  bool tall = false;
+  for (int round = 0; round < most_rounds; ++round) {  // arrows and labels take room that is known only when placed
     Canvas c{.display = display,
-             .layout = layout_of(d, wide),
+             .layout = layout_of(d, shrink),
              .behind = {},
              .front = {},
              .box = {},
@@ -372,20 +422,28 @@ std::string drawing_svg(const Drawing& d, const Display& display) {
              .roles = {}};
     for (const Shape& s : d.shapes) std::visit(Drawer{c}, s);
     if (c.box.empty()) c.box.add(Pixel{.x = 0, .y = 0});
+    const Box machine = c.box;
     if (c.layout.is_polygon) turn_outward(c);
-    const std::vector<Placed> labels = place_labels(c.labels, c.obstacles, c.box, font_size);
-    for (const Placed& p : labels) c.box.add(p.box);
-    draw_foot(c, d);
-    body = c.behind + c.front + to_svg(labels, font_size);
-    box = c.box.grown(8);
-    if (box.width() <= paper_width) break;
-    wide *= 0.97 * paper_width / box.width();
+    const Placement placed =
+        place_labels(c.labels, c.obstacles, {.frame = c.box, .bounds = {}, .taken = {}}, font_size);
+    for (const Placed& p : placed.labels) c.box.add(p.box);
+    const bool has_ruler = draw_rulers(c, d);
+    const double list_top = c.box.bottom;
+    c.front += list_svg(placed.list, {.x = c.box.left, .y = c.box.bottom + 12}, paper_width - 2 * drawing_margin,
+                        font_size, c.box);
+    const double list_height = c.box.bottom - list_top;
+    draw_foot(c, d, !has_ruler);
+    body = c.behind + c.front + to_svg(placed.labels, font_size);
+    box = c.box.grown(drawing_margin);
+    tall = box.height() > figure_height;
+    const double too_wide = box.width() - paper_width;
+    const double too_high = box.height() - list_height - figure_height;
+    if (too_wide <= 0 && too_high <= 0) break;
+    const double by_width = 1 - 1.04 * std::max(too_wide, 0.0) / std::max(machine.width(), 1.0);
+    const double by_height = 1 - 1.04 * std::max(too_high, 0.0) / std::max(machine.height(), 1.0);
+    shrink *= std::clamp(std::min(by_width, by_height), 0.5, 0.98);
   }
-  return fmt::format(
-      "<svg class=\"drawing\" role=\"img\" aria-label=\"{}\" viewBox=\"{:.0f} {:.0f} {:.0f} {:.0f}\" width=\"{:.0f}\" "
-      "height=\"{:.0f}\">\n{}</svg>\n",
-      escape(d.title), box.left, box.top, std::ceil(box.width()), std::ceil(box.height()), std::ceil(box.width()),
-      std::ceil(box.height()), body);
+  return svg_element(tall ? "drawing tall" : "drawing", d.title, box, body);
 }
 
 std::string scale_words(const Drawing& d) {

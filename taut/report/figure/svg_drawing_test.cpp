@@ -23,9 +23,9 @@ std::string svg(std::vector<Shape> shapes, Unit unit = si::m, double vertical = 
                      Display{});
 }
 
-/// Corners of the first path with this stroke.
-std::vector<std::pair<double, double>> corners(const std::string& text, const std::string& stroke) {
-  const std::regex path("<path d=\"([^\"]*)\"[^>]*stroke=\"" + stroke + "\"");
+/// Corners of the first line of this class.
+std::vector<std::pair<double, double>> corners(const std::string& text, const std::string& name) {
+  const std::regex path("<path d=\"([^\"]*)\" class=\"line " + name + "\"");
   std::smatch m;
   std::vector<std::pair<double, double>> all;
   if (!std::regex_search(text, m, path)) return all;
@@ -44,7 +44,7 @@ bool is_clean(const std::string& text) {
 TEST(SvgDrawing, IsToScaleWithUpUp) {
   const auto p = corners(
       svg({Polyline{.points = {{.x = 0, .y = 0}, {.x = 30, .y = 0}, {.x = 30, .y = 40}}, .role = Role::structure}}),
-      "#333b44");
+      "structure");
   ASSERT_EQ(p.size(), 3U);
   const double x = p[1].first - p[0].first;
   const double y = p[2].second - p[1].second;
@@ -61,7 +61,7 @@ TEST(SvgDrawing, StretchesHeightsAndSaysSo) {
                                       .role = Role::structure}},
                   .unit = si::m,
                   .vertical_scale = 5};
-  const auto p = corners(drawing_svg(d, Display{}), "#333b44");
+  const auto p = corners(drawing_svg(d, Display{}), "structure");
   EXPECT_NEAR((p[2].second - p[1].second) / (p[1].first - p[0].first), -5 * 4.0 / 300, 0.002);
   EXPECT_NE(scale_words(d).find("5 times"), std::string::npos);
   EXPECT_EQ(scale_words({}), "");
@@ -72,8 +72,8 @@ TEST(SvgDrawing, ArrowsAreAsLongAsTheirForces) {
       svg({Polyline{.points = {{.x = 0, .y = 0}, {.x = 10, .y = 0}}, .role = Role::structure},
            ForceArrow{.at = {.x = 0, .y = 0}, .fx = 0, .fy = 2000, .label = "A"},
            ForceArrow{.at = {.x = 5, .y = 0}, .fx = 0, .fy = 1000, .label = "B", .role = Role::second_force}});
-  const auto a = corners(text, "#b3261e");
-  const auto b = corners(text, "#7b3fa0");
+  const auto a = corners(text, "force");
+  const auto b = corners(text, "second-force");
   ASSERT_EQ(a.size(), 2U);
   ASSERT_EQ(b.size(), 2U);
   const double shaft_a = a[0].second - a[1].second;  // ends inside the head, 7.2 pixels before the tip
@@ -89,8 +89,8 @@ TEST(SvgDrawing, AForcePolygonCloses) {
            ForceArrow{.at = {.x = 0, .y = 0}, .fx = 3000, .fy = 4000, .label = "R", .role = Role::highlight}},
           si::N);
   EXPECT_NE(text.find("= 5 kN"), std::string::npos);
-  const auto v = corners(text, "#7b3fa0");
-  const auto h = corners(text, "#b3261e");
+  const auto v = corners(text, "second-force");
+  const auto h = corners(text, "force");
   EXPECT_NEAR(v[0].first, h[1].first + 7.2, 0.3);  // V starts where H ends
 }
 
@@ -98,7 +98,7 @@ TEST(SvgDrawing, ATowardsArrowEndsAtItsPoint) {
   const std::string text =
       svg({Polyline{.points = {{.x = 0, .y = 0}, {.x = 10, .y = 0}}, .role = Role::ground},
            ForceArrow{.at = {.x = 0, .y = 0}, .fx = 0, .fy = 500, .label = "N", .role = Role::force, .towards = true}});
-  EXPECT_GT(corners(text, "#b3261e")[0].second, 20);  // its tail is below the ground
+  EXPECT_GT(corners(text, "force")[0].second, 20);  // its tail is below the ground
 }
 
 TEST(SvgDrawing, NothingOfABadShapeReachesThePage) {
@@ -138,6 +138,50 @@ TEST(SvgDrawing, FitsAPageWithItsLabels) {
   std::smatch m;
   ASSERT_TRUE(std::regex_search(text, m, std::regex("width=\"([0-9]+)\" height=\"([0-9]+)\"")));
   EXPECT_LE(std::stod(m[1]), 760);
+}
+
+TEST(SvgDrawing, RulersShowTheCoordinates) {
+  Drawing d;
+  d.shapes = {Polyline{.points = {{.x = 100, .y = 20}, {.x = 200, .y = 80}}, .role = Role::rope}};
+  EXPECT_EQ(drawing_svg(d, Display{}).find("ruler"), std::string::npos);
+  d.across = "x";
+  d.upward = "z";
+  const std::string text = drawing_svg(d, Display{});
+  for (const char* shown : {">x, m<", ">z, m<", ">120<", ">200<", ">40<"}) {
+    EXPECT_NE(text.find(shown), std::string::npos) << shown;
+  }
+  EXPECT_EQ(text.find("class=\"bar\""), std::string::npos) << "the ruler replaces the bar";
+}
+
+TEST(SvgDrawing, NamesCarryTheirForcesAndLengths) {
+  const std::string text = svg(
+      {Polyline{.points = {{.x = 0, .y = 0}, {.x = 100, .y = 30}}, .role = Role::rope},
+       ForceArrow{.at = {.x = 0, .y = 0}, .fx = 0, .fy = 51e3, .label = "F tower"},
+       Label{.at = {.x = 50, .y = 15}, .text = "T skyline", .or_at = {}, .force = 42800},
+       DimensionLine{
+           .from = {.x = 0, .y = 40}, .to = {.x = 100, .y = 40}, .offset = 0, .text = "span", .with_length = true}});
+  EXPECT_NE(text.find("F tower 51 kN"), std::string::npos);
+  EXPECT_NE(text.find("T skyline 42.8 kN"), std::string::npos);
+  EXPECT_NE(text.find("span 100 m"), std::string::npos);
+}
+
+/// A hundred names in a place for ten: each is on the drawing, in the list, or counted.
+TEST(SvgDrawing, NoNameIsLostInACrowd) {
+  std::vector<Shape> shapes;
+  for (int i = 0; i < 100; ++i) {
+    shapes.emplace_back(
+        ForceArrow{.at = {.x = 0.1 * i, .y = 0}, .fx = 0, .fy = 1000.0 + i, .label = "F part " + std::to_string(i)});
+  }
+  const std::string text = svg(shapes);
+  std::smatch m;
+  int left_out = 0;
+  if (std::regex_search(text, m, std::regex("and ([0-9]+) more: see the tables"))) left_out = std::stoi(m[1]);
+  int shown = 0;
+  for (int i = 0; i < 100; ++i) {
+    shown += text.find("F part " + std::to_string(i) + " ") != std::string::npos ? 1 : 0;
+  }
+  EXPECT_EQ(shown + left_out, 100);
+  EXPECT_GE(shown, 80);
 }
 
 }  // namespace svg_drawing_test

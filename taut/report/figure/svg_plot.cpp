@@ -3,33 +3,24 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
+#include "taut/report/figure/event_lane.hpp"
 #include "taut/report/figure/pen.hpp"
 #include "taut/report/figure/placement.hpp"
+#include "taut/report/figure/ruler.hpp"
+#include "taut/report/figure/text_width.hpp"
 #include "taut/report/figure/ticks.hpp"
 #include "taut/report/text/text.hpp"
 
 namespace taut::report {
 namespace {
 
-constexpr double axes_height = 270;
-constexpr double character = 0.56 * font_size;
+constexpr double axes_height = 250;
+constexpr double lane_row = 19;
 constexpr int longest_plot_label = 70;
-
-struct Style {
-  std::string_view colour;
-  std::string_view dashes;
-};
-/// Distinguished by colour on a screen and by dashes on grey paper.
-constexpr std::array<Style, 6> styles{{{.colour = "#1d5fa6", .dashes = ""},
-                                       {.colour = "#d9730d", .dashes = "8 3"},
-                                       {.colour = "#0f8577", .dashes = "2 2.5"},
-                                       {.colour = "#7b3fa0", .dashes = "9 3 2 3"},
-                                       {.colour = "#b3261e", .dashes = "5 2"},
-                                       {.colour = "#5b6570", .dashes = "12 4"}}};
-constexpr std::string_view limit_colour = "#b3261e";
+constexpr double most_limit_width = 150;  ///< of the words beside the plot
+constexpr std::size_t styles = 6;         ///< of curves: each has a colour on a screen and dashes on grey paper
 
 struct Span {
   double low = HUGE_VAL;
@@ -47,7 +38,7 @@ struct Span {
 struct Line {
   std::vector<Pixel> points;
   const Curve* curve = nullptr;
-  Style style;
+  std::string style;  ///< classes
 };
 
 struct Scene {
@@ -131,37 +122,26 @@ Ranges ranges_of(const Plot& plot, const ShownUnit& xu, const ShownUnit& yu) {
   }
   reach_zero(r.y);
   const Span curves = r.y;
-  const bool marked =
-      std::any_of(plot.marks.begin(), plot.marks.end(), [](const Mark& m) { return !m.whole_line && !m.upright; });
-  if (marked && !curves.empty()) {  // room for the words at the highest and the lowest point
-    r.y.high += r.y.high == 0 ? 0 : 0.07 * curves.size();
-    r.y.low -= r.y.low == 0 ? 0 : 0.07 * curves.size();
-  }
   add_limits(plot, yu, curves, r);
   widen(r.x);
   widen(r.y);
   return r;
 }
 
-std::string tick_text(double v, const std::vector<double>& ticks) {
-  const double largest = std::max(std::abs(ticks.front()), std::abs(ticks.back()));
-  if (largest >= 1e6 || largest < 1e-3) return number_shown(v, 4);
-  std::string text = fmt::format("{:.{}f}", v, tick_decimals(ticks));
-  if (text.starts_with('-')) text = "−" + text.substr(1);
-  return text;
-}
-
-Runs axis_title(const Axis& axis, const ShownUnit& unit) {
-  Runs runs = label_runs(shortened(clean(axis.label), longest_plot_label));
+/// The axis in words with its unit, cut to `room` pixels.
+Runs axis_title(const Axis& axis, const ShownUnit& unit, double room) {
   const std::string name = unit_text(unit);
-  if (!name.empty()) runs.push_back({fmt::format(" in {}", name), Run::Style::plain});
-  return runs;
+  for (int letters = longest_plot_label;; letters -= 4) {
+    Runs runs = label_runs(shortened(clean(axis.label), letters));
+    if (!name.empty()) runs.push_back({fmt::format(" in {}", name), Run::Style::plain});
+    if (letters <= 8 || text_width(runs, font_size) <= room) return runs;
+  }
 }
 
 /// One entry of the legend.
 struct Entry {
   Runs runs;
-  Style style;
+  std::string style;
   bool points_only = false;
 };
 
@@ -172,15 +152,16 @@ std::vector<Entry> entries_of(const Scene& s, const std::vector<Line>& lines) {
     all.push_back({label_runs(shortened(clean(l.curve->label), longest_plot_label)), l.style, l.curve->points_only});
   }
   for (const Mark* m : s.limits_outside) {
-    const std::string text = fmt::format("{}: {}, outside the range shown", m->label.empty() ? "limit" : m->label,
-                                         number_shown(s.y_unit.of(m->y), 4) + " " + unit_text(s.y_unit));
-    all.push_back({label_runs(clean(text)), {.colour = limit_colour, .dashes = "6 3"}, false});
+    const std::string text =
+        fmt::format("{}: {}, outside the range shown", m->label.empty() ? "limit" : shortened(m->label, 40),
+                    number_shown(s.y_unit.of(m->y), 4) + " " + unit_text(s.y_unit));
+    all.push_back({label_runs(clean(text)), "limit", false});
   }
   return all;
 }
 
-std::string marker(Pixel p, std::string_view colour) {
-  return fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"2.6\" fill=\"{}\"/>", p.x, p.y, colour);
+std::string point(Pixel p, std::string_view style) {
+  return fmt::format("<circle class=\"point {}\" cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"2.6\"/>", style, p.x, p.y);
 }
 
 /// Rows of entries from `top` on; returns the first free line below.
@@ -188,23 +169,21 @@ double draw_legend(std::string& out, const std::vector<Entry>& entries, double l
   double x = left;
   double y = top;
   for (const Entry& e : entries) {
-    const double needed = 34 + width(e.runs) * font_size + 18;
-    if (x > left && x + needed > paper_width) {
+    const double needed = 34 + text_width(e.runs, font_size) + 18;
+    if (x > left && x + needed - 18 > paper_width) {
       x = left;
-      y += 19;
+      y += lane_row;
     }
     if (e.points_only) {
-      out += marker({.x = x + 13, .y = y}, e.style.colour);
+      out += point({.x = x + 13, .y = y}, e.style);
     } else {
-      out += fmt::format(
-          "<path d=\"M{:.1f} {:.1f}h26\" fill=\"none\" stroke=\"{}\" stroke-width=\"2\" "
-          "stroke-dasharray=\"{}\"/>",
-          x, y, e.style.colour, e.style.dashes);
+      out += fmt::format("<path class=\"{}\" d=\"M{:.1f} {:.1f}h26\"/>",
+                         e.style == "limit" ? e.style : "curve " + e.style, x, y);
     }
     out += fmt::format("<text class=\"label\" x=\"{:.1f}\" y=\"{:.1f}\">{}</text>\n", x + 32, y + 4, to_svg(e.runs));
     x += needed;
   }
-  return entries.empty() ? top : y + 19;
+  return entries.empty() ? top : y + lane_row;
 }
 
 std::string draw_axes(const Scene& s) {
@@ -217,19 +196,24 @@ std::string draw_axes(const Scene& s) {
     out += fmt::format("<text class=\"tick\" x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"end\">{}</text>\n", a.left - 7,
                        y + 4, tick_text(v, s.y_ticks));
   }
+  double last = -HUGE_VAL;
   for (const double v : s.x_ticks) {
     const double x = s.x_pixel(v);
+    const std::string text = tick_text(v, s.x_ticks);
+    const double half = text_width(text, tick_size) / 2;
     out += fmt::format("<path class=\"grid\" d=\"M{:.1f} {:.1f}V{:.1f}\"/>", x, a.top, a.bottom);
+    if (x - half < last + 4) continue;
     out += fmt::format("<text class=\"tick\" x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"middle\">{}</text>\n", x,
-                       a.bottom + 17, tick_text(v, s.x_ticks));
+                       a.bottom + 17, text);
+    last = x + half;
   }
   out += fmt::format("<rect class=\"frame\" x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\"/>\n", a.left,
                      a.top, a.width(), a.height());
   out += fmt::format("<text class=\"label\" x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"middle\">{}</text>\n",
-                     (a.left + a.right) / 2, a.bottom + 37, to_svg(axis_title(s.plot.x, s.x_unit)));
+                     (a.left + a.right) / 2, a.bottom + 37, to_svg(axis_title(s.plot.x, s.x_unit, a.width())));
   out += fmt::format(
       "<text class=\"label\" transform=\"translate(12 {:.1f}) rotate(-90)\" text-anchor=\"middle\">{}</text>\n",
-      (a.top + a.bottom) / 2, to_svg(axis_title(s.plot.y, s.y_unit)));
+      (a.top + a.bottom) / 2, to_svg(axis_title(s.plot.y, s.y_unit, a.height() + 20)));
   return out;
 }
 
@@ -238,15 +222,10 @@ bool ok(Pixel p) { return std::isfinite(p.x) && std::isfinite(p.y); }
 std::string draw_line(const Line& l) {
   std::string out;
   const auto& p = l.points;
-  if (!l.curve->points_only) {
-    out += fmt::format(
-        "<path d=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"2\" stroke-linejoin=\"round\" "
-        "stroke-dasharray=\"{}\"/>\n",
-        path_data(p, false), l.style.colour, l.style.dashes);
-  }
+  if (!l.curve->points_only) out += fmt::format("<path class=\"curve {}\" d=\"{}\"/>\n", l.style, path_data(p, false));
   for (std::size_t i = 0; i < p.size(); ++i) {
     const bool alone = (i == 0 || !ok(p[i - 1])) && (i + 1 == p.size() || !ok(p[i + 1]));
-    if (ok(p[i]) && (alone || l.curve->points_only)) out += marker(p[i], l.style.colour);
+    if (ok(p[i]) && (alone || l.curve->points_only)) out += point(p[i], l.style);
   }
   return out;
 }
@@ -255,81 +234,127 @@ std::vector<Line> lines_of(const Scene& s) {
   std::vector<Line> all;
   for (std::size_t k = 0; k < s.plot.curves.size(); ++k) {
     const Curve& c = s.plot.curves[k];
-    Line line{.points = {}, .curve = &c, .style = styles[k % styles.size()]};
-    if (c.dashed && line.style.dashes.empty()) line.style.dashes = "6 3";
+    Line line{.points = {}, .curve = &c, .style = fmt::format("c{}{}", k % styles, c.dashed ? " dashed" : "")};
     for (std::size_t i = 0; i < count(c); ++i) line.points.push_back(s.pixel(c.x[i], c.y[i]));
     all.push_back(std::move(line));
   }
   return all;
 }
 
-/// What happens at an x: a thin line over the whole height, its words upright beside it.
-std::string draw_upright(const Scene& s, const Mark& m) {
-  const double x = s.x_pixel(s.x_unit.of(m.x));
-  if (!(x >= s.axes.left - 0.5 && x <= s.axes.right + 0.5)) return {};
-  const double beside = x > s.axes.right - 14 ? x - 4 : x + 11;
-  return fmt::format(
-      "<path d=\"M{0:.1f} {1:.1f}V{2:.1f}\" stroke=\"#5b6570\" stroke-width=\"1\" stroke-dasharray=\"3 3\"/>"
-      "<text class=\"tick\" transform=\"translate({3:.1f} {4:.1f}) rotate(-90)\" text-anchor=\"end\">{5}</text>\n",
-      x, s.axes.top, s.axes.bottom, beside, s.axes.top + 4, to_svg(label_runs(shortened(clean(m.label), 34))));
+bool is_outside(const Scene& s, const Mark& m) {
+  return std::find(s.limits_outside.begin(), s.limits_outside.end(), &m) != s.limits_outside.end();
 }
 
-/// Marks as they are drawn one after the other, their words still to be placed.
-struct DrawnMarks {
-  std::string svg;
-  std::vector<Obstacle> obstacles;
-  std::vector<Wanted> labels;
+/// Marks with a place along x: events, and points of curves.
+std::vector<const Mark*> marks_along(const Scene& s) {
+  std::vector<const Mark*> all;
+  for (const Mark& m : s.plot.marks) {
+    if (m.whole_line || !std::isfinite(m.x) || (!m.upright && !ok(s.pixel(m.x, m.y)))) continue;
+    const double x = s.x_pixel(s.x_unit.of(m.x));
+    if (x >= s.axes.left - 0.5 && x <= s.axes.right + 0.5) all.push_back(&m);
+  }
+  return all;
+}
+
+Lane lane_above(const Scene& s) {
+  std::vector<LaneMark> marks;
+  const std::string unit = unit_text(s.x_unit);
+  const bool time = s.plot.x.unit.dimension == si::s.dimension;
+  for (const Mark* m : marks_along(s)) {
+    if (m->label.empty()) continue;
+    const double x = s.x_unit.of(m->x);
+    marks.push_back(
+        {.at = s.x_pixel(x),
+         .runs = label_runs(shortened(clean(m->label), longest_plot_label)),
+         .when = fmt::format("{}{}{}{}", time ? "t = " : "", number_shown(x, 4), unit.empty() ? "" : " ", unit)});
+  }
+  return lane_of(std::move(marks), s.axes.left - 4, paper_width - 4, font_size);
+}
+
+/// Lines of events and rings of points, their names in the lane above the axes.
+std::string draw_marks(const Scene& s, const Lane& lane) {
+  std::string out;
+  for (const Mark* m : marks_along(s)) {
+    const Pixel p{.x = s.x_pixel(s.x_unit.of(m->x)), .y = s.y_pixel(s.y_unit.of(m->y))};
+    const double bottom = m->upright ? s.axes.bottom : p.y - 4;
+    out += fmt::format("<path class=\"event\" d=\"M{:.1f} {:.1f}V{:.1f}\"/>", p.x, s.axes.top, bottom);
+    if (!m->upright) {
+      out += fmt::format("<circle class=\"mark\" cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"4.2\"/>\n", p.x, p.y);
+    }
+  }
+  const double floor = s.axes.top - 6;  // of the lane
+  for (const Lane::Name& n : lane.names) {
+    const double base = floor - n.row * lane_row - descent(font_size) + 2;
+    out += fmt::format("<path class=\"leader\" d=\"M{:.1f} {:.1f}L{:.1f} {:.1f}\"/>", n.mark, s.axes.top,
+                       std::clamp(n.mark, n.center - n.wide / 2, n.center + n.wide / 2), base + 4);
+  }
+  for (const Lane::Name& n : lane.names) {
+    const double base = floor - n.row * lane_row - descent(font_size) + 2;
+    if (n.is_number) {
+      out += fmt::format("<rect class=\"pill\" x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"16\" rx=\"7\"/>",
+                         n.center - n.wide / 2, base - 12, n.wide);
+    }
+    out += fmt::format("<text class=\"{}\" x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"middle\">{}</text>\n",
+                       n.is_number ? "number" : "label", n.center, base, to_svg(n.runs));
+  }
+  return out;
+}
+
+/// Words of a limit beside the plot, in lines.
+struct LimitWords {
+  double y = 0;
+  std::vector<std::string> lines;
 };
 
-/// A limit: a line across the picture, its words at the right end or else further left.
-void draw_limit(const Scene& s, const Mark& m, const Runs& runs, DrawnMarks& drawn) {
-  const double y = s.y_pixel(s.y_unit.of(m.y));
-  drawn.svg +=
-      fmt::format("<path d=\"M{:.1f} {:.1f}H{:.1f}\" stroke=\"{}\" stroke-width=\"1.4\" stroke-dasharray=\"6 3\"/>\n",
-                  s.axes.left, y, s.axes.right, limit_colour);
-  drawn.obstacles.push_back({{.x = s.axes.left, .y = y}, {.x = s.axes.right, .y = y}, 3});
-  if (m.label.empty()) return;
-  const double half = width(runs) * font_size / 2 + 8;
-  drawn.labels.push_back({{.x = s.axes.right - half, .y = y},
-                          {{.x = s.axes.left + half, .y = y}, {.x = (s.axes.left + s.axes.right) / 2, .y = y}},
-                          runs,
-                          {.x = 0, .y = -1}});
-}
-
-void draw_point(const Scene& s, const Mark& m, const Runs& runs, DrawnMarks& drawn) {
-  const Pixel p = s.pixel(m.x, m.y);
-  if (!ok(p)) return;
-  drawn.svg +=
-      fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"4.2\" fill=\"#fff\" stroke=\"{}\" stroke-width=\"2\"/>\n",
-                  p.x, p.y, limit_colour);
-  drawn.obstacles.push_back({{.x = p.x - 5, .y = p.y}, {.x = p.x + 5, .y = p.y}, 3});
-  if (!m.label.empty()) drawn.labels.push_back({p, {}, runs, {.x = 0, .y = -1}});
-}
-
-/// Limits and marked points, their words placed where no curve runs.
-std::string draw_marks(const Scene& s, const std::vector<Line>& lines) {
-  DrawnMarks drawn;
-  std::vector<Obstacle>& obstacles = drawn.obstacles;
-  for (const Line& l : lines) {
-    for (std::size_t i = 1; i < l.points.size(); ++i) {
-      if (ok(l.points[i - 1]) && ok(l.points[i])) obstacles.push_back({l.points[i - 1], l.points[i], 3});
-    }
-  }
+std::vector<LimitWords> limits_of(const Scene& s) {
+  std::vector<LimitWords> all;
   for (const Mark& m : s.plot.marks) {
-    if (m.upright) {
-      if (std::isfinite(m.x)) drawn.svg += draw_upright(s, m);
-      continue;
+    if (!m.whole_line || !std::isfinite(m.y) || is_outside(s, m)) continue;
+    const std::string value = number_shown(s.y_unit.of(m.y), 4) + " " + unit_text(s.y_unit);
+    LimitWords words{.y = m.y, .lines = {}};
+    if (!m.label.empty()) {
+      constexpr int letters = 20;
+      for (std::string& line : wrapped(shortened(clean(m.label), longest_plot_label), letters)) {
+        words.lines.push_back(shortened(line, letters + 4));
+      }
     }
-    const bool outside = std::find(s.limits_outside.begin(), s.limits_outside.end(), &m) != s.limits_outside.end();
-    if (outside || !std::isfinite(m.y) || (!m.whole_line && !std::isfinite(m.x))) continue;
-    const Runs runs = label_runs(shortened(clean(m.label), longest_plot_label));
-    m.whole_line ? draw_limit(s, m, runs, drawn) : draw_point(s, m, runs, drawn);
+    if (m.y != 0 && m.label.find_first_of("0123456789") == std::string::npos) words.lines.push_back(value);
+    all.push_back(std::move(words));
   }
-  const Box& a = s.axes;
-  for (const double y : {a.top, a.bottom}) obstacles.push_back({{.x = a.left, .y = y}, {.x = a.right, .y = y}, 3});
-  for (const double x : {a.left, a.right}) obstacles.push_back({{.x = x, .y = a.top}, {.x = x, .y = a.bottom}, 3});
-  const Box inside = a.grown(-4);
-  return drawn.svg + to_svg(place_labels(drawn.labels, obstacles, inside, font_size), font_size);
+  std::sort(all.begin(), all.end(), [](const LimitWords& a, const LimitWords& b) { return a.y > b.y; });
+  return all;
+}
+
+double width_of(const std::vector<LimitWords>& limits) {
+  double widest = 0;
+  for (const LimitWords& l : limits) {
+    for (const std::string& line : l.lines) widest = std::max(widest, text_width(label_runs(line), font_size));
+  }
+  return std::min(widest, most_limit_width);
+}
+
+/// Lines across the picture, their words in the margin on the right.
+std::string draw_limits(const Scene& s, const std::vector<LimitWords>& limits) {
+  constexpr double line_height = 16;
+  std::string out;
+  std::vector<double> at, high;
+  for (const LimitWords& l : limits) {
+    at.push_back(s.y_pixel(s.y_unit.of(l.y)));
+    high.push_back(line_height * static_cast<double>(l.lines.size()));
+    out += fmt::format("<path class=\"limit\" d=\"M{:.1f} {:.1f}H{:.1f}\"/>\n", s.axes.left, at.back(), s.axes.right);
+  }
+  const std::vector<double> centers = spread(at, high, 3, s.axes.top - 2, s.axes.bottom + 2);
+  for (std::size_t i = 0; i < limits.size(); ++i) {
+    if (limits[i].lines.empty()) continue;
+    out += fmt::format("<path class=\"leader\" d=\"M{:.1f} {:.1f}L{:.1f} {:.1f}\"/>", s.axes.right, at[i],
+                       s.axes.right + 8, centers[i]);
+    for (std::size_t k = 0; k < limits[i].lines.size(); ++k) {
+      const double base = centers[i] - high[i] / 2 + line_height * (static_cast<double>(k) + 0.78);
+      out += fmt::format("<text class=\"label\" x=\"{:.1f}\" y=\"{:.1f}\">{}</text>\n", s.axes.right + 11, base,
+                         to_svg(label_runs(limits[i].lines[k])));
+    }
+  }
+  return out;
 }
 
 bool has_values(const Plot& plot) {
@@ -356,27 +381,33 @@ std::string plot_svg(const Plot& plot, const Display& display) {
   s.limits_outside = r.limits_outside;
   s.x_ticks = nice_ticks(r.x.low, r.x.high, 8);
   s.y_ticks = nice_ticks(r.y.low, r.y.high, 6);
-  int widest = 0;
-  for (const double v : s.y_ticks) widest = std::max(widest, length(tick_text(v, s.y_ticks)));
-  s.axes.left = 32 + widest * character;
-  s.axes.right = paper_width - 18;
+  double widest = 0;
+  for (const double v : s.y_ticks) widest = std::max(widest, text_width(tick_text(v, s.y_ticks), tick_size));
+  const std::vector<LimitWords> limits = limits_of(s);
+  const double beside = width_of(limits);
+  s.axes.left = 32 + widest;
+  s.axes.right = paper_width - (beside > 0 ? beside + 16 : 18);
   s.axes.top = 0;  // lines need their style before the legend, which decides where the axes start
   s.axes.bottom = axes_height;
-  std::string legend;
+  std::string body;
   const auto entries = entries_of(s, lines_of(s));
   // A single curve is what the axis says; its name would only repeat it when it does.
   const bool repeats = entries.size() == 1 && plot.curves.size() == 1 && plot.curves[0].label == plot.y.label;
-  const double below = draw_legend(legend, repeats ? std::vector<Entry>{} : entries, s.axes.left, 10);
-  s.axes.top = below + 2;
+  const double below = draw_legend(body, repeats ? std::vector<Entry>{} : entries, s.axes.left, 10);
+  const Lane lane = lane_above(s);
+  s.axes.top = below + 2 + lane.rows * lane_row + (lane.rows > 0 ? 8 : 0);
   s.axes.bottom = s.axes.top + axes_height;
   const std::vector<Line> lines = lines_of(s);
-  std::string body = legend + draw_axes(s);
+  body += draw_axes(s);
   for (const Line& l : lines) body += draw_line(l);
-  body += draw_marks(s, lines);
-  return fmt::format(
-      "<svg class=\"plot\" role=\"img\" aria-label=\"{}\" viewBox=\"0 0 {:.0f} {:.0f}\" width=\"{:.0f}\" "
-      "height=\"{:.0f}\">\n{}</svg>\n",
-      escape(plot.title), paper_width, s.axes.bottom + 46, paper_width, s.axes.bottom + 46, body);
+  body += draw_limits(s, limits) + draw_marks(s, lane);
+  Box box{.left = 0, .top = 0, .right = paper_width, .bottom = s.axes.bottom + 46};
+  Box list;
+  body += list_svg(lane.list, {.x = s.axes.left - 20, .y = box.bottom + 2}, paper_width - s.axes.left + 20, font_size,
+                   list);
+  box.add(list);
+  if (!list.empty()) box.bottom += 4;
+  return svg_element(box.height() > figure_height ? "plot tall" : "plot", plot.title, box, body);
 }
 
 }  // namespace taut::report

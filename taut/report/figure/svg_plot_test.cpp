@@ -43,9 +43,9 @@ TEST(SvgPlot, AxesCarryUnits) {
 TEST(SvgPlot, BreaksAtNan) {
   const std::string text = svg({{.label = "T", .x = {0, 1, 2, 3, 4}, .y = {1, 2, nan, 2, 1}}});
   EXPECT_TRUE(is_clean(text));
-  const std::size_t at = text.find("stroke-width=\"2\" stroke-linejoin");
-  const std::size_t path = text.rfind("d=\"", at);
-  const std::string d = text.substr(path, at - path);
+  const std::size_t at = text.find("class=\"curve c0\"", text.find("class=\"frame\""));
+  const std::size_t path = text.find("d=\"", at);
+  const std::string d = text.substr(path, text.find("/>", path) - path);
   EXPECT_EQ(count(d, "M"), 2);
 }
 
@@ -72,6 +72,48 @@ TEST(SvgPlot, ANearLimitIsALineAFarOneIsNamed) {
       svg({{.label = "T", .x = {0, 1}, .y = {1e3, 2e3}}}, {{.x = 0, .y = 1e6, .label = "limit", .whole_line = true}});
   EXPECT_NE(far.find("outside the range"), std::string::npos);
   EXPECT_NE(far.find("1000 kN"), std::string::npos);
+}
+
+/// y of the line of text that starts with these words.
+double base_of(const std::string& text, const std::string& words) {
+  const std::size_t at = text.find(words), y = text.rfind(" y=\"", at);
+  return at == std::string::npos ? nan : std::stod(text.substr(y + 4));
+}
+double top_of_axes(const std::string& text) {
+  const std::size_t frame = text.find("class=\"frame\"");
+  return std::stod(text.substr(text.find(" y=\"", frame) + 4));
+}
+
+TEST(SvgPlot, EventsStandAboveTheCurves) {
+  const std::string text =
+      svg({{.label = "T", .x = {0, 100}, .y = {1, 2}}},
+          {{.x = 30, .y = 0, .label = "brake closes", .upright = true}, {.x = 80, .y = 1.8, .label = "head"}});
+  EXPECT_LT(base_of(text, "brake closes"), top_of_axes(text));
+  EXPECT_LT(base_of(text, "head"), top_of_axes(text));
+  EXPECT_EQ(count(text, "class=\"number\""), 0);
+}
+
+TEST(SvgPlot, EventsWithoutRoomAreListedByNumber) {
+  std::vector<Mark> marks;
+  for (int i = 0; i < 8; ++i) {
+    marks.push_back({.x = 10.0 + i, .y = 0, .label = "slack of rope " + std::to_string(i), .upright = true});
+  }
+  const std::string text = svg({{.label = "T", .x = {0, 100}, .y = {1, 2}}}, marks);
+  EXPECT_EQ(count(text, "class=\"pill\""), 8);
+  for (int i = 0; i < 8; ++i) {
+    EXPECT_GT(base_of(text, "m: slack of rope " + std::to_string(i)), top_of_axes(text) + 250) << i;
+  }
+}
+
+TEST(SvgPlot, LimitsAreNamedBesideTheAxes) {
+  const std::string text = svg({{.label = "T", .x = {0, 1}, .y = {1e3, 2e3}}},
+                               {{.x = 0, .y = 2.5e3, .label = "admissible tension", .whole_line = true}});
+  const std::size_t at = text.find("admissible tension"), x = text.rfind(" x=\"", at);
+  const std::size_t frame = text.find("class=\"frame\""), left = text.find(" x=\"", frame),
+                    wide = text.find(" width=\"", frame);
+  ASSERT_NE(at, std::string::npos);
+  EXPECT_GT(std::stod(text.substr(x + 4)), std::stod(text.substr(left + 4)) + std::stod(text.substr(wide + 8)));
+  EXPECT_NE(text.find("2.5 kN"), std::string::npos);
 }
 
 TEST(SvgPlot, EscapesLabels) {

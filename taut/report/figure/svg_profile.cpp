@@ -3,12 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 #include "taut/report/figure/pen.hpp"
 #include "taut/report/figure/placement.hpp"
+#include "taut/report/figure/text_width.hpp"
 #include "taut/report/figure/ticks.hpp"
 #include "taut/report/text/text.hpp"
 
@@ -21,21 +22,8 @@ constexpr double least_line_height = 0.2;  ///< of the picture of the line, as a
 constexpr double most_line_height = 0.36;
 constexpr double band_height = 0.18;
 constexpr double head_room = 16;       ///< above both pictures, pixels
-constexpr std::size_t most_kinds = 6;  ///< colours
+constexpr std::size_t most_kinds = 6;  ///< colours: classes kind-0 to kind-5 of assets/figure.css
 constexpr int longest_kind = 60;       ///< characters of a name in the legend
-
-struct Tint {
-  std::string_view fill;
-  std::string_view edge;
-};
-/// Light enough for words on them, different in grey too.
-constexpr std::array<Tint, most_kinds> tints{{{.fill = "#a9c9ec", .edge = "#1d5fa6"},
-                                              {.fill = "#f6cf9f", .edge = "#d9730d"},
-                                              {.fill = "#a5dad0", .edge = "#0f8577"},
-                                              {.fill = "#d5bfe6", .edge = "#7b3fa0"},
-                                              {.fill = "#eeb2ad", .edge = "#b3261e"},
-                                              {.fill = "#d3d8de", .edge = "#5b6570"}}};
-constexpr std::string_view asked_colour = "#b3261e";
 
 /// Smallest and largest of numbers that may be missing.
 struct LineExtent {
@@ -238,9 +226,9 @@ void draw_profile_ground(ProfileSheet& s) {
   std::vector<Pixel> edge = pixels_of(s.p.ground, s.l);
   const Pen& own = pen(Role::ground);
   const std::string top = path_data(edge, false);
-  s.svg += fmt::format("<path d=\"{}L{:.1f} {:.1f}L{:.1f} {:.1f}Z\" fill=\"{}\" stroke=\"none\"/>\n", top,
-                       edge.back().x, s.l.line.bottom, edge.front().x, s.l.line.bottom, own.fill);
-  s.svg += fmt::format("<path d=\"{}\" fill=\"none\" {}/>\n", top, stroke_of(own));
+  s.svg += fmt::format("<path class=\"earth\" d=\"{}L{:.1f} {:.1f}L{:.1f} {:.1f}Z\"/>\n", top, edge.back().x,
+                       s.l.line.bottom, edge.front().x, s.l.line.bottom);
+  s.svg += fmt::format("<path {} d=\"{}\"/>\n", line_class(Role::ground), top);
   s.line(edge, own.weight);
 }
 
@@ -250,13 +238,12 @@ void draw_profile_supports(ProfileSheet& s) {
     std::string text = one.name;
     if (std::isfinite(one.ground)) {
       const Pixel foot = s.l.pixel({.x = one.top.x, .y = one.ground});
-      s.svg += fmt::format("<path d=\"M{:.1f} {:.1f}L{:.1f} {:.1f}\" fill=\"none\" {}/>", foot.x, foot.y, top.x, top.y,
-                           stroke_of(pen(Role::structure)));
+      s.svg += fmt::format("<path {} d=\"M{:.1f} {:.1f}L{:.1f} {:.1f}\"/>", line_class(Role::structure), foot.x, foot.y,
+                           top.x, top.y);
       s.obstacles.push_back({foot, top, 2});
       text += fmt::format(", {}", s.length(one.top.y - one.ground));
     }
-    s.svg += fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"3\" fill=\"{}\"/>\n", top.x, top.y,
-                         pen(Role::structure).stroke);
+    s.svg += fmt::format("<circle class=\"dot\" cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"3\"/>\n", top.x, top.y);
     s.say(top, text, {.x = 0, .y = -1});
   }
 }
@@ -264,7 +251,7 @@ void draw_profile_supports(ProfileSheet& s) {
 void draw_profile_ropes(ProfileSheet& s) {
   for (const Profile::Rope& rope : s.p.ropes) {
     const std::vector<Pixel> points = pixels_of(rope.points, s.l);
-    s.svg += fmt::format("<path d=\"{}\" fill=\"none\" {}/>\n", path_data(points, false), stroke_of(pen(rope.role)));
+    s.svg += fmt::format("<path {} d=\"{}\"/>\n", line_class(rope.role), path_data(points, false));
     s.line(points, pen(rope.role).weight);
     std::vector<Pixel> finite;
     for (const Pixel& p : points) {
@@ -290,13 +277,11 @@ void draw_profile_way(ProfileSheet& s) {
                         : Pixel{.x = NAN, .y = NAN});
     if (ground && (lowest == nullptr || place.z - place.ground < lowest->z - lowest->ground)) lowest = &place;
   }
-  s.svg += fmt::format("<path d=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"1.6\" stroke-dasharray=\"3 3\"/>\n",
-                       path_data(way, false), pen(Role::highlight).stroke);
+  s.svg += fmt::format("<path class=\"way\" d=\"{}\"/>\n", path_data(way, false));
   s.line(way, 2);
   const std::string line = path_data(asked, false);
   if (!line.empty()) {
-    s.svg += fmt::format("<path d=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"1.2\" stroke-dasharray=\"6 3\"/>\n",
-                         line, asked_colour);
+    s.svg += fmt::format("<path class=\"limit\" d=\"{}\"/>\n", line);
     s.line(asked, 2);
   }
   if (lowest == nullptr) return;
@@ -305,7 +290,7 @@ void draw_profile_way(ProfileSheet& s) {
   s.svg +=
       fmt::format("<path class=\"dimension\" d=\"M{:.1f} {:.1f}L{:.1f} {:.1f}\"/>", above.x, above.y, below.x, below.y);
   for (const auto& [tip, down] : {std::pair{above, -1.0}, std::pair{below, 1.0}})
-    s.svg += arrow_head(tip, 0, down, 6, "#555d66");
+    s.svg += arrow_head(tip, 0, down, 6, "dimension");
   s.obstacles.push_back({above, below, 2});
   s.say({.x = above.x, .y = (above.y + below.y) / 2}, "least clearance " + s.length(lowest->z - lowest->ground),
         {.x = 1, .y = 0});
@@ -314,10 +299,8 @@ void draw_profile_way(ProfileSheet& s) {
 void draw_profile_carriage(ProfileSheet& s) {
   if (!is_finite(s.p.carriage_at)) return;
   const Pixel at = s.l.pixel(s.p.carriage_at);
-  s.svg += fmt::format(
-      "<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"14\" height=\"9\" rx=\"2\" fill=\"{}\" stroke=\"{}\" "
-      "stroke-width=\"1.4\"/>\n",
-      at.x - 7, at.y - 1, pen(Role::highlight).fill, pen(Role::highlight).stroke);
+  s.svg += fmt::format("<rect class=\"carriage\" x=\"{:.1f}\" y=\"{:.1f}\" width=\"14\" height=\"9\" rx=\"2\"/>\n",
+                       at.x - 7, at.y - 1);
   s.obstacles.push_back({{.x = at.x - 8, .y = at.y + 4}, {.x = at.x + 8, .y = at.y + 4}, 4});
   s.say(at, s.p.carriage, {.x = 0, .y = 1});
 }
@@ -334,28 +317,28 @@ std::vector<std::string> kinds_of(const Profile& p) {
 
 std::size_t tint_of(const std::vector<std::string>& kinds, const std::string& kind) {
   const auto at = static_cast<std::size_t>(std::find(kinds.begin(), kinds.end(), kind) - kinds.begin());
-  return std::min(at, tints.size() - 1);
+  return std::min(at, most_kinds - 1);
 }
 
 /// Rows of boxes with names from (left, top) on; the height that they take.
 double profile_legend(std::string& out, const std::vector<std::string>& kinds, bool gaps, Pixel from, double right) {
   const double left = from.x, top = from.y;
-  std::vector<std::pair<std::string, std::string>> entries;  // name, fill
-  for (std::size_t i = 0; i < kinds.size() && i < tints.size(); ++i) {
-    const bool shared = i + 1 == tints.size() && kinds.size() > tints.size();
-    entries.emplace_back(shared ? "other limits" : shortened(clean(kinds[i]), longest_kind), tints[i].fill);
+  std::vector<std::pair<std::string, std::string>> entries;  // name, class
+  for (std::size_t i = 0; i < kinds.size() && i < most_kinds; ++i) {
+    const bool shared = i + 1 == most_kinds && kinds.size() > most_kinds;
+    entries.emplace_back(shared ? "other limits" : shortened(clean(kinds[i]), longest_kind), fmt::format("kind-{}", i));
   }
-  if (gaps) entries.emplace_back("no answer", "url(#profile-gap)");
+  if (gaps) entries.emplace_back("no answer", "gap");
   double x = left, y = top + 9;
-  for (const auto& [name, fill] : entries) {
+  for (const auto& [name, kind] : entries) {
     const Runs runs = prose_runs(name);
-    const double needed = 24 + width(runs) * font_size + 20;
+    const double needed = 24 + text_width(runs, font_size) + 20;
     if (x > left && x + needed > right) {
       x = left;
       y += 19;
     }
-    out += fmt::format("<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"17\" height=\"11\" fill=\"{}\" stroke=\"#8a929b\"/>", x,
-                       y - 6, fill);
+    out +=
+        fmt::format("<rect class=\"sample {}\" x=\"{:.1f}\" y=\"{:.1f}\" width=\"17\" height=\"11\"/>", kind, x, y - 6);
     out += fmt::format("<text class=\"label\" x=\"{:.1f}\" y=\"{:.1f}\">{}</text>\n", x + 23, y + 4, to_svg(runs));
     x += needed;
   }
@@ -384,9 +367,8 @@ void draw_band(ProfileSheet& s, const std::vector<std::string>& kinds) {
     const auto [from, to] = share_of(p, i);
     const double a = s.l.x(from), b = s.l.x(to);
     if (std::isnan(place.value)) {
-      s.svg +=
-          fmt::format("<rect x=\"{:.2f}\" y=\"{:.1f}\" width=\"{:.2f}\" height=\"{:.1f}\" fill=\"url(#profile-gap)\"/>",
-                      a, s.l.band.top, std::max(0.6, b - a), s.l.band.height());
+      s.svg += fmt::format("<rect class=\"gap\" x=\"{:.2f}\" y=\"{:.1f}\" width=\"{:.2f}\" height=\"{:.1f}\"/>", a,
+                           s.l.band.top, std::max(0.6, b - a), s.l.band.height());
       edge.push_back({.x = NAN, .y = NAN});
       continue;
     }
@@ -395,24 +377,20 @@ void draw_band(ProfileSheet& s, const std::vector<std::string>& kinds) {
     const double mid = s.l.x(place.x), top = s.l.y(place.value);
     // a place where nothing is carried would not be seen
     const double least = place.value <= 0 && !place.governs.empty() ? 5 : 0;
-    const auto& fill = tints[tint_of(kinds, place.governs)].fill;
     s.svg += fmt::format(
-        "<path d=\"M{0:.2f} {1:.1f}L{0:.2f} {2:.1f}L{3:.2f} {4:.1f}L{5:.2f} {6:.1f}L{5:.2f} {1:.1f}Z\" "
-        "fill=\"{7}\" stroke=\"{7}\" stroke-width=\"0.5\"/>",
-        a, zero, s.l.y(left) - least, mid, top - least, b, s.l.y(right) - least, fill);
+        "<path class=\"kind-{7}\" d=\"M{0:.2f} {1:.1f}L{0:.2f} {2:.1f}L{3:.2f} {4:.1f}L{5:.2f} {6:.1f}L{5:.2f} "
+        "{1:.1f}Z\"/>",
+        a, zero, s.l.y(left) - least, mid, top - least, b, s.l.y(right) - least, tint_of(kinds, place.governs));
     edge.push_back({.x = mid, .y = top});
   }
-  s.svg +=
-      fmt::format("\n<path d=\"{}\" fill=\"none\" stroke=\"#222a33\" stroke-width=\"1.6\"/>\n", path_data(edge, false));
+  s.svg += fmt::format("\n<path class=\"edge\" d=\"{}\"/>\n", path_data(edge, false));
   s.line(edge, 3);
 }
 
 void draw_limit_of_band(ProfileSheet& s) {
   if (!std::isfinite(s.p.limit)) return;
   const double y = s.l.y(s.p.limit);
-  s.svg +=
-      fmt::format("<path d=\"M{:.1f} {:.1f}H{:.1f}\" stroke=\"{}\" stroke-width=\"1.4\" stroke-dasharray=\"6 3\"/>\n",
-                  s.l.band.left, y, s.l.band.right, asked_colour);
+  s.svg += fmt::format("<path class=\"limit\" d=\"M{:.1f} {:.1f}H{:.1f}\"/>\n", s.l.band.left, y, s.l.band.right);
 }
 
 void draw_decisive(ProfileSheet& s) {
@@ -421,21 +399,24 @@ void draw_decisive(ProfileSheet& s) {
   if (std::isnan(place.value)) return;
   const Pixel at{.x = s.l.x(place.x), .y = s.l.y(place.value)};
   s.svg += fmt::format(
-      "<path d=\"M{0:.1f} {1:.1f}V{2:.1f}\" stroke=\"#5b6570\" stroke-width=\"1\" stroke-dasharray=\"2 3\"/>"
-      "<circle cx=\"{0:.1f}\" cy=\"{3:.1f}\" r=\"4.2\" fill=\"#fff\" stroke=\"{4}\" stroke-width=\"2\"/>\n",
-      at.x, s.l.line.top, s.l.band.bottom, at.y, asked_colour);
+      "<path class=\"event\" d=\"M{0:.1f} {1:.1f}V{2:.1f}\"/><circle class=\"mark\" cx=\"{0:.1f}\" cy=\"{3:.1f}\" "
+      "r=\"4.2\"/>\n",
+      at.x, s.l.line.top, s.l.band.bottom, at.y);
   s.obstacles.push_back({{.x = at.x - 5, .y = at.y}, {.x = at.x + 5, .y = at.y}, 3});
   s.say(at, fmt::format("{} at x = {}", quantity_shown(place.value, s.p.value.unit, s.display, 3), s.length(place.x)),
         {.x = 0, .y = -1});
 }
 
-/// The words of one of the two pictures, in its frame.
-std::string placed_words(ProfileSheet& s, const Box& frame) {
+/// The words of one of the two pictures, in its frame. Those without a place come into `list`, numbered.
+std::string placed_words(ProfileSheet& s, const Box& frame, std::vector<Listed>& list) {
   for (const double y : {frame.top, frame.bottom})
     s.obstacles.push_back({{.x = frame.left, .y = y}, {.x = frame.right, .y = y}, 3});
   for (const double x : {frame.left, frame.right})
     s.obstacles.push_back({{.x = x, .y = frame.top}, {.x = x, .y = frame.bottom}, 3});
-  const std::string out = to_svg(place_labels(s.words, s.obstacles, frame.grown(-3), font_size), font_size);
+  const Box inside = frame.grown(-3);
+  Placement placed = place_labels(s.words, s.obstacles, {.frame = inside, .bounds = inside, .taken = {}}, font_size);
+  const std::string out = to_svg(placed.labels, font_size);
+  std::move(placed.list.begin(), placed.list.end(), std::back_inserter(list));
   s.words.clear();
   s.obstacles.clear();
   return out;
@@ -469,20 +450,15 @@ std::string profile_svg(const Profile& p, const Display& display, double wide) {
   draw_profile_way(s);
   draw_profile_ropes(s);
   draw_profile_carriage(s);
-  std::string body = placed_words(s, l.line);
+  std::vector<Listed> list;
+  std::string body = placed_words(s, l.line, list);
   draw_band(s, kinds);
   draw_limit_of_band(s);
   draw_decisive(s);
-  body += placed_words(s, l.band);
-  const std::string gap =
-      "<defs><pattern id=\"profile-gap\" width=\"6\" height=\"6\" patternUnits=\"userSpaceOnUse\" "
-      "patternTransform=\"rotate(45)\"><rect width=\"6\" height=\"6\" fill=\"#fff\"/><path d=\"M0 0V6\" "
-      "stroke=\"#8a929b\" stroke-width=\"2\"/></pattern></defs>";
-  const double high = l.band.bottom + 46;
-  return fmt::format(
-      "<svg class=\"profile\" role=\"img\" aria-label=\"{}\" viewBox=\"0 0 {:.0f} {:.0f}\" width=\"{:.0f}\" "
-      "height=\"{:.0f}\">\n{}{}{}{}{}{}</svg>\n",
-      escape(p.title), wide, high, wide, high, gap, s.svg, frame_svg(l.line), frame_svg(l.band), legend, body);
+  body += placed_words(s, l.band, list);
+  Box box{.left = 0, .top = 0, .right = wide, .bottom = l.band.bottom + 46};
+  body += list_svg(list, {.x = left_room, .y = box.bottom + 6}, wide - left_room, font_size, box);
+  return svg_element("profile", p.title, box, s.svg + frame_svg(l.line) + frame_svg(l.band) + legend + body);
 }
 
 std::string profile_scale_words(const Profile& p, double wide) {

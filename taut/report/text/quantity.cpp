@@ -5,8 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
-#include <utility>
 
 #include "taut/report/text/text.hpp"
 
@@ -67,18 +65,6 @@ std::string pretty(const std::string& text) {
 
 }  // namespace
 
-Display display_of(const Result& r) {
-  std::map<std::string, std::string> units;
-  for (const auto& [kind, unit] : r.display) {
-    if (check_display(kind, unit)) units.emplace(kind, unit);
-  }
-  return Display(std::move(units));
-}
-
-ShownUnit shown_unit(const Unit& unit, const Display& display) {
-  return {.display = display, .unit = unit, .name = display.unit(unit)};
-}
-
 std::string unit_text(std::string_view name) {
   if (name == "1") return {};
   if (name == "deg") return "°";
@@ -109,6 +95,23 @@ std::string quantity_shown(double stored, const Unit& unit, const Display& displ
   const ShownUnit u = shown_unit(unit, display);
   const std::string name = unit_text(u);
   std::string number = number_shown(u.of(stored), digits);
+  if (name.empty() || std::isnan(stored)) return number;
+  return name == "°" ? number + name : fmt::format("{} {}", number, name);
+}
+
+std::string value_number(double stored, const ShownUnit& unit) {
+  constexpr int digits = 4;
+  const double x = unit.of(stored);
+  const double size = std::abs(x);
+  const bool metres = unit.name == "m" && size >= 100 && size < 1e5;
+  const int more = metres ? static_cast<int>(std::floor(std::log10(size))) - 1 : 0;  // to the centimetre
+  return number_shown(x, digits + more);
+}
+
+std::string value_shown(double stored, const Unit& unit, const Display& display) {
+  const ShownUnit u = shown_unit(unit, display);
+  const std::string name = unit_text(u);
+  const std::string number = value_number(stored, u);
   if (name.empty() || std::isnan(stored)) return number;
   return name == "°" ? number + name : fmt::format("{} {}", number, name);
 }

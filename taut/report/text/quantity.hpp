@@ -4,22 +4,11 @@
 #include <vector>
 
 #include "taut/calc/result.hpp"
+#include "taut/calc/shown.hpp"
 #include "taut/units/display.hpp"
 #include "taut/units/unit.hpp"
 
 namespace taut::report {
-
-/// How the result wants its numbers shown; units of `display` that fit nothing are left out.
-Display display_of(const Result& r);
-
-/// The unit that a quantity is shown in.
-struct ShownUnit {
-  Display display;
-  Unit unit;
-  std::string name;  ///< of the unit list, "kN m"; empty for a plain number
-  double of(double stored) const { return display.from_si(stored, unit); }
-};
-ShownUnit shown_unit(const Unit& unit, const Display& display);
 
 /// A unit's name for print: "kN·m", "N/mm²", "°"; empty for a plain number.
 std::string unit_text(std::string_view name);
@@ -33,6 +22,11 @@ std::string number_plain(double x, int digits = 5);
 /// "138.86 kN", "12°", "0.12".
 std::string quantity_shown(double stored, const Unit& unit, const Display& display, int digits = 5);
 std::string quantity_plain(double stored, const Unit& unit, const Display& display, int digits = 5);
+
+/// A result as its reader needs it, "138.9 kN", "382.42 m": four significant digits, of a length in metres centimetres
+/// at least. JSON and CSV have all digits.
+std::string value_shown(double stored, const Unit& unit, const Display& display);
+std::string value_number(double stored, const ShownUnit& unit);
 
 /// The numbers of one column with the same number of decimals, as many as the largest of them needs for `digits`
 /// significant ones; numbers that would vanish are shown with a power of ten.

@@ -259,8 +259,10 @@ void add_results(MachineRun& machine, const study::PayloadRun& run, Result& r) {
       continue;
     }
     missing.take(one.answered() ? Outcome() : one.point.payload.outcome, one.point.x);
-    if (one.answered())
-      machine.checked->take(*one.model, one.point.payload.at, where, checks::analysis_name(run.ending, "payload"));
+    if (!one.answered()) continue;
+    machine::Model loaded = *one.model;
+    loaded.bodies[loaded.carriages[run.way.carriage].body].mass += one.point.payload.mass;
+    machine.checked->take(loaded, one.point.payload.at, where, checks::analysis_name(run.ending, "payload"));
   }
   const std::vector<NothingCarried> nothing = add_nothing(machine, run, r);
   missing.note(r, fmt::format("payload{}, {}", run.ending, run.words), machine.checked->judged);

@@ -9,6 +9,7 @@
 #include <limits>
 #include <set>
 
+#include "taut/calc/none.hpp"
 #include "taut/results/motion/transient_scene.hpp"
 #include "taut/results/motion/transient_tables.hpp"
 
@@ -19,9 +20,10 @@ using solve::TransientFrame;
 
 constexpr std::size_t most_curves_in_plot = 6;
 constexpr std::size_t most_events = 10;
-constexpr double label_room = 0.03;  ///< of the time shown, between two marked events
 constexpr std::size_t most_readouts = 8;
-constexpr std::size_t buckets = 240;       ///< of the thinned plots
+constexpr std::size_t buckets = 240;  ///< of the thinned plots
+constexpr std::size_t path_dots = 6;
+constexpr double least_path = 0.01;        ///< of the machine's size: a body that stays where it is has no path
 constexpr double least_plan_width = 1e-3;  ///< machines narrower than this part of their length need no plan
 
 struct PlaneView {
@@ -85,7 +87,9 @@ Drawing drawing_of(const study::TransientRun& run, std::size_t index, const Plan
   Drawing d;
   d.name = fmt::format("motion{}_{}", run.ending, index);
   d.title = title;
-  d.caption = view.above == 2 ? "Forces of the ropes on what holds them, and where they move it." : "Plan.";
+  d.caption = "F: forces of the ropes on what holds them and on what they move.";
+  d.across = view.right == 0 ? "x" : "y";
+  d.upward = view.above == 2 ? "z" : "y";
   d.legend = {{Role::rope, m.reevings.front().name},
               {Role::second_rope, m.reevings.size() == 2 ? m.reevings.back().name : "other ropes"},
               {Role::force, "ropes on what holds them"}};
@@ -109,11 +113,13 @@ Drawing drawing_of(const study::TransientRun& run, std::size_t index, const Plan
                                  .from = 0,
                                  .to = 0,
                                  .filled = !round});
-    d.shapes.emplace_back(Label{.at = at, .text = part.name});
     const Point f = view.point(part.force);
-    if (std::hypot(f.x, f.y) > 0)
+    if (std::hypot(f.x, f.y) > 0) {
       d.shapes.emplace_back(
-          ForceArrow{.at = at, .fx = f.x, .fy = f.y, .label = "F", .role = Role::force, .towards = false});
+          ForceArrow{.at = at, .fx = f.x, .fy = f.y, .label = "F " + part.name, .role = Role::force, .towards = false});
+    } else {
+      d.shapes.emplace_back(Label{.at = at, .text = part.name});
+    }
   }
   return d;
 }
@@ -131,17 +137,58 @@ std::size_t tightest(const study::TransientRun& run) {
   return static_cast<std::size_t>(nearest - frames.begin());
 }
 
-void add_drawings(const study::TransientRun& run, Result& r) {
-  const std::size_t last = run.result.frames.size() - 1;
+/// The moment of the largest tension with its forces; the strip of the animation shows the others.
+void add_drawing(const study::TransientRun& run, Result& r) {
   const std::size_t peak = tightest(run);
-  const PlaneView view = views_of(run).front();
-  std::vector<std::pair<std::size_t, std::string>> chosen = {{0, "the start"}};
-  if (peak != 0 && peak != last) chosen.emplace_back(peak, "near the largest tension");
-  if (last != 0) chosen.emplace_back(last, peak == last ? "the end, with the largest tension" : "the end");
-  for (const auto& [index, words] : chosen) {
-    r.figures.emplace_back(
-        drawing_of(run, index, view, fmt::format("t = {:.4g} s, {}", run.result.frames[index].t, words)));
+  r.figures.emplace_back(
+      drawing_of(run, peak, views_of(run).front(),
+                 fmt::format("Forces at the largest tension, t = {:.4g} s", run.result.frames[peak].t)));
+}
+
+/// Of a motion in space: the ways of the bodies, seen from above, with a dot at each of a few times.
+void add_path_in_plan(const study::TransientRun& run, Result& r) {
+  const std::vector<PlaneView> views = views_of(run);
+  const auto& frames = run.result.frames;
+  if (views.size() < 2 || frames.size() < 2) return;
+  const PlaneView& plan = views.back();
+  const double size = size_of(run).norm();
+  Drawing d;
+  d.name = "path" + run.ending;
+  d.title = "Path in plan";
+  d.caption = "Dots at equal steps of time; what does not move is named.";
+  d.across = "x";
+  d.upward = "y";
+  d.legend = {{Role::rope, "path"}};
+  bool any = false;
+  for (std::size_t b = 0; b < run.model.bodies.size(); ++b) {
+    const machine::Body& body = run.model.bodies[b];
+    if (body.of_rope || body.beam || (body.free.empty() && body.driven.empty())) continue;
+    Polyline way;
+    way.role = Role::rope;
+    for (const auto& frame : frames) way.points.push_back(plan.point(frame.bodies[b].position));
+    double length = 0;
+    for (std::size_t i = 1; i < way.points.size(); ++i) {
+      length += std::hypot(way.points[i].x - way.points[i - 1].x, way.points[i].y - way.points[i - 1].y);
+    }
+    if (length < least_path * size) continue;
+    any = true;
+    for (std::size_t k = 0; k <= path_dots; ++k) {
+      const std::size_t i = k * (frames.size() - 1) / path_dots;
+      d.shapes.emplace_back(Circle{
+          .center = way.points[i], .radius = size / 250, .role = Role::structure, .from = 0, .to = 0, .filled = true});
+      const std::string time = fmt::format("{:.3g} s", frames[i].t);
+      d.shapes.emplace_back(Label{.at = way.points[i], .text = k == 0 ? body.name + ", " + time : time});
+    }
+    d.shapes.emplace_back(std::move(way));
   }
+  if (!any) return;
+  for (const HeldPart& part : held_parts(run.model, frames.front(), frames.front())) {
+    if (part.moves) continue;
+    d.shapes.emplace_back(Circle{
+        .center = plan.point(part.at), .radius = size / 300, .role = Role::body, .from = 0, .to = 0, .filled = true});
+    d.shapes.emplace_back(Label{.at = plan.point(part.at), .text = part.name});
+  }
+  r.figures.emplace_back(std::move(d));
 }
 
 /// Driven sheaves and rope loads: where they begin to slip or hold, the machine does something else.
@@ -173,23 +220,6 @@ std::vector<std::pair<double, std::string>> main_events(const study::TransientRu
   return all;
 }
 
-/// Those of them whose words have room beside each other; what is done to the machine goes before what follows from it.
-std::vector<std::pair<double, std::string>> marked_events(const study::TransientRun& run) {
-  auto all = main_events(run);
-  const auto follows = [](const auto& e) {
-    return e.second.starts_with("slack") || e.second.starts_with("taut") || e.second.starts_with("apart");
-  };
-  std::stable_partition(all.begin(), all.end(), [&](const auto& e) { return !follows(e); });
-  const double room = label_room * (run.result.t_end - run.result.frames.front().t);
-  std::vector<std::pair<double, std::string>> marked;
-  for (auto& e : all) {
-    const bool free = std::none_of(marked.begin(), marked.end(),
-                                   [&](const auto& other) { return std::abs(other.first - e.first) < room; });
-    if (free) marked.push_back(std::move(e));
-  }
-  return marked;
-}
-
 /// What an animation shows of one frame.
 struct ShownFrame {
   std::vector<std::array<Vector3, 2>> bodies;
@@ -217,6 +247,9 @@ void add(Animation& a, const ShownFrame& f, const PlaneView& view) {
     std::vector<Point> points;
     for (const Vector3& p : f.ropes[i].points) points.push_back(view.point(p));
     a.lines[f.bodies.size() + i].points.push_back(std::move(points));
+    const auto& tension = f.ropes[i].tension;
+    a.lines[f.bodies.size() + i].tension.push_back(tension.empty() ? none
+                                                                   : *std::max_element(tension.begin(), tension.end()));
   }
   for (std::size_t i = 0; i < f.held.size(); ++i) {
     a.rounds[i].at.push_back(view.point(f.held[i].at));
@@ -229,7 +262,7 @@ Animation animation_of(const study::TransientRun& run, const PlaneView& view) {
   Animation a;
   a.name = fmt::format("motion{}{}", run.ending, view.above == 2 ? "" : "_plan");
   a.title = view.above == 2 ? "The motion, side view" : "The motion, plan";
-  a.caption = "It plays in real time; drag the slider to any time.";
+  a.caption = "Ropes in the colour of their tension. On a screen it plays in real time.";
   a.t = times_of(run);
   a.events = main_events(run);
   for (const auto& frame : frames) {
@@ -291,7 +324,7 @@ Plot plot_of(const study::TransientRun& run, const std::string& title, const Axi
     }
     p.curves.push_back(std::move(c));
   }
-  for (const auto& [at, words] : marked_events(run)) p.marks.push_back({at, 0, words, false, true});
+  for (const auto& [at, words] : main_events(run)) p.marks.push_back({at, 0, words, false, true});
   return p;
 }
 
@@ -358,10 +391,11 @@ std::string key_figure_of_motion(const study::TransientRun& run, const Result& r
 }
 
 void add_transient_figures(const study::TransientRun& run, Result& r) {
-  add_drawings(run, r);
+  add_drawing(run, r);
   if (run.result.frames.size() > 1) {
     for (const PlaneView& view : views_of(run)) r.figures.emplace_back(animation_of(run, view));
   }
+  add_path_in_plan(run, r);
   add_plots(run, r);
   add_energy_plot(run, r);
   r.scenes.push_back(scene_of(run));

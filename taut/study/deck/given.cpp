@@ -75,6 +75,11 @@ class GivenResolver {
     c.value = *request_.sag;
     c.kind = carriage_ && !request_.span ? Kind::sag_at_carriage : Kind::sag_of_span;
     if (c.kind == Kind::sag_at_carriage) return;
+    if (!p_.model.reevings[c.reeving].guides.empty()) {
+      complain("sag", fmt::format("the spans of '{}' change at its guides with 'holds': give its 'winch_pull' or "
+                                  "'loop_length'",
+                                  request_.reeving));
+    }
     const int spans = machine::branch_count(p_.model.reevings[c.reeving]);
     c.span = request_.span ? *request_.span - 1 : longest_span(p_.model, c.reeving);
     if (c.span >= spans) complain("span", fmt::format("'{}' has {} free spans", request_.reeving, spans));

@@ -141,6 +141,19 @@ void check_inertia(const machine::Machine& machine, const machine::Model& model,
   }
 }
 
+void check_guides(const machine::Machine& machine, std::vector<Complaint>& complaints) {
+  for (const auto* list : {&machine.sheaves, &machine.supports}) {
+    for (const auto& round : *list) {
+      if (!round.holds) continue;
+      complaints.push_back(
+          {place_of_sheave(machine, round.name) + ".holds",
+           fmt::format("a motion can't take '{}' out of the path as the carriage passes it: give the motion a deck of "
+                       "one span, with the guides that hold there and without 'holds'",
+                       round.name)});
+    }
+  }
+}
+
 void check_masses(const machine::Machine& machine, const machine::Model& model, bool rope_mass,
                   std::vector<Complaint>& complaints) {
   if (machine.beams.empty()) check_bodies(machine, model, rope_mass, complaints);

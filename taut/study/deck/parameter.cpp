@@ -67,6 +67,10 @@ class Finder {
   }
 
   Found in_field(const Field& f, void* object, std::size_t at) {
+    if (f.map_form) {
+      const Record map = f.map_form(object);
+      if (!map.all().empty()) return in_record(f, map, at);
+    }
     const Slot slot = f.slot(object);
     if (auto* const* x = std::get_if<double*>(&slot)) return number(f, at, **x, [p = *x](double v) { *p = v; });
     if (auto* const* x = std::get_if<std::optional<double>*>(&slot)) {

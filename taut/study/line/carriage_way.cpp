@@ -8,6 +8,7 @@
 
 #include "taut/base/array.hpp"
 #include "taut/machine/compile/carriage_span.hpp"
+#include "taut/machine/compile/guides.hpp"
 #include "taut/study/deck/names.hpp"
 
 namespace taut::study {
@@ -18,11 +19,13 @@ const machine::Node* support_at(const machine::Model& model, int carriage, doubl
     if (node.at.body == machine::ground && std::abs(node.at.at.dot(along) - x) <= std::max(node.radius, 1e-6))
       return &node;
   }
-  return nullptr;
+  return machine::guide_at(model, carriage, x, along);
 }
 
 Array<WayPart> parts_of(const machine::Model& model, const Way& way) {
-  const auto node = [&](const machine::Model& m) { return m.carriages[way.carriage].node; };
+  const auto same_span = [&](const machine::Model& a, const machine::Model& b) {
+    return a.carriages[way.carriage].node == b.carriages[way.carriage].node && machine::same_guides(a, b);
+  };
   Array<WayPart> parts;
   for (int i = 0; i <= way.steps; i = parts.back().last + 1) {
     WayPart part{.model = machine::with_carriage_at(model, way.carriage, way.x(i), way.along),
@@ -31,7 +34,7 @@ Array<WayPart> parts_of(const machine::Model& model, const Way& way) {
                  .support = support_at(model, way.carriage, way.x(i), way.along)};
     while (part.support == nullptr && part.last < way.steps &&
            support_at(model, way.carriage, way.x(part.last + 1), way.along) == nullptr &&
-           node(machine::with_carriage_at(model, way.carriage, way.x(part.last + 1), way.along)) == node(part.model)) {
+           same_span(machine::with_carriage_at(model, way.carriage, way.x(part.last + 1), way.along), part.model)) {
       ++part.last;
     }
     parts.push_back(std::move(part));

@@ -13,7 +13,7 @@ namespace taut::study {
 struct Names;
 
 /// The support or end of its rope over which x lies, nearer than its radius: a carriage, taken as a point, is in no
-/// span there. nullptr in a span.
+/// span there. Also a guide that holds ahead of it: the carriage is on neither side of it. nullptr in a span.
 const machine::Node* support_at(const machine::Model& model, int carriage, double x, const Vector3& along);
 
 /// A way span by span, in the order of its positions.

@@ -92,7 +92,8 @@ Drawing drive_drawing(const Input& in, const Output& out) {
   d.shapes.emplace_back(Label{.at = {.x = -0.2 * R, .y = 0}, .text = "driving sheave"});
   d.shapes.emplace_back(Label{.at = {.x = L, .y = -0.4 * r}, .text = "idler"});
   if (in.sheave_radius)
-    d.shapes.emplace_back(DimensionLine{.from = {.x = 0, .y = 0}, .to = {.x = 0, .y = R}, .offset = 0, .text = "R"});
+    d.shapes.emplace_back(
+        DimensionLine{.from = {.x = 0, .y = 0}, .to = {.x = 0, .y = R}, .offset = 0, .text = "R", .with_length = true});
   return d;
 }
 

@@ -135,11 +135,17 @@ Drawing mast_drawing(const Input& in, const Output& out) {
                                   .text = "alpha"});
   d.shapes.emplace_back(AngleMark{
       .center = {.x = 0, .y = sky}, .radius = 0.2 * height, .from = -out.gamma_sky, .to = 0, .text = "gamma"});
-  d.shapes.emplace_back(DimensionLine{
-      .from = {.x = -0.2 * height, .y = 0}, .to = {.x = -0.2 * height, .y = sky}, .offset = 0, .text = "h_sky"});
+  d.shapes.emplace_back(DimensionLine{.from = {.x = -0.2 * height, .y = 0},
+                                      .to = {.x = -0.2 * height, .y = sky},
+                                      .offset = 0,
+                                      .text = "h_sky",
+                                      .with_length = true});
   if (sky != main)
-    d.shapes.emplace_back(DimensionLine{
-        .from = {.x = -0.3 * height, .y = 0}, .to = {.x = -0.3 * height, .y = main}, .offset = 0, .text = "h_main"});
+    d.shapes.emplace_back(DimensionLine{.from = {.x = -0.3 * height, .y = 0},
+                                        .to = {.x = -0.3 * height, .y = main},
+                                        .offset = 0,
+                                        .text = "h_main",
+                                        .with_length = true});
   return d;
 }
 

@@ -1,0 +1,68 @@
+#include "taut/app/explain/explain_name.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "taut/app/explain/explain_machine.hpp"
+#include "taut/app/methods.hpp"
+
+namespace taut::app::explain_name_test {
+
+using testing::HasSubstr;
+using testing::Not;
+
+std::string text_of(const std::string& name) { return explain_name(name).value_or("nothing"); }
+
+TEST(ExplainName, OfAKeySaysMeaningUnitRangeDefaultPlaceAndALine) {
+  const std::string text = text_of("reevings.length");
+  for (const char* part :
+       {"machine.reevings[].length\n", "unstretched length", "takes     m\n", "above 0 m", "may be left out",
+        "part of   machine.reevings", "example   length: ", "related   rope, name, path"}) {
+    EXPECT_THAT(text, HasSubstr(part));
+  }
+  EXPECT_EQ(text_of("reevings.skyline.length"), text);
+  EXPECT_EQ(text_of("machine.reevings[0].length"), text);
+  EXPECT_THAT(text_of("design.seek"), HasSubstr("one of    lightest, smallest"));
+}
+
+TEST(ExplainName, OfARuleSaysLimitSourceAndTrust) {
+  const std::string text = text_of("safety.skyline.ch");
+  for (const char* part : {"limit     3\n", "source    SEILAPLAN", "trust     verified", "field: skyline.ch"}) {
+    EXPECT_THAT(text, HasSubstr(part));
+  }
+  EXPECT_THAT(text_of("layout.break_angle_empty"), HasSubstr("limit     3 deg"));
+  EXPECT_THAT(text_of("safety.skyline"), HasSubstr("safety.skyline.ru"));
+}
+
+TEST(ExplainName, ListsAllThingsOfOneName) {
+  const std::string text = text_of("friction");
+  for (const char* part :
+       {"machine.sheaves.NAME.friction", "machine.contacts[].static_friction", "friction.steel_dry"}) {
+    EXPECT_THAT(text, HasSubstr(part));
+  }
+  EXPECT_THAT(text_of("break_angle"), HasSubstr("analyses[].payload.limits.break_angle"));
+}
+
+TEST(ExplainName, KnowsMethodsPartsAnalysesAndTheirSingulars) {
+  for (const std::string& topic : machine_topics()) {
+    EXPECT_THAT(text_of(topic), HasSubstr(explain_machine(topic).value_or("?"))) << topic;
+  }
+  for (const std::string& method : method_names()) EXPECT_THAT(text_of(method), HasSubstr("Equations"));
+  EXPECT_THAT(text_of("sheave"), HasSubstr("sheaves.NAME.efficiency"));
+  EXPECT_THAT(text_of("jack"), HasSubstr("'supports'"));
+}
+
+TEST(ExplainName, FindsAWordInTheMeanings) {
+  const std::string text = text_of("catenary");
+  EXPECT_THAT(text, Not(HasSubstr("nothing")));
+  EXPECT_THAT(text, HasSubstr("Nothing is named 'catenary'"));
+}
+
+TEST(ExplainName, SuggestsForANameThatIsNone) {
+  EXPECT_THAT(explain_name("frictoin").error(), HasSubstr("did you mean 'friction'?"));
+  EXPECT_THAT(explain_name("sheav").error(), HasSubstr("did you mean 'sheaves'?"));
+  EXPECT_THAT(explain_name("qqqqqq").error(), Not(HasSubstr("did you mean")));
+  for (const char* odd : {"", ".", "..", "[", "a.b.c.d.e.f", "NAME"}) explain_name(odd);
+}
+
+}  // namespace taut::app::explain_name_test

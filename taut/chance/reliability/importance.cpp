@@ -1,0 +1,177 @@
+#include "taut/chance/reliability/importance.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "taut/chance/counter.hpp"
+#include "taut/chance/standard_laws.hpp"
+
+namespace taut::chance {
+namespace {
+
+constexpr std::uint64_t block = 1000;
+
+/// The normals at the design points, with the upper ends of their shares of the unit interval.
+struct Mixture {
+  std::vector<Point> centres;
+  std::vector<double> shares, ends;
+};
+
+Mixture mixture_of(const Form& form) {
+  Mixture m;
+  double most = 0;
+  for (const DesignPoint& p : form.points) most = std::max(most, normal_above(std::abs(p.beta)));
+  double whole = 0;
+  for (const DesignPoint& p : form.points) {
+    m.centres.push_back(p.scores);
+    m.shares.push_back(std::max(normal_above(std::abs(p.beta)), most / 10));
+    whole += m.shares.back();
+  }
+  double end = 0;
+  for (double& share : m.shares) {
+    share /= whole;
+    m.ends.push_back(end += share);
+  }
+  m.ends.back() = 1;
+  return m;
+}
+
+/// Sample `index`: its centre is chosen by column 0, its offsets are the columns after it.
+Point sample_of(const Mixture& m, std::uint64_t seed, std::uint64_t index) {
+  const double which = unit(random_bits(seed, Use::importance, 0, index, 0));
+  const auto k = static_cast<std::size_t>(std::upper_bound(m.ends.begin(), m.ends.end(), which) - m.ends.begin());
+  Point u = m.centres[std::min(k, m.centres.size() - 1)];
+  for (std::uint32_t i = 0; i < u.size(); ++i)
+    u[i] += normal_score(unit(random_bits(seed, Use::importance, 0, index, i + 1)));
+  return u;
+}
+
+/// phi(u)/sum pi_k phi(u - c_k) = 1/sum pi_k exp(c_k.u - |c_k|^2/2).
+double weight_of(const Mixture& m, const Point& u) {
+  double sum = 0;
+  for (std::size_t k = 0; k < m.centres.size(); ++k) {
+    double exponent = 0;
+    for (std::size_t i = 0; i < u.size(); ++i) exponent += m.centres[k][i] * (u[i] - m.centres[k][i] / 2);
+    sum += m.shares[k] * std::exp(exponent);
+  }
+  return 1 / sum;
+}
+
+/// Sums of weights: beyond the limit, failed; their squares.
+struct WeightSums {
+  double n = 0, beyond = 0, failed = 0, beyond_squares = 0, failed_squares = 0;
+};
+
+Weighted weighted(double value, double mean_square, double mean, double n) {
+  Weighted w{.value = value, .standard_error = std::sqrt(std::max(0., mean_square - mean * mean) / n)};
+  w.variation = value > 0 ? w.standard_error / value : std::numeric_limits<double>::infinity();
+  return w;
+}
+
+void estimate(ImportanceSampling& result, const WeightSums& s) {
+  const double a = s.beyond / s.n;
+  const double b = s.failed / s.n;
+  // a case is beyond or failed, never both: the products vanish
+  result.counted = weighted(a + b, (s.beyond_squares + s.failed_squares) / s.n, a + b, s.n);
+  // ratio a/(1 - b): linearised, each sample counts (w_a + p w_b)/(1 - b)
+  const double left = std::max(1 - b, std::numeric_limits<double>::min());
+  const double p = a / left;
+  result.left_out = weighted(p, (s.beyond_squares + p * p * s.failed_squares) / s.n / (left * left), p, s.n);
+}
+
+LimitProbability plain_sample(const LimitState& state, std::uint64_t count, std::uint64_t seed) {
+  std::vector<double> margins;
+  for (std::uint64_t from = 0; from < count; from += block) {
+    Points points;
+    for (std::uint64_t k = from; k < std::min(from + block, count); ++k) {
+      Point u(state.size());
+      for (std::uint32_t i = 0; i < u.size(); ++i) u[i] = normal_score(unit(random_bits(seed, Use::plain, 0, k, i)));
+      points.push_back(std::move(u));
+    }
+    const std::vector<double> g = state.margins(points);
+    margins.insert(margins.end(), g.begin(), g.end());
+  }
+  return limit_probability({margins}, {Bound::at_least, 0});
+}
+
+bool disagree(const Weighted& p, const LimitProbability& plain) {
+  const auto n = static_cast<double>(plain.cases);
+  const auto hits = static_cast<double>(plain.beyond + plain.failed);
+  constexpr double beyond_3_sigma = 0.00135;
+  constexpr double few = 10;
+  if (std::min(hits, n * p.value) >= few && std::min(n - hits, n - n * p.value) >= few) {
+    const double either = std::max(hits / n * (1 - hits / n), p.value * (1 - p.value)) / n;
+    return std::abs(hits / n - p.value) > 3 * std::sqrt(either + p.standard_error * p.standard_error);
+  }
+  const double most = std::clamp(p.value + 3 * p.standard_error, 0., 1.);
+  const double least = std::clamp(p.value - 3 * p.standard_error, 0., 1.);
+  return 1 - binomial_below(hits - 1, n, most) < beyond_3_sigma || binomial_below(hits, n, least) < beyond_3_sigma;
+}
+
+}  // namespace
+
+ImportanceSampling importance_sampling(const LimitState& state, const Form& form, const ImportanceOptions& options,
+                                       const std::optional<LimitProbability>& plain) {
+  ImportanceSampling result;
+  if (form.status != FormStatus::found) {
+    result.reason = form.reason;
+    return result;
+  }
+  const Mixture mixture = mixture_of(form);
+  WeightSums sums;
+  do {
+    Points points;
+    for (std::uint64_t k = 0; k < block; ++k) points.push_back(sample_of(mixture, options.seed, result.samples + k));
+    const std::vector<double> g = state.margins(points);
+    for (std::size_t k = 0; k < points.size(); ++k) {
+      const double w = weight_of(mixture, points[k]);
+      if (std::isnan(g[k])) {
+        ++result.failed;
+        sums.failed += w;
+        sums.failed_squares += w * w;
+      } else if (g[k] < 0) {
+        ++result.beyond;
+        sums.beyond += w;
+        sums.beyond_squares += w * w;
+      }
+    }
+    result.samples += block;
+    sums.n = static_cast<double>(result.samples);
+    estimate(result, sums);
+  } while (result.samples < options.most_samples && !(result.counted.variation <= options.wanted_variation));
+
+  const Weighted& p = result.counted;
+  if (!(p.variation <= options.worst_variation)) {
+    result.status = ImportanceStatus::not_converged;
+    result.reason = fmt::format(
+        "importance sampling has not converged: {} of {} samples lie beyond the limit, coefficient of variation {:.2g} "
+        "(at most {}). Give it more samples",
+        result.beyond + result.failed, result.samples, p.variation, options.worst_variation);
+    return result;
+  }
+  result.plain = plain;
+  if (!result.plain) {
+    const std::uint64_t count =
+        p.value > 1e-3 ? options.plain_samples : std::min<std::uint64_t>(options.plain_samples, 3000);
+    if (count > 0) result.plain = plain_sample(state, count, options.seed);
+  }
+  if (result.plain && disagree(p, *result.plain)) {
+    result.status = ImportanceStatus::disagrees;
+    result.reason = fmt::format(
+        "sampling at the design points gives {:.3g}, a plain sample of {} cases {:.3g}: they differ by more than 3 "
+        "standard deviations, so FORM has missed a way to fail. Take the plain sample with more cases",
+        p.value, result.plain->cases, result.plain->counted.value);
+    return result;
+  }
+  result.status = ImportanceStatus::found;
+  if (p.value < 1e-4) {
+    result.rests_on = fmt::format("rests on {} samples around the design points, of which {} lie beyond the limit",
+                                  result.samples, result.beyond + result.failed);
+  }
+  return result;
+}
+
+}  // namespace taut::chance

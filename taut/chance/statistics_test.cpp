@@ -1,0 +1,188 @@
+#include "taut/chance/statistics.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "taut/chance/inputs.hpp"
+#include "taut/chance/point_set.hpp"
+#include "taut/math/roots.hpp"
+
+namespace taut::chance::statistics_test {
+
+const double failed = std::nan("");
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+bool holds(const Interval& i, double x) { return i.low <= x && x <= i.high; }
+
+/// Y = -ln(U) (1 + V): mean 3/2, variance 2 7/3 - 9/4; P(Y > y) = integral of exp(-y/(1 + v)) over v.
+std::vector<double> exponential(PointKind kind, std::uint64_t samples, std::uint64_t seed) {
+  const PointSet set(kind, 2, samples, seed);
+  std::vector<double> values;
+  for (std::uint64_t k = 0; k < set.size(); ++k) {
+    const Point u = set.at(k);
+    values.push_back(-std::log(u[0]) * (1 + u[1]));
+  }
+  return values;
+}
+
+double exceeded(double y) {
+  double sum = 0;
+  for (int k = 0; k < 1000; ++k) sum += std::exp(-y / (1 + (k + 0.5) / 1000)) / 1000;
+  return sum;
+}
+
+// Clopper & Pearson: 0 of n ends at 1 - (alpha/2)^(1/n); 4 of 10: 0.1216, 0.7376 (their chart; any table).
+TEST(Statistics, clopper_pearson) {
+  const Interval none = binomial_interval(0, 50, 0.95);
+  EXPECT_EQ(none.low, 0);
+  EXPECT_NEAR(none.high, 1 - std::pow(0.025, 1. / 50), 1e-12);
+  const Interval four = binomial_interval(4, 10, 0.95);
+  EXPECT_NEAR(four.low, 0.1216, 5e-5);
+  EXPECT_NEAR(four.high, 0.7376, 5e-5);
+  EXPECT_EQ(binomial_interval(10, 10, 0.95).high, 1);
+}
+
+TEST(Statistics, failed_cases_both_ways) {
+  const std::vector<double> v{1, 2, failed, 3, 4, 5, failed, 6, 7, 8};
+  const LimitProbability p = limit_probability({v}, {Bound::at_least, 3});
+  EXPECT_EQ(p.cases, 10u);
+  EXPECT_EQ(p.failed, 2u);
+  EXPECT_EQ(p.beyond, 2u);
+  EXPECT_EQ(p.left_out.value, 0.25);
+  EXPECT_EQ(p.counted.value, 0.4);
+  EXPECT_NEAR(p.counted.interval.high, 0.7376, 5e-5);
+  EXPECT_EQ(limit_probability({v}, {Bound::at_most, 5}).beyond, 3u);
+  EXPECT_EQ(failed_cases({v}), 2u);
+  EXPECT_EQ(sample_mean({v}).value, 4.5);
+  EXPECT_NEAR(sample_sd({v}).value, std::sqrt(6.), 1e-15);
+  const std::vector<double> all_failed{failed, failed};
+  EXPECT_TRUE(std::isnan(limit_probability({all_failed}, {}).left_out.value));
+  EXPECT_EQ(limit_probability({all_failed}, {}).counted.value, 1);
+  EXPECT_TRUE(std::isnan(sample_mean({all_failed}).value));
+}
+
+// Gosset's sleep data (extra hours, drug 2 - drug 1): mean 1.58, 95 % interval 0.70 to 2.46.
+TEST(Statistics, students_own_data) {
+  const std::vector<double> hours{1.2, 2.4, 1.3, 1.3, 0, 1.0, 1.8, 0.8, 4.6, 1.4};
+  const Estimate e = sample_mean({hours});
+  EXPECT_NEAR(e.value, 1.58, 1e-12);
+  EXPECT_NEAR(e.interval.low, 0.7001142, 1e-6);
+  EXPECT_NEAR(e.interval.high, 2.4598858, 1e-6);
+}
+
+// n = 20, p = 0.5: x_(6), x_(15) (P(B <= 5) = 0.0207); no upper bound of the 99 % quantile.
+TEST(Statistics, quantile_between_order_statistics) {
+  std::vector<double> v(20);
+  std::iota(v.rbegin(), v.rend(), 1.);
+  const auto q = quantiles({v}, std::vector<double>{0.5, 0.99, 0.975});
+  EXPECT_EQ(q[0].value, 10.5);
+  EXPECT_EQ(q[0].interval.low, 6);
+  EXPECT_EQ(q[0].interval.high, 15);
+  EXPECT_EQ(q[1].interval.high, infinity);
+  EXPECT_GT(q[1].interval.low, 15);
+  EXPECT_EQ(q[2].value, 20);
+}
+
+// 300 seeds: the truth lies inside of nine tenths of the 95 % intervals at least, of every kind of points, of mean, sd,
+// quantile and probability; and the width of the intervals is no excuse: Sobol's are narrower than random ones'.
+TEST(Statistics, intervals_hold_the_truth) {
+  const double middle = *find_root([](double y) { return exceeded(y) - 0.5; }, 0, 5);
+  double width_random = 0;
+  for (const PointKind kind : {PointKind::random, PointKind::latin, PointKind::sobol}) {
+    int mean = 0;
+    int sd = 0;
+    int median = 0;
+    int probability = 0;
+    double width = 0;
+    constexpr int seeds = 300;
+    for (std::uint64_t seed = 0; seed < seeds; ++seed) {
+      const auto v = exponential(kind, 4096, seed);
+      const Sample s{v, kind == PointKind::random ? 1u : 16u};
+      mean += holds(sample_mean(s).interval, 1.5);
+      sd += holds(sample_sd(s).interval, std::sqrt(14. / 3 - 2.25));
+      median += holds(quantiles(s, std::vector<double>{0.5})[0].interval, middle);
+      const Estimate p = limit_probability(s, {Bound::at_most, 2}).counted;
+      probability += holds(p.interval, exceeded(2));
+      width += p.interval.high - p.interval.low;
+    }
+    for (const int count : {mean, sd, median, probability}) {
+      EXPECT_GE(count, 0.9 * seeds) << static_cast<int>(kind) << ' ' << mean << ' ' << sd << ' ' << median;
+      EXPECT_LE(count, seeds);
+    }
+    EXPECT_LT(mean, seeds);
+    if (kind == PointKind::random) width_random = width;
+    if (kind == PointKind::sobol) {
+      EXPECT_LT(width, width_random / 3);
+    }
+  }
+}
+
+// No case beyond the limit in any replicate: the scatter is 0, the upper bound is not.
+TEST(Statistics, a_rare_case_is_no_impossible_one) {
+  const std::vector<double> v(1600, 5.);
+  const LimitProbability p = limit_probability({v, 16}, {Bound::at_least, 3});
+  EXPECT_EQ(p.counted.value, 0);
+  EXPECT_NEAR(p.counted.interval.high, 1 - std::pow(0.025, 1. / 1600), 1e-9);
+  EXPECT_EQ(judged(p.counted, 1e-2), Allowed::kept);
+  EXPECT_EQ(judged(p.counted, 1e-3), Allowed::not_judged);
+  const auto needed = cases_needed(p, 1e-3);
+  ASSERT_TRUE(needed);
+  EXPECT_NEAR(static_cast<double>(*needed), 3700, 100);
+  const std::vector<double> enough(*needed / 16 * 16 + 16, 5.);
+  EXPECT_EQ(judged(limit_probability({enough, 16}, {Bound::at_least, 3}).counted, 1e-3), Allowed::kept);
+}
+
+TEST(Statistics, cases_needed_until_it_is_judged) {
+  std::vector<double> v(1000, 1.);
+  std::fill_n(v.begin(), 12, -1.);
+  const LimitProbability p = limit_probability({v}, {Bound::at_least, 0});
+  ASSERT_EQ(judged(p.counted, 0.01), Allowed::not_judged);
+  const auto needed = cases_needed(p, 0.01);
+  ASSERT_TRUE(needed);
+  const auto n = static_cast<double>(*needed);
+  EXPECT_EQ(judged({0.012, binomial_interval(0.012 * n, n, 0.95)}, 0.01), Allowed::exceeded);
+  EXPECT_EQ(judged({0.012, binomial_interval(0.006 * n, n / 2, 0.95)}, 0.01), Allowed::not_judged);
+  EXPECT_FALSE(cases_needed(p, 0.012));
+  EXPECT_EQ(judged(p.counted, 0.5), Allowed::kept);
+  EXPECT_EQ(judged(p.counted, 1e-4), Allowed::exceeded);
+  EXPECT_EQ(cases_needed(p, 0.5), 1000u);
+}
+
+TEST(Statistics, histogram_counts_every_case) {
+  const auto v = exponential(PointKind::random, 5000, 4);
+  const Histogram h = histogram(v);
+  EXPECT_EQ(h.edges.size(), h.counts.size() + 1);
+  EXPECT_EQ(std::accumulate(h.counts.begin(), h.counts.end(), std::uint64_t{0}), 5000u);
+  EXPECT_GT(h.counts.size(), 20u);
+  EXPECT_LE(h.counts.size(), 60u);
+  const std::vector<double> five{0, 1, 1, failed, 2, 4};
+  const Histogram few = histogram(five);  // width 2 (q75 - q25)/5^(1/3) with q75 = 2.5, q25 = 0.75
+  EXPECT_EQ(few.counts, (std::vector<std::uint64_t>{3, 2}));
+  EXPECT_EQ(few.edges, (std::vector<double>{0, 2, 4}));
+  EXPECT_EQ(histogram(std::vector<double>(7, 3.)).counts, (std::vector<std::uint64_t>{7}));
+  EXPECT_TRUE(histogram({}).counts.empty());
+}
+
+TEST(Statistics, convergence_ends_with_all_cases) {
+  const auto v = exponential(PointKind::random, 1000, 4);
+  const auto all = convergence({v}, {Bound::at_most, 2}, 20);
+  EXPECT_EQ(all.back().cases, 1000u);
+  EXPECT_EQ(all.back().counted.value, limit_probability({v}, {Bound::at_most, 2}).counted.value);
+  for (std::size_t k = 1; k < all.size(); ++k) EXPECT_GT(all[k].cases, all[k - 1].cases);
+  const auto sobol = exponential(PointKind::sobol, 20 * 64, 4);
+  EXPECT_EQ(convergence({sobol, 20}, {Bound::at_most, 2}).size(), 5u);
+}
+
+// Too few replicates have values, or too few values lie beyond the quantile: no bound.
+TEST(Statistics, no_bound_without_evidence) {
+  std::vector<double> v = exponential(PointKind::sobol, 16 * 64, 4);
+  EXPECT_EQ(quantiles({v, 16}, std::vector<double>{0.99})[0].interval.high, infinity);
+  EXPECT_LT(quantiles({v, 16}, std::vector<double>{0.9})[0].interval.high, infinity);
+  std::fill_n(v.begin(), 64, failed);
+  EXPECT_EQ(sample_mean({v, 16}).interval.high, infinity);
+}
+
+}  // namespace taut::chance::statistics_test

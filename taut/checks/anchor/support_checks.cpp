@@ -1,0 +1,194 @@
+#include "taut/checks/anchor/support_checks.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "taut/base/suggest.hpp"
+#include "taut/calc/none.hpp"
+#include "taut/catalogue/forestry/tree.hpp"
+#include "taut/checks/anchor/rope_ends.hpp"
+#include "taut/checks/guy/guy_checks.hpp"
+#include "taut/study/load_path.hpp"
+
+namespace taut::checks {
+namespace {
+
+/// Rounds that no carriage is, and the ends of ropes.
+std::vector<std::string> pulled_places(const machine::Model& model, bool ends) {
+  std::vector<std::string> names;
+  for (const machine::Reeving& rope : model.reevings) {
+    for (std::size_t i = 0; i < rope.nodes.size(); ++i) {
+      const machine::Node& node = rope.nodes[i];
+      const bool is_end = !rope.closed && (i == 0 || i + 1 == rope.nodes.size());
+      const bool round = node.kind == machine::NodeKind::contact || node.kind == machine::NodeKind::drive;
+      const bool rides = std::any_of(model.carriages.begin(), model.carriages.end(),
+                                     [&](const auto& c) { return node.name.starts_with(c.name); });
+      if (rides || (!round && !(ends && is_end))) continue;
+      if (std::find(names.begin(), names.end(), node.name) == names.end()) names.push_back(node.name);
+    }
+  }
+  return names;
+}
+
+/// Force of all ropes on a place: over it, and ending at it.
+Vector3 force_at(const CheckState& state, const std::string& name) {
+  Vector3 F = Vector3::Zero();
+  for (const CheckContact& c : state.contacts) {
+    const machine::Reeving& rope = state.model->reevings[c.reeving];
+    if (rope.nodes[c.node].name == name) F += rope.copies * c.force;
+  }
+  each_end_at(state, name, [&](const machine::Reeving&, const Vector3& pull) { F += pull; });
+  return F;
+}
+
+/// Of the saddle over the terrain; NaN where there is none.
+double height_over_ground(const CheckState& state, const std::string& name) {
+  for (const CheckContact& c : state.contacts) {
+    if (state.model->reevings[c.reeving].nodes[c.node].name != name) continue;
+    return c.place.z() - study::ground_height(state.model->terrain, machine::terrain_x(*state.model, c.place));
+  }
+  return none;
+}
+
+double lashing_height(const SupportStates& s) { return s.height + s.request->lashing; }
+
+/// At the lashing; empty beyond the table, and where the height is not known.
+std::optional<double> lashing_diameter(const SupportStates& s) {
+  if (std::isnan(s.height)) return std::nullopt;
+  return catalogue::support_tree_diameter(s.force, std::max(lashing_height(s), 0.0));
+}
+
+std::optional<double> tree_diameter(const SupportStates& s) {
+  const auto diameter = lashing_diameter(s);
+  if (!diameter) return std::nullopt;
+  return catalogue::breast_height_diameter(*diameter, lashing_height(s));
+}
+
+/// Angle of the force from the vertical, downwards 0.
+double lean_of(const Vector3& F) { return std::atan2(std::hypot(F.x(), F.y()), -F.z()); }
+
+const Quantities<SupportStates>& support_quantities() {
+  using Row = SupportStates;
+  static const Quantities<Row> all = {
+      {"name", "", si::one, "the saddle or sheave on the tree", [](const Row& s) { return s.request->name; }},
+      {"force", "F", si::N, "largest force of all ropes on the tree together, without factors",
+       [](const Row& s) { return s.pull.norm(); }},
+      {"lean", "", si::rad, "its angle from the vertical", [](const Row& s) { return lean_of(s.pull); }},
+      {"height", "h", si::m, "height of the saddle over the ground", &Row::height},
+      {"lashing_diameter", "", si::m.in("cm"), "diameter needed at the lashing, by force and height",
+       [](const Row& s) { return lashing_diameter(s).value_or(none); }},
+      {"tree_diameter", "", si::m.in("cm"), "the same at breast height: 1 cm more for each metre down",
+       [](const Row& s) { return tree_diameter(s).value_or(none); }},
+      {"where", "", si::one, "state in which that is", &Row::where}};
+  return all;
+}
+
+std::string force_words(const SupportStates& s) {
+  return fmt::format("force {:.4g} kN ({}), lashing at {:.3g} m", s.force / 1e3, with_factor(s.where, s.factor),
+                     lashing_height(s));
+}
+
+/// Why there is no diameter.
+std::string why_none(const SupportStates& s) {
+  if (std::isnan(s.height)) return "its height over the ground is not known: give 'height'";
+  return fmt::format("beyond the table of support trees: {}", force_words(s));
+}
+
+void check_tree(const SupportStates& s, Result& r) {
+  const std::string& name = s.request->name;
+  const auto needed = tree_diameter(s);
+  if (needed) {
+    r.values.push_back({name + ".tree_diameter",
+                        *needed,
+                        si::m.in("cm"),
+                        name + ".tree_diameter",
+                        fmt::format("diameter of the tree at breast height that carries {}, by force and height: {}",
+                                    name, force_words(s)),
+                        {}});
+  }
+  if (!s.request->tree_diameter) return;
+  if (!needed) {
+    r.unmade.push_back(
+        fmt::format("{}: its tree of {:.3g} cm is not judged: {}", name, *s.request->tree_diameter * 100, why_none(s)));
+    r.warnings.push_back(r.unmade.back());
+    return;
+  }
+  add_part_check(name, "support_tree", *s.request->tree_diameter, si::m.in("cm"),
+                 {.sense = Sense::at_least,
+                  .limit = *needed,
+                  .rule = fmt::format("diameter at breast height; {}; the table gives {:.3g} cm there (SEILAPLAN), and "
+                                      "1 cm more for each metre down; it holds for a force along the trunk",
+                                      force_words(s), *lashing_diameter(s) * 100),
+                  .trust = "derived"},
+                 r);
+}
+
+}  // namespace
+
+TableWords support_words() {
+  return {.name = "support_forces",
+          .rows = "every support of `checks: supports:`",
+          .columns = words_of(support_quantities())};
+}
+
+std::vector<SupportStates> support_states(const std::vector<SupportCheckRequest>& supports) {
+  std::vector<SupportStates> all;
+  for (const SupportCheckRequest& one : supports) all.emplace_back().request = &one;
+  return all;
+}
+
+void take(const CheckState& state, SupportStates& support) {
+  const SupportCheckRequest& request = *support.request;
+  const double factor = state.moves ? 1 : request.dynamic_factor;
+  Vector3 F = force_at(state, request.name);
+  for (const std::string& other : request.with) F += force_at(state, other);
+  if (factor * F.norm() <= support.force) return;
+  support.force = factor * F.norm();
+  support.pull = F;
+  support.factor = factor;
+  support.where = state.words;
+  support.height = request.height ? *request.height : height_over_ground(state, request.name);
+}
+
+void complain_of_supports(const std::vector<SupportCheckRequest>& supports, const machine::Model& model,
+                          std::vector<Complaint>& complaints) {
+  const std::vector<std::string> rounds = pulled_places(model, false), places = pulled_places(model, true);
+  const auto missing = [](const std::string& name, const std::vector<std::string>& known) {
+    return std::find(known.begin(), known.end(), name) == known.end();
+  };
+  for (const SupportCheckRequest& one : supports) {
+    const std::string path = fmt::format("checks.supports.{}", one.name);
+    if (missing(one.name, rounds)) {
+      complaints.push_back({path, fmt::format("no rope runs over a support or sheave '{}'{}", one.name,
+                                              did_you_mean(one.name, rounds))});
+      continue;
+    }
+    for (std::size_t i = 0; i < one.with.size(); ++i) {
+      if (!missing(one.with[i], places)) continue;
+      complaints.push_back(
+          {fmt::format("{}.with[{}]", path, i),
+           fmt::format("no rope runs over '{}' or ends there{}", one.with[i], did_you_mean(one.with[i], places))});
+    }
+    if (!one.height && model.terrain.empty())
+      complaints.push_back({path, "the machine has no terrain: give the 'height' of the saddle over the ground"});
+  }
+}
+
+void add_support_checks(const std::vector<SupportStates>& supports, Result& r) {
+  for (const SupportStates& s : supports) {
+    if (s.force == 0) {
+      r.unmade.push_back(fmt::format("{} is not checked: no load case of the deck loads it", s.request->name));
+      r.warnings.push_back(r.unmade.back());
+      continue;
+    }
+    add_line(r, "support_forces",
+             "Largest force of all ropes together on a support, without factors, and the tree that carries it",
+             support_quantities(), s);
+    check_tree(s, r);
+  }
+}
+
+}  // namespace taut::checks

@@ -1,0 +1,93 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <string>
+
+#include "taut/calc/verdict.hpp"
+#include "test/support/machine_decks.hpp"
+
+namespace taut::checks::support_checks_test {
+
+using taut_test::cell;
+using taut_test::check_of;
+using taut_test::expect_mistake;
+using taut_test::run_text;
+using taut_test::table_of;
+using taut_test::value_of;
+
+struct Jack {
+  std::string tension = "100 kN";
+  std::string checks = "{height: 9 m}";
+  std::string machine = "";  ///< more keys of the machine
+  std::string reeving = "";  ///< one more
+};
+
+/// A rope of no weight over a jack, bent by the same angle on both sides.
+std::string over_jack(const Jack& jack) {
+  return "taut: 1\nmachine:\n  ropes: {line: {mass: 0.001 kg/m, stiffness: 20 MN, breaking_force: 900 kN}}\n"
+         "  points: {a: [-100 m, 0 m, 0 m], b: [100 m, 0 m, 0 m], top: [0 m, 0 m, 20 m], stump: [0 m, 20 m, 0 m]}\n"
+         "  supports: {jack: {at: [0 m, 0 m, 20 m], friction: 0}}\n" +
+         jack.machine +
+         "  reevings:\n    - {rope: line, path: [{anchor: a}, {over: jack}, {anchor: b}], tension_at_start: " +
+         jack.tension + "}\n" + jack.reeving +
+         "checks:\n  ropes: {line: {safety_factor: 2}}\n  supports: {jack: " + jack.checks + "}\n";
+}
+
+// By hand: the rope bends by 2 atan(0.2) = 22.62 deg; 100 kN give 2 x 100 sin(11.31 deg) = 39.22 kN. The next force of
+// the table is 40 kN, the lashing at 9 + 3 = 12 m: 24 cm there, and 24 + (12 - 1.5) = 34.5 cm at breast height.
+TEST(SupportChecks, TreeByForceAndHeight) {
+  const Result r = run_text(over_jack({.checks = "{tree_diameter: 36 cm, height: 9 m}"}));
+  const auto& t = table_of(r, "support_forces");
+  EXPECT_NEAR(cell(t, 0, "force"), 2e5 * std::sin(std::atan(0.2)), 10);
+  EXPECT_NEAR(cell(t, 0, "lean"), 0, 1e-3);
+  EXPECT_NEAR(cell(t, 0, "lashing_diameter"), 0.24, 1e-12);
+  EXPECT_NEAR(value_of(r, "jack.tree_diameter"), 0.345, 1e-12);
+  const Check& c = check_of(r, "jack.support_tree");
+  EXPECT_TRUE(c.passes);
+  EXPECT_NEAR(c.limit, 0.345, 1e-12);
+  EXPECT_EQ(c.trust, "derived");
+  EXPECT_FALSE(
+      check_of(run_text(over_jack({.checks = "{tree_diameter: 34 cm, height: 9 m}"})), "jack.support_tree").passes);
+  // times 1.1: 43.1 kN, the row of 50 kN
+  const Result moved = run_text(over_jack({.checks = "{tree_diameter: 36 cm, height: 9 m, dynamic_factor: 1.1}"}));
+  EXPECT_NEAR(value_of(moved, "jack.tree_diameter"), 0.355, 1e-12);
+}
+
+TEST(SupportChecks, HeightFromTheTerrain) {
+  const std::string ground = "  terrain: {x: [-100 m, 100 m], z: [11 m, 11 m]}\n";
+  EXPECT_NEAR(value_of(run_text(over_jack({.checks = "{}", .machine = ground})), "jack.tree_diameter"), 0.345, 1e-12);
+  const std::string beside = "  terrain: {x: [50 m, 100 m], z: [-50 m, -50 m]}\n";
+  const Result unknown = run_text(over_jack({.checks = "{tree_diameter: 80 cm}", .machine = beside}));
+  EXPECT_EQ(verdict_of(unknown)->kind, VerdictKind::not_judged);
+  EXPECT_NE(verdict_of(unknown)->reason.find("height"), std::string::npos) << verdict_of(unknown)->reason;
+}
+
+TEST(SupportChecks, BeyondTheTableATreeNeverPasses) {
+  // 400 kN give 157 kN; the table ends at 150 kN
+  const Result r = run_text(over_jack({.tension = "400 kN", .checks = "{tree_diameter: 90 cm, height: 9 m}"}));
+  EXPECT_EQ(verdict_of(r)->kind, VerdictKind::not_judged);
+  EXPECT_EQ(verdict_of(r)->verdict_class, "unmade");
+  EXPECT_EQ(r.find_value("jack.tree_diameter"), nullptr);
+}
+
+// A guy that ends on the tree adds its pull.
+TEST(SupportChecks, WhatElsePullsAtTheTree) {
+  const Result r = run_text(over_jack(
+      {.checks = "{height: 9 m, with: [top]}",
+       .reeving = "    - {name: guy, rope: line, path: [{anchor: stump}, {anchor: top}], tension_at_start: 20 kN}\n"}));
+  // jack 39.22 kN down, guy 20 kN at 45 deg: 14.14 kN down, 14.14 kN aside
+  const double down = 2e5 * std::sin(std::atan(0.2)) + 20e3 / std::numbers::sqrt2, aside = 20e3 / std::numbers::sqrt2;
+  EXPECT_NEAR(cell(table_of(r, "support_forces"), 0, "force"), std::hypot(down, aside), 20);
+  EXPECT_NEAR(cell(table_of(r, "support_forces"), 0, "lean"), std::atan2(aside, down), 1e-3);
+}
+
+TEST(SupportChecks, MistakesHaveTheirPlace) {
+  expect_mistake(run_text(over_jack({.checks = "{tree_diameter: 40 cm}"})), "give the 'height'");
+  expect_mistake(run_text(over_jack({.checks = "{height: 9 m, with: [b1]}"})), "no rope runs over 'b1' or ends there");
+  std::string other = over_jack({});
+  other.replace(other.find("supports: {jack: {height"), 24, "supports: {jakc: {height");
+  expect_mistake(run_text(other), "did you mean 'jack'?");
+}
+
+}  // namespace taut::checks::support_checks_test

@@ -1,0 +1,75 @@
+#include "taut/checks/yarder/carriage_checks.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "taut/study/limits.hpp"
+
+namespace taut::checks {
+namespace {
+
+constexpr double same_diameter = 1e-9;
+
+/// Whether its rope fits the carriage.
+void check_rope_of_carriage(const CarriageStates& s, Result& r) {
+  const machine::description::Carriage& car = *s.given;
+  if (car.rope_diameters.empty()) return;
+  if (!(s.rope_diameter > 0)) {
+    r.warnings.push_back(fmt::format("{}: whether it fits its rope is not checked: the diameter of '{}' is not known",
+                                     car.name, car.rides));
+    return;
+  }
+  const auto add = [&](const char* name, Sense sense, double limit) {
+    add_part_check(car.name, name, s.rope_diameter, si::m.in("mm"),
+                   {.sense = sense,
+                    .limit = limit,
+                    .rule = fmt::format("diameter of '{}', on which the carriage rides; {:.3g} to {:.3g} mm", car.rides,
+                                        car.rope_diameters.front() * 1e3, car.rope_diameters.back() * 1e3),
+                    .trust = car.rating_trust},
+                   r);
+  };
+  // "18 mm" of the deck and of a table differ in the last digit
+  add("least_rope", Sense::at_least, car.rope_diameters.front() * (1 - same_diameter));
+  add("most_rope", Sense::at_most, car.rope_diameters.back() * (1 + same_diameter));
+}
+
+}  // namespace
+
+std::vector<CarriageStates> carriage_states(const CheckedDeck& deck, const machine::Model& model) {
+  std::vector<CarriageStates> all;
+  for (const auto& car : deck.machine.carriages) {
+    if (!car.rated_payload && car.rope_diameters.empty()) continue;
+    CarriageStates& s = all.emplace_back();
+    s.given = &car;
+    const auto rope = std::find_if(model.reevings.begin(), model.reevings.end(),
+                                   [&](const auto& one) { return one.name == car.rides; });
+    if (rope != model.reevings.end()) s.rope_diameter = rope->diameter;
+  }
+  return all;
+}
+
+void take(const CheckState& state, CarriageStates& carriage) {
+  const auto& carriages = state.model->carriages;
+  const auto car = std::find_if(carriages.begin(), carriages.end(),
+                                [&](const auto& one) { return one.name == carriage.given->name; });
+  if (car != carriages.end()) carriage.load.largest(study::load_on(*state.model, *car), state.words);
+}
+
+void add_carriage_checks(const std::vector<CarriageStates>& carriages, Result& r) {
+  for (const CarriageStates& s : carriages) {
+    const machine::description::Carriage& car = *s.given;
+    check_rope_of_carriage(s, r);
+    if (!car.rated_payload || std::isnan(s.load.value)) continue;
+    add_part_check(car.name, "payload", s.load.value, si::kg,
+                   {.sense = Sense::at_most,
+                    .limit = *car.rated_payload,
+                    .rule = fmt::format("load on the carriage ({}) against its rated payload{}", s.load.where,
+                                        car.library ? fmt::format(", '{}'", *car.library) : ""),
+                    .trust = car.rating_trust},
+                   r);
+  }
+}
+
+}  // namespace taut::checks

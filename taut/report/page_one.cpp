@@ -1,0 +1,262 @@
+#include "taut/report/page_one.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <vector>
+
+#include "taut/base/version.hpp"
+#include "taut/report/figure/any_figure.hpp"
+#include "taut/report/pictures.hpp"
+#include "taut/report/sections.hpp"
+#include "taut/report/summary.hpp"
+#include "taut/report/tables/check_table.hpp"
+#include "taut/report/tables/html_table.hpp"
+#include "taut/report/text/quantity.hpp"
+#include "taut/report/text/symbol.hpp"
+#include "taut/report/text/text.hpp"
+#include "taut/report/verdict.hpp"
+
+namespace taut::report {
+namespace {
+
+constexpr int longest_title = 150, longest_line = 110, longest_source = 230, longest_reason = 330, longest_scope = 220,
+              longest_answer = 190, longest_answer_label = 24;
+constexpr std::size_t most_answers = 12;
+constexpr std::size_t most_errors = 8;
+constexpr std::size_t most_table_columns = 7;
+
+std::string_view mood_class(Mood m) {
+  switch (m) {
+    case Mood::good:
+      return "good";
+    case Mood::warning:
+      return "warning";
+    case Mood::bad:
+      return "bad";
+    case Mood::neutral:
+      break;
+  }
+  return "neutral";
+}
+
+std::string short_html(std::string_view text, int most) { return prose_html(shortened(clean(text), most)); }
+
+std::string line_html(std::string_view kind, std::string_view text, int most = longest_line) {
+  return text.empty() ? "" : fmt::format("<p class=\"{}\">{}</p>\n", kind, short_html(text, most));
+}
+
+std::string head_html(const Result& r) {
+  std::string out = fmt::format("<header>\n<h1>{}</h1>\n", escape(shortened(clean(title_of(r)), longest_title)));
+  out += line_html("project", project_line(r.project));
+  if (title_of(r) != r.method_title) out += line_html("method", r.method_title);
+  return out + line_html("source", r.source, longest_source) + "</header>\n";
+}
+
+std::string verdict_html(const Result& r) {
+  const Banner v = banner(r);
+  std::string out = fmt::format("<div class=\"verdict {}\"><p><b>{} {}</b> {}</p>", mood_class(v.mood), v.icon,
+                                escape(v.headline), short_html(v.detail, longest_reason));
+  if (!v.scope.empty()) out += fmt::format("<p class=\"scope\">{}</p>", short_html(v.scope, longest_scope));
+  return out + "</div>\n";
+}
+
+std::string answers_html(const Result& r) {
+  std::string out;
+  const std::size_t shown = std::min(r.answers.size(), most_answers);
+  for (std::size_t i = 0; i < shown; ++i) {
+    const Answer& a = r.answers[i];
+    const bool again = i > 0 && r.answers[i - 1].label == a.label;
+    out += fmt::format("<dt>{}</dt><dd>{}</dd>\n", again ? std::string() : short_html(a.label, longest_answer_label),
+                       short_html(a.text, longest_answer));
+  }
+  if (shown < r.answers.size()) out += fmt::format("<dt></dt><dd>{} more below</dd>\n", r.answers.size() - shown);
+  return out.empty() ? out : fmt::format("<dl class=\"answers\">\n{}</dl>\n", out);
+}
+
+/// Height of an <svg> over its width, as its attributes say; 0 when it has none.
+double aspect_of(const std::string& svg) {
+  const auto attribute = [&](std::string_view name) {
+    const std::size_t at = svg.find(name);
+    return at == std::string::npos ? 0.0 : std::strtod(svg.c_str() + at + name.size(), nullptr);
+  };
+  const double width = attribute(" width=\""), height = attribute(" height=\"");
+  return width > 0 ? height / width : 0;
+}
+
+/// Without checks: the first results, or the first table.
+std::string main_values_html(const Result& r) {
+  const Display display = display_of(r);
+  std::string rows;
+  std::size_t count = 0;
+  for (const Value& v : r.values) {
+    if (v.detail || count == most_summary_rows) continue;
+    ++count;
+    rows += "<tr>" + cell(short_html(v.label.empty() ? v.name : v.label, longest_line), "name") +
+            cell(escape(value_shown(v.value, v.unit, display)), "num") + "</tr>\n";
+  }
+  if (!rows.empty()) {
+    return fmt::format(
+        "<table class=\"worst values\"><thead><tr><th>result</th><th "
+        "class=\"num\">value</th></tr></thead><tbody>\n{}</tbody>"
+        "</table>\n",
+        rows);
+  }
+  for (const Table& t : r.tables) {
+    if (t.detail || t.rows.empty()) continue;
+    Table first{.name = t.name, .title = t.title, .columns = t.columns, .rows = t.rows};
+    first.columns.resize(std::min(first.columns.size(), most_table_columns));
+    return table_html(first, display, {.rows = most_summary_rows, .parts = 1});
+  }
+  return {};
+}
+
+std::string warnings_html(const Result& r) {
+  const std::vector<std::string> all = warnings_by_weight(r);
+  if (all.empty()) return {};
+  const std::size_t shown = std::min(all.size(), most_summary_warnings);
+  std::string out;
+  for (std::size_t i = 0; i < shown; ++i)
+    out += fmt::format("<li>{}</li>\n", short_html(all[i], longest_summary_warning));
+  if (shown < all.size()) out += fmt::format("<li class=\"more\">{} more on page 2</li>\n", all.size() - shown);
+  return fmt::format("<aside><b>{}</b>\n<ul>\n{}</ul></aside>\n",
+                     r.unsafe.empty() ? "Warnings" : "Unsafe or unverified", out);
+}
+
+/// Who may sign: only what passes.
+std::string signature_html(const Result& r) {
+  const auto verdict = verdict_of(r);
+  const bool passes =
+      verdict && (verdict->kind == VerdictKind::passes || verdict->kind == VerdictKind::passes_with_warnings);
+  if (!passes) return fmt::format("<span class=\"unsigned\">{}: not for signature</span>", escape(banner(r).headline));
+  return fmt::format("<span class=\"signature\">checked {}<span class=\"rule\"></span></span>",
+                     escape(shortened(clean(r.project.checked_by), 40)));
+}
+
+std::string foot_html(const Result& r) {
+  std::string deck;
+  if (!r.deck_name.empty()) deck += fmt::format("deck {}, ", shortened(clean(r.deck_name), 60));
+  if (!r.deck_hash.empty()) {
+    deck +=
+        fmt::format("hash {}, --set {}, ", shortened(clean(r.deck_hash), 64), shortened(clean(overrides_text(r)), 80));
+  }
+  return fmt::format("<div class=\"foot\"><span>{}taut {}</span>{}</div>\n", escape(deck), version, signature_html(r));
+}
+
+/// Lines of print that a text takes; `room`: characters of a line.
+int print_lines(std::string_view text, int most, int room) { return (std::min(length(text), most) + room - 1) / room; }
+
+/// Height that the texts of page 1 leave for its pictures, mm, estimated from below.
+double room_for_pictures(const Result& r) {
+  constexpr double height = 200, title_line = 8, line = 4.6, row = 4.8;
+  const Banner v = banner(r);
+  double used = title_line * print_lines(title_of(r), longest_title, 62) +
+                line * print_lines(v.detail, longest_reason, 100) + line * print_lines(v.scope, longest_scope, 110) +
+                line * print_lines(r.source, longest_source, 120);
+  for (std::size_t i = 0; i < std::min(r.answers.size(), most_answers); ++i) {
+    used += line * print_lines(r.answers[i].text, longest_answer, 88);
+  }
+  const std::size_t rows = r.checks.empty() ? most_summary_rows : std::min(worst_by_part(r).size(), most_summary_rows);
+  double side = 0;
+  const std::vector<std::string> all = warnings_by_weight(r);
+  for (std::size_t i = 0; i < std::min(all.size(), most_summary_warnings); ++i) {
+    side += line * print_lines(all[i], longest_summary_warning, 34);
+  }
+  return height - used - std::max(row * static_cast<double>(rows), side);
+}
+
+/// Adds a figure to page 1; its height in print, mm, 0 when there is nothing to draw.
+double add_figure(const Figure& figure, const Display& display, PageOne& page) {
+  constexpr double page_width = 176;
+  const std::string picture = figure_svg(figure, display);
+  if (!picture.starts_with("<svg")) return 0;
+  const double aspect = aspect_of(picture);
+  const FigureWords w = words_of(figure);
+  page.html += fmt::format(
+      "<figure class=\"key\" style=\"flex-grow:{:.0f}\"><div class=\"frame\">{}</div><figcaption>{} {}</figcaption>"
+      "</figure>\n",
+      std::max(1.0, 100 * aspect), picture, short_html(w.title, longest_line), escape(w.scale));
+  page.figures.push_back(&figure);
+  return page_width * aspect;
+}
+
+void add_pictures(const Result& r, PageOne& page) {
+  constexpr double least_height = 55, least_second = 75;  // mm
+  const Display display = display_of(r);
+  const Figure* key = key_figure(r);
+  const double room = room_for_pictures(r);
+  const double height = key == nullptr || room < least_height ? 0 : add_figure(*key, display, page);
+  if (height == 0) {
+    page.html += "<div class=\"room\"></div>\n";
+    return;
+  }
+  if (room - height < least_second) return;
+  const auto second = std::find_if(r.figures.begin(), r.figures.end(),
+                                   [&](const Figure& f) { return &f != key && std::holds_alternative<Plot>(f); });
+  if (second != r.figures.end()) add_figure(*second, display, page);
+}
+
+}  // namespace
+
+std::string title_of(const Result& r) {
+  if (!r.title.empty()) return r.title;
+  return r.method_title.empty() ? "Calculation" : r.method_title;
+}
+
+std::string full_texts_html(const Result& r) {
+  std::string out;
+  const auto add = [&](std::string_view name, std::string_view text, int most) {
+    if (length(clean(text)) > most) out += fmt::format("<p><b>{}</b> {}</p>\n", name, prose_html(text));
+  };
+  const Banner v = banner(r);
+  add("Title:", title_of(r), longest_title);
+  add("Project:", project_line(r.project), longest_line);
+  add("Method:", r.method_title, longest_line);
+  add("Source:", r.source, longest_source);
+  add("Verdict:", v.detail, longest_reason);
+  add("Scope:", v.scope, longest_scope);
+  if (!r.deck_hash.empty()) add("Set over the deck:", overrides_text(r), 80);
+  for (std::size_t i = 0; i < r.answers.size(); ++i) {
+    add(escape(r.answers[i].label) + ":", r.answers[i].text, i < most_answers ? longest_answer : 0);
+  }
+  return out;
+}
+
+std::string errors_html(const Result& r, std::size_t most) {
+  std::string out;
+  for (std::size_t n = 0; n < std::min(most, r.errors.size()); ++n) {
+    std::string lines;  // the caret under the mistake needs its line breaks
+    const std::string text = to_text(r.errors[n]);
+    for (std::size_t i = 0; i < text.size();) {
+      const std::size_t end = std::min(text.find('\n', i), text.size());
+      lines += escape(text.substr(i, end - i)) + "\n";
+      i = end + 1;
+    }
+    out += fmt::format("<pre>{}</pre>\n", lines);
+  }
+  return out;
+}
+
+PageOne page_one(const Result& r) {
+  PageOne page{.html = "<section class=\"sheet\" id=\"page-1\">\n" + head_html(r) + verdict_html(r), .figures = {}};
+  if (!r.errors.empty()) {
+    page.html += "<div class=\"mistakes\">\n" + errors_html(r, most_errors);
+    if (r.errors.size() > most_errors)
+      page.html += fmt::format("<p>{} more below</p>\n", r.errors.size() - most_errors);
+    page.html += "</div>\n" + foot_html(r) + "</section>\n";
+    return page;
+  }
+  page.html += answers_html(r);
+  add_pictures(r, page);
+  const std::string table = r.checks.empty() ? main_values_html(r) : worst_checks_html(r);
+  const std::string warnings = warnings_html(r);
+  if (!table.empty() || !warnings.empty()) {
+    page.html += fmt::format("<div class=\"below{}\">\n{}{}</div>\n", warnings.empty() ? " alone" : "",
+                             table.empty() ? "" : fmt::format("<div class=\"wide\">{}</div>\n", table), warnings);
+  }
+  page.html += foot_html(r) + "</section>\n";
+  return page;
+}
+
+}  // namespace taut::report
