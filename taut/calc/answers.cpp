@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 #include "taut/calc/verdict.hpp"
@@ -42,7 +43,7 @@ std::string use_words(const Check& c) {
 /// What comes first on the page.
 int rank(const Answer& a) {
   if (a.label == carries_label) return 0;
-  if (a.label == build_label || a.label == nearest_label) return 1;
+  if (a.label == build_label || a.label == nearest_label || a.label == needs_label) return 1;
   return a.label == given_label ? 2 : 3;
 }
 
@@ -70,8 +71,11 @@ const Cell* cell_of(const Table& t, std::size_t row, std::string_view column) {
 
 }  // namespace
 
-void add_answer_line(Result& r, std::string_view label, const std::vector<std::string>& parts) {
+void add_answer_line(Result& r, std::string_view label, const std::vector<std::string>& all) {
   constexpr std::size_t room_for_more = 10;
+  std::vector<std::string> parts;
+  std::copy_if(all.begin(), all.end(), std::back_inserter(parts),
+               [](const std::string& part) { return !part.empty(); });
   std::string text;
   for (std::size_t i = 0; i < parts.size(); ++i) {
     const std::size_t room = longest_answer - (i + 1 < parts.size() ? room_for_more : 0);

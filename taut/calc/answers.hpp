@@ -13,11 +13,13 @@ inline constexpr std::string_view carries_label = "Carries";
 inline constexpr std::string_view build_label = "Build";      ///< found by the calculation, passes its checks
 inline constexpr std::string_view nearest_label = "Nearest";  ///< found, but it does not pass
 inline constexpr std::string_view given_label = "Given";      ///< not found: the deck gives it
+inline constexpr std::string_view needs_label = "Needs";      ///< asked for by the calculation, still to be chosen
 
 inline constexpr std::size_t most_answers = 8;
 inline constexpr std::size_t longest_answer = 200;  ///< characters
 
-/// Adds a line made of parts, "a; b; c". Parts for which the line has no room are counted: "a; b; 3 more".
+/// Adds a line made of parts, "a; b; c"; empty ones are left out. Parts for which the line has no room are counted: "a;
+/// b; 3 more".
 void add_answer_line(Result& r, std::string_view label, const std::vector<std::string>& parts);
 
 /// Cells by the name of their column; NaN and empty: no such row or column, or no value there.

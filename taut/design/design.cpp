@@ -108,7 +108,10 @@ void add_chosen(const DesignTask& task, const DesignPlace& best, Result& r) {
   for (std::size_t k = 0; k < task.space.sections.size(); ++k) {
     const SectionCandidates& one = task.space.sections[k];
     const catalogue::SectionRow& row = one.rows[best.choice[ropes + k]];
-    parts.push_back(fmt::format("{} {} ({})", one.name, row.name, row.standard));
+    const bool named = std::any_of(r.answers.begin(), r.answers.end(), [&](const Answer& a) {
+      return a.label == build_label && a.text.find(row.name) != std::string::npos;
+    });
+    if (!named) parts.push_back(fmt::format("{} {} ({})", one.name, row.name, row.standard));
   }
   const std::string values = values_in_words(task.space, best.values, task.display);
   if (!values.empty()) parts.push_back(values);

@@ -26,7 +26,8 @@ void add_branch(const solve::BranchResult& branch, const study::Way& way, std::v
     return;
   }
   for (int i = 0; i <= points_on_span; ++i) {
-    const double s = branch.shape.rope.length * i / points_on_span;
+    const double share = static_cast<double>(i) / points_on_span;  // 1 at the end, without rounding
+    const double s = branch.shape.rope.length * share;
     points.push_back(seen_along(way, branch.start + rope::point_at(branch.shape, s)));
   }
 }

@@ -211,7 +211,7 @@ std::string designation_of(const machine::description::Rope& rope, const Display
   std::vector<std::string> parts;
   if (rope.diameter) parts.push_back(display.quantity(*rope.diameter, si::m.in("mm")));
   if (rope.breaking_force) parts.push_back("breaking force " + display.quantity(*rope.breaking_force, si::N));
-  if (rope.mass) parts.push_back(display.quantity(*rope.mass, si::kg_per_m));
+  if (rope.mass.value_or(0) > 0) parts.push_back(display.quantity(*rope.mass, si::kg_per_m));
   return fmt::format("{}", fmt::join(parts, ", "));
 }
 

@@ -2,10 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <utility>
 
+#include "taut/calc/answers.hpp"
 #include "taut/design/design_checks.hpp"
 #include "taut/io/deck/read.hpp"
 
@@ -36,6 +38,14 @@ Result calculate_changed(const MethodDeck& deck) {
   r.status = Status::infeasible;
   r.message = fmt::format("{}: {}", broken.front().path, broken.front().message);
   return r;
+}
+
+/// Whether what the method's answer names as given is all chosen: each of its ropes, or its mast.
+bool chooses_all(const MethodDeck& deck, const design::DesignSpace& space) {
+  const bool mast = deck.method->design.put_section && std::any_of(space.sections.begin(), space.sections.end(),
+                                                                   [](const auto& s) { return s.name == the_mast; });
+  return mast ||
+         (!deck.method->design.put_section && !space.ropes.empty() && space.ropes.size() == deck.ropes(nullptr).size());
 }
 
 /// Lengths of ropes and masts with these values of the unknowns, and what else costs.
@@ -130,6 +140,11 @@ design::DesignTask method_task(MethodDeck deck, design::DesignSpace space,
     const auto one = [&](const design::DesignCase* load_case, design::Depth) -> design::DesignRun {
       const MethodDeck changed = with_design(own->deck, own->space, place, load_case);
       design::DesignRun done{.result = calculate_changed(changed), .tension = 0};
+      if (depth == design::Depth::report && chooses_all(own->deck, own->space)) {
+        for (Answer& a : done.result.answers) {
+          if (a.label == given_label) a.label = build_label;
+        }
+      }
       if (depth != design::Depth::report) design::disregard(changed.blocks.design->disregard, done.result);
       done.tension = tension_of(changed, done.result);
       return done;

@@ -160,11 +160,11 @@ void add_mode_warnings(const study::ModesRun& run, Result& r) {
 }
 
 /// The frequencies, a line for each set.
-void add_frequencies(const study::ModesRun& run, const Display& display, Result& r) {
+void add_frequencies(const study::ModesRun& run, Result& r) {
   for (const solve::ModeSet& set : run.result.sets) {
     std::vector<std::string> parts;
     for (const solve::Mode& mode : set.modes) {
-      parts.push_back(mode.frequency > 0 ? display.quantity(mode.frequency, si::per_s) : "nothing brings it back");
+      parts.push_back(mode.frequency > 0 ? fmt::format("{:.4g} Hz", mode.frequency) : "nothing brings it back");
     }
     if (parts.empty()) continue;
     if (run.result.sets.size() > 1)
@@ -190,7 +190,7 @@ void add_modes(const study::ModesRun& run, MachineRun& machine, Result& r) {
     }
   }
   add_mode_warnings(run, r);
-  add_frequencies(run, machine.display, r);
+  add_frequencies(run, r);
 }
 
 }  // namespace

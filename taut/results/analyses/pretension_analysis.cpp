@@ -118,13 +118,15 @@ Plot tensioning_plot(const study::PretensionRun& run, const machine::Model& m) {
 }
 
 /// A machine that is pulled slowly: before any pull and as each ends, the last one drawn.
-void add_pretension_scene(const study::PretensionRun& run, const machine::Model& m, Result& r) {
+void add_pretension_scene(const study::PretensionRun& run, MachineRun& machine, Result& r) {
   study::TransientRun slow;
   slow.ending = "_pretension" + run.ending;
-  slow.model = m;
+  slow.model = machine.model;
   slow.result.frames = run.answer.frames;
-  r.figures.emplace_back(drawing_at(slow, run.answer.frames.size() - 1,
-                                    fmt::format("As pull {} ends ({})", run.answer.ends.size(), run.words)));
+  Drawing drawing = drawing_at(slow, run.answer.frames.size() - 1,
+                               fmt::format("As pull {} ends ({})", run.answer.ends.size(), run.words));
+  machine.key_figure.offer(Pictured::machine, drawing.name);
+  r.figures.emplace_back(std::move(drawing));
   r.scenes.push_back(scene_of(slow));
 }
 
@@ -165,7 +167,7 @@ void add_answer(const study::PretensionRun& asked, MachineRun& machine, Result& 
   add_pretension_values(run, machine.model, machine.display, r);
   r.figures.emplace_back(tensioning_plot(run, machine.model));
   r.assumptions.push_back(fmt::format("{}: {}.", run.words, how_words(run)));
-  if (result.slowly) add_pretension_scene(run, machine.model, r);
+  if (result.slowly) add_pretension_scene(run, machine, r);
   for (const study::PullEnd& end : result.ends) {
     if (end.at)
       machine.checked->take(result.model, *end.at, run.words, checks::analysis_name(run.ending, "pretension"));

@@ -14,6 +14,8 @@
 namespace taut::results {
 namespace {
 
+constexpr double of_extremes = 1e-6;  ///< what is smaller than this share of its own extremes reads 0
+
 /// The saved state that the motion goes on from; the outcome says why it can't.
 std::optional<solve::DynamicState> saved_state(study::TransientRun& run) {
   if (run.request.state.empty()) return std::nullopt;
@@ -49,8 +51,8 @@ void add_motion(const study::TransientRun& run, const Display& display, Result& 
   std::vector<std::string> parts;
   for (const std::size_t i : order) {
     const solve::RopeExtreme& rope = result.ropes[i];
-    const std::string still =
-        rope.T_static > 0 ? fmt::format(", {:.3g} times that at the start", rope.T.max / rope.T_static) : std::string();
+    const double times = rope.T_static > 0 ? rope.T.max / rope.T_static : 1;
+    const std::string still = times > 1.005 ? fmt::format(", {:.3g} times that at the start", times) : std::string();
     parts.push_back(fmt::format("{} up to {} at t = {:.4g} s{}", run.model.reevings[i].name,
                                 display.quantity(rope.T.max, si::N), rope.T.t_max, still));
   }
@@ -59,8 +61,10 @@ void add_motion(const study::TransientRun& run, const Display& display, Result& 
   std::vector<std::string> end = {fmt::format("t = {:.4g} s", result.t_end)};
   for (std::size_t i = 0; i < result.extremes.size(); ++i) {
     const machine::Observable& o = run.model.observed[i];
-    if (std::isfinite(result.extremes[i].end))
-      end.push_back(fmt::format("{} {}", o.name, display.quantity(result.extremes[i].end, o.unit)));
+    const solve::Extreme& e = result.extremes[i];
+    if (!std::isfinite(e.end)) continue;
+    const bool nothing = std::abs(e.end) < of_extremes * std::max(std::abs(e.min), std::abs(e.max));
+    end.push_back(fmt::format("{} {}", o.name, display.quantity(nothing ? 0 : e.end, o.unit)));
   }
   add_answer_line(r, "At the end", end);
 }

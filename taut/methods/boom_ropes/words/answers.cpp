@@ -14,7 +14,7 @@ std::vector<Answer> answers(const Input& in, const Result& r, const Display& dis
   };
   const auto has = [&](const char* value) { return r.find_value(value) != nullptr; };
   if (has("S10_set") && has("S20_set")) {
-    add_answer_line(lines, in.S10 ? given_label : "Needs",
+    add_answer_line(lines, in.S10 ? given_label : needs_label,
                     {fmt::format("pretension of the extension rope {} (one branch)", shown("S10_set")),
                      fmt::format("of the retraction rope {}", shown("S20_set"))});
   }

@@ -50,7 +50,7 @@ std::vector<Answer> answers(const Input& in, const Result& r, const Display& dis
       const Value* area = r.find_value(fmt::format("F_{}", role));
       if (area != nullptr) areas.push_back(fmt::format("{} rope of {} metallic area", role, shown(*area)));
     }
-    add_answer_line(lines, "Needs", areas);
+    add_answer_line(lines, needs_label, areas);
   }
   const Value* x = r.find_value("x");
   const std::string place = x == nullptr ? std::string() : fmt::format(", carriage at {}", shown(*x));

@@ -17,7 +17,7 @@ std::vector<Answer> answers(const Input& in, const Result& r, const Display& dis
   std::vector<std::string> pull = {fmt::format("pull on the idler of at least {}", shown("takeup_no_slip"))};
   pull.push_back(has("takeup_with_idler_loss") ? fmt::format("with the idler loss {}", shown("takeup_with_idler_loss"))
                                                : std::string("with the idler loss no pull is enough"));
-  add_answer_line(lines, "Needs", pull);
+  add_answer_line(lines, needs_label, pull);
   if (number_of(r, "slip_ratio") > number_of(r, "e")) {
     add_answer_line(lines, "Paper",
                     {fmt::format("its pull {} of (18) lets the rope slip", shown("P_M")),

@@ -66,7 +66,7 @@ std::vector<Answer> answers(const Input& in, const Result& r, const Display& dis
   const double tube = std::fmax(number_of(r, "D_tube"), number_of(r, "D_tube_payout"));
   if (std::isfinite(tube)) {
     const Unit mm = si::m.in("mm");
-    add_answer_line(lines, has_section ? "Ideal tube" : "Needs",
+    add_answer_line(lines, has_section ? std::string_view("Ideal tube") : needs_label,
                     {fmt::format("outer diameter {}, wall {}", display.quantity(tube, mm),
                                  display.quantity(tube * (1 - in.tube_ratio) / 2, mm)),
                      fmt::format("by the paper's coefficients {}", shown("D_tube_printed"))});
