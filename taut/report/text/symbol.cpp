@@ -245,15 +245,6 @@ std::string to_svg(const Runs& runs) {
   return out;
 }
 
-double width(const Runs& runs) {
-  double all = 0;
-  for (const Run& r : runs) {
-    const bool sub = r.style == Run::Style::subscript || r.style == Run::Style::subscript_variable;
-    all += length(r.text) * (sub ? 0.42 : r.style == Run::Style::variable ? 0.62 : 0.56);
-  }
-  return all;
-}
-
 std::string prose_html(std::string_view text) { return to_html(prose_runs(text)); }
 
 }  // namespace taut::report

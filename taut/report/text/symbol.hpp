@@ -46,8 +46,6 @@ std::string symbol_mathml(std::string_view symbol);
 std::string to_html(const Runs& runs);
 /// <tspan>; to be put into one <text>.
 std::string to_svg(const Runs& runs);
-/// Width in multiples of the font size, estimated on the safe side.
-double width(const Runs& runs);
 
 /// Shorthand for to_html(prose_runs(text)).
 std::string prose_html(std::string_view text);
