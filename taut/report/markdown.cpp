@@ -227,6 +227,17 @@ std::string tables(const std::vector<const Table*>& all, const TableLimits& limi
   return out;
 }
 
+std::string results(const PagePlan& plan, const Result& r) {
+  const Display display = display_of(r);
+  std::string out;
+  for (const ResultGroup& group : groups_of(plan)) {
+    if (!group.heading.empty()) out += fmt::format("\n**{}**\n\n", safe(group.heading));
+    out += values(group.values, r) + "\n";
+    for (const Table* t : group.tables) out += data_table(without_detail(*t), plan.limits, display);
+  }
+  return out;
+}
+
 std::string answers(const Result& r) {
   std::string out;
   for (const Answer& a : r.answers) out += fmt::format("- **{}** {}\n", safe(a.label), safe(a.text));
@@ -260,7 +271,7 @@ std::string to_markdown(const Result& r) {
   out += section("Checks", all_checks(r));
   out += section(comparison_title(r), comparisons(r));
   out += section("Calculation", steps(r));
-  out += section("Results", values(plan.values, r) + "\n" + tables(plan.tables, plan.limits, r));
+  out += section("Results", results(plan, r));
   out += section("Pictures", figures(figures_in_order(r)));
   out += section("Assumptions", list(r.assumptions));
   out += section("Appendix",

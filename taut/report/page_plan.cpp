@@ -116,13 +116,15 @@ void place_tables(const Result& r, double room, PagePlan& plan) {
   double left = room;
   for (const Table& t : r.tables) {
     if (t.rows.empty() || t.columns.empty() || (t.name == "comparison" && !r.comparisons.empty())) continue;
-    const double size = printed_height(t, plan.limits);
-    const bool fits = !t.detail && size <= left;
+    const Table shown = without_detail(t);
+    const bool narrowed = shown.columns.size() < t.columns.size();
+    const double size = printed_height(shown, plan.limits);
+    const bool fits = !t.detail && !shown.columns.empty() && size <= left;
     if (fits) {
       left -= size;
       plan.tables.push_back(&t);
     }
-    if (!fits || size < printed_height(t, plan.appendix_limits)) plan.appendix_tables.push_back(&t);
+    if (!fits || narrowed || size < printed_height(t, plan.appendix_limits)) plan.appendix_tables.push_back(&t);
   }
 }
 
@@ -152,6 +154,17 @@ PagePlan plan_pages(const Result& r, const std::vector<const Figure*>& shown) {
   place_pictures(r, shown, share_of_pictures * room, plan);
   place_tables(r, room - picture_height * static_cast<double>(plan.pictures.size()), plan);
   return plan;
+}
+
+std::vector<ResultGroup> groups_of(const PagePlan& plan) {
+  std::vector<ResultGroup> all(1);
+  const auto group = [&](const std::string& heading) -> ResultGroup& {
+    const auto known = std::find_if(all.begin(), all.end(), [&](const ResultGroup& g) { return g.heading == heading; });
+    return known != all.end() ? *known : all.emplace_back(ResultGroup{.heading = heading, .values = {}, .tables = {}});
+  };
+  for (const Value* v : plan.values) group(v->heading).values.push_back(v);
+  for (const Table* t : plan.tables) group(t->heading).tables.push_back(t);
+  return all;
 }
 
 }  // namespace taut::report

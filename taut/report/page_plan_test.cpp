@@ -30,6 +30,37 @@ TEST(PagePlan, DetailsStandInTheAppendixOnly) {
   EXPECT_THAT(plan.appendix_tables, testing::ElementsAre(&r.tables[1]));
 }
 
+TEST(PagePlan, ATableWithColumnsOfDetailIsWholeInTheAppendix) {
+  Result r;
+  r.method = "machine";
+  r.tables = {long_table("a", 3), long_table("b", 3)};
+  r.tables[0].columns[1].detail = true;
+  const PagePlan plan = plan_pages(r);
+  EXPECT_THAT(plan.tables, testing::ElementsAre(&r.tables[0], &r.tables[1]));
+  EXPECT_THAT(plan.appendix_tables, testing::ElementsAre(&r.tables[0]));
+}
+
+TEST(PagePlan, ResultsOfOneAnalysisStandTogether) {
+  Result r;
+  r.method = "machine";
+  r.values = {{"a", 1, si::N, "", "", "", false, "hoist"},
+              {"b", 1, si::N, "", "", ""},
+              {"c", 1, si::N, "", "", "", false, "lower"}};
+  r.tables = {long_table("t", 3), long_table("u", 3)};
+  r.tables[0].heading = "lower";
+  r.tables[1].heading = "sweep";
+  const PagePlan plan = plan_pages(r);
+  const std::vector<ResultGroup> groups = groups_of(plan);
+  ASSERT_EQ(groups.size(), 4U);
+  EXPECT_EQ(groups[0].heading, "");
+  EXPECT_THAT(groups[0].values, testing::ElementsAre(&r.values[1]));
+  EXPECT_EQ(groups[1].heading, "hoist");
+  EXPECT_EQ(groups[2].heading, "lower");
+  EXPECT_THAT(groups[2].values, testing::ElementsAre(&r.values[2]));
+  EXPECT_THAT(groups[2].tables, testing::ElementsAre(&r.tables[0]));
+  EXPECT_EQ(groups[3].heading, "sweep");
+}
+
 TEST(PagePlan, WhatIsThinnedStandsInTheAppendixToo) {
   Result r;
   r.method = "machine";

@@ -84,9 +84,14 @@ std::string elsewhere_html(const PagePlan& plan) {
 
 std::string results_html(const Result& r, const PagePlan& plan) {
   const Display display = display_of(r);
-  std::string out = values_html(plan.values, {}, r);
-  for (const Table* t : plan.tables) {
-    if (t->name != compared_table) out += table_html(*t, display, plan.limits);
+  std::string out;
+  for (const ResultGroup& group : groups_of(plan)) {
+    std::string own = values_html(group.values, {}, r);
+    for (const Table* t : group.tables) {
+      if (t->name != compared_table) own += table_html(without_detail(*t), display, plan.limits);
+    }
+    if (!group.heading.empty() && !own.empty()) out += fmt::format("<h3>{}</h3>\n", prose_html(group.heading));
+    out += own;
   }
   return out + elsewhere_html(plan);
 }

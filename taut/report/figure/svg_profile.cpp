@@ -21,9 +21,10 @@ constexpr double right_room = 16;
 constexpr double least_line_height = 0.2;  ///< of the picture of the line, as a share of the width
 constexpr double most_line_height = 0.36;
 constexpr double band_height = 0.18;
-constexpr double head_room = 16;       ///< above both pictures, pixels
-constexpr std::size_t most_kinds = 6;  ///< colours: classes kind-0 to kind-5 of assets/figure.css
-constexpr int longest_kind = 60;       ///< characters of a name in the legend
+constexpr double room_for_words = 0.14;  ///< above the highest value, as a share of it
+constexpr double head_room = 16;         ///< above both pictures, pixels
+constexpr std::size_t most_kinds = 6;    ///< colours: classes kind-0 to kind-5 of assets/figure.css
+constexpr int longest_kind = 60;         ///< characters of a name in the legend
 
 /// Smallest and largest of numbers that may be missing.
 struct LineExtent {
@@ -144,6 +145,7 @@ ProfileLayout profile_layout(const Profile& p, const Display& display, double pa
     if (std::isfinite(place.value)) values.add(l.value.of(place.value));
   }
   if (std::isfinite(p.limit)) values.add(l.value.of(p.limit));
+  values.high += room_for_words * values.size();
   l.value_ticks = ticks_over(values, 4);
   l.line = {.left = left_room, .top = head_room, .right = paper - right_room, .bottom = head_room + height};
   const double top = l.line.bottom + 22 + legend_height;
@@ -320,29 +322,49 @@ std::size_t tint_of(const std::vector<std::string>& kinds, const std::string& ki
   return std::min(at, most_kinds - 1);
 }
 
-/// Rows of boxes with names from (left, top) on; the height that they take.
-double profile_legend(std::string& out, const std::vector<std::string>& kinds, bool gaps, Pixel from, double right) {
-  const double left = from.x, top = from.y;
-  std::vector<std::pair<std::string, std::string>> entries;  // name, class
+/// A sample of a colour or of a line, and its name.
+struct ProfileEntry {
+  std::string kind;  ///< class of the sample
+  std::string name;
+  bool line = false;
+};
+
+std::vector<ProfileEntry> profile_entries(const Profile& p, const std::vector<std::string>& kinds,
+                                          const Display& display) {
+  std::vector<ProfileEntry> all;
+  const auto known = [&](auto&& of) { return std::any_of(p.places.begin(), p.places.end(), of); };
+  if (known([](const auto& one) { return std::isfinite(one.z); }))
+    all.push_back({.kind = "way", .name = fmt::format("way of {}", clean(p.carriage)), .line = true});
+  if (std::isfinite(p.clearance)) {
+    const std::string asked = quantity_shown(p.clearance, si::m, display, 3);
+    all.push_back({.kind = "limit", .name = fmt::format("clearance asked for, {}", asked), .line = true});
+  }
   for (std::size_t i = 0; i < kinds.size() && i < most_kinds; ++i) {
     const bool shared = i + 1 == most_kinds && kinds.size() > most_kinds;
-    entries.emplace_back(shared ? "other limits" : shortened(clean(kinds[i]), longest_kind), fmt::format("kind-{}", i));
+    const std::string name = shared ? "other limits" : shortened(clean(kinds[i]), longest_kind);
+    all.push_back({.kind = fmt::format("kind-{}", i), .name = (i == 0 ? "governs: " : "") + name});
   }
-  if (gaps) entries.emplace_back("no answer", "gap");
-  double x = left, y = top + 9;
-  for (const auto& [name, kind] : entries) {
-    const Runs runs = prose_runs(name);
+  if (known([](const auto& one) { return std::isnan(one.value); })) all.push_back({.kind = "gap", .name = "no answer"});
+  return all;
+}
+
+/// Rows of samples with names from the place `from` on; the height that they take.
+double profile_legend(std::string& out, const std::vector<ProfileEntry>& entries, Pixel from, double right) {
+  double x = from.x, y = from.y + 9;
+  for (const ProfileEntry& e : entries) {
+    const Runs runs = prose_runs(e.name);
     const double needed = 24 + text_width(runs, font_size) + 20;
-    if (x > left && x + needed > right) {
-      x = left;
+    if (x > from.x && x + needed > right) {
+      x = from.x;
       y += 19;
     }
-    out +=
-        fmt::format("<rect class=\"sample {}\" x=\"{:.1f}\" y=\"{:.1f}\" width=\"17\" height=\"11\"/>", kind, x, y - 6);
+    out += e.line ? fmt::format("<path class=\"{}\" d=\"M{:.1f} {:.1f}h17\"/>", e.kind, x, y)
+                  : fmt::format("<rect class=\"sample {}\" x=\"{:.1f}\" y=\"{:.1f}\" width=\"17\" height=\"11\"/>",
+                                e.kind, x, y - 6);
     out += fmt::format("<text class=\"label\" x=\"{:.1f}\" y=\"{:.1f}\">{}</text>\n", x + 23, y + 4, to_svg(runs));
     x += needed;
   }
-  return entries.empty() ? 0 : y + 12 - top;
+  return entries.empty() ? 0 : y + 12 - from.y;
 }
 
 /// The x at which the place's share of the band begins and ends: half way to its neighbours.
@@ -358,10 +380,17 @@ double value_between(const Profile& p, std::size_t i, std::size_t j) {
   return std::isnan(other) ? p.places[i].value : (p.places[i].value + other) / 2;
 }
 
+/// A stretch of the band with one colour: its upper edge from the left to the right.
+struct BandStretch {
+  std::string kind;
+  std::vector<Pixel> top;
+};
+
 void draw_band(ProfileSheet& s, const std::vector<std::string>& kinds) {
   const Profile& p = s.p;
   const double zero = s.l.y(0);
   std::vector<Pixel> edge;
+  std::vector<BandStretch> stretches;
   for (std::size_t i = 0; i < p.places.size(); ++i) {
     const Profile::Place& place = p.places[i];
     const auto [from, to] = share_of(p, i);
@@ -370,20 +399,27 @@ void draw_band(ProfileSheet& s, const std::vector<std::string>& kinds) {
       s.svg += fmt::format("<rect class=\"gap\" x=\"{:.2f}\" y=\"{:.1f}\" width=\"{:.2f}\" height=\"{:.1f}\"/>", a,
                            s.l.band.top, std::max(0.6, b - a), s.l.band.height());
       edge.push_back({.x = NAN, .y = NAN});
+      stretches.emplace_back();
       continue;
     }
     const double left = i == 0 ? place.value : value_between(p, i, i - 1);
     const double right = i + 1 == p.places.size() ? place.value : value_between(p, i, i + 1);
-    const double mid = s.l.x(place.x), top = s.l.y(place.value);
+    const Pixel here{.x = s.l.x(place.x), .y = s.l.y(place.value)};
     // a place where nothing is carried would not be seen
     const double least = place.value <= 0 && !place.governs.empty() ? 5 : 0;
-    s.svg += fmt::format(
-        "<path class=\"kind-{7}\" d=\"M{0:.2f} {1:.1f}L{0:.2f} {2:.1f}L{3:.2f} {4:.1f}L{5:.2f} {6:.1f}L{5:.2f} "
-        "{1:.1f}Z\"/>",
-        a, zero, s.l.y(left) - least, mid, top - least, b, s.l.y(right) - least, tint_of(kinds, place.governs));
-    edge.push_back({.x = mid, .y = top});
+    const std::string kind = fmt::format("kind-{}", tint_of(kinds, place.governs));
+    if (stretches.empty() || stretches.back().kind != kind) stretches.push_back({.kind = kind, .top = {}});
+    for (const Pixel q : {Pixel{.x = a, .y = s.l.y(left)}, here, Pixel{.x = b, .y = s.l.y(right)}})
+      stretches.back().top.push_back({.x = q.x, .y = q.y - least});
+    edge.push_back(here);
   }
-  s.svg += fmt::format("\n<path class=\"edge\" d=\"{}\"/>\n", path_data(edge, false));
+  for (const BandStretch& one : stretches) {
+    if (one.top.empty()) continue;
+    s.svg += fmt::format("<path class=\"{}\" d=\"M{:.2f} {:.1f}", one.kind, one.top.front().x, zero);
+    for (const Pixel q : one.top) s.svg += fmt::format("L{:.2f} {:.1f}", q.x, q.y);
+    s.svg += fmt::format("L{:.2f} {:.1f}Z\"/>\n", one.top.back().x, zero);
+  }
+  s.svg += fmt::format("<path class=\"edge\" d=\"{}\"/>\n", path_data(edge, false));
   s.line(edge, 3);
 }
 
@@ -437,13 +473,12 @@ std::string frame_svg(const Box& a) {
 std::string profile_svg(const Profile& p, const Display& display, double wide) {
   if (!can_be_shown(p)) return "<p class=\"empty\">Nothing to draw.</p>";
   const std::vector<std::string> kinds = kinds_of(p);
-  const bool gaps =
-      std::any_of(p.places.begin(), p.places.end(), [](const auto& one) { return std::isnan(one.value); });
+  const std::vector<ProfileEntry> entries = profile_entries(p, kinds, display);
   std::string legend;
-  const double legend_height = profile_legend(legend, kinds, gaps, {.x = left_room, .y = 0}, wide);
+  const double legend_height = profile_legend(legend, entries, {.x = left_room, .y = 0}, wide);
   const ProfileLayout l = profile_layout(p, display, wide, legend_height);
   legend.clear();
-  profile_legend(legend, kinds, gaps, {.x = left_room, .y = l.line.bottom + 12}, wide);
+  profile_legend(legend, entries, {.x = left_room, .y = l.line.bottom + 12}, wide);
   ProfileSheet s{.p = p, .l = l, .display = display, .svg = profile_axes(p, l), .obstacles = {}, .words = {}};
   draw_profile_ground(s);
   draw_profile_supports(s);

@@ -36,9 +36,10 @@ Profile profile_of_a_line() {
 
 TEST(SvgProfile, ShowsTheLineAndWhatItCarries) {
   const std::string svg = profile_svg(profile_of_a_line(), Display());
-  for (const char* words : {"class=\"profile\"", "jack, 10 m", "stump, 4 m", ">far<", ">skyline<", ">mainline<",
-                            ">car<", "least clearance", "height in m", "payload in t", "1 t at x = 110 m",
-                            "clearance of the carriage", "aria-label=\"The line &amp; what it carries\""}) {
+  for (const char* words :
+       {"class=\"profile\"", "jack, 10 m", "stump, 4 m", ">far<", ">skyline<", ">mainline<", ">way of car<",
+        "clearance asked for, 3 m", "governs: tension of", ">car<", "least clearance", "height in m", "payload in t",
+        "1 t at x = 110 m", "clearance of the carriage", "aria-label=\"The line &amp; what it carries\""}) {
     EXPECT_TRUE(has(svg, words)) << words;
   }
   EXPECT_FALSE(has(svg, "no answer")) << "every place has one";
@@ -75,6 +76,19 @@ TEST(SvgProfile, AFlatLineIsStretchedAndSaysSo) {
   for (auto& place : flat.places) lower(place.z);
   lower(flat.carriage_at.y);
   EXPECT_TRUE(has(profile_scale_words(flat), "times as large as lengths"));
+}
+
+TEST(SvgProfile, AStretchWithOneLimitIsOneSurface) {
+  const std::string svg = profile_svg(profile_of_a_line(), Display());
+  const auto surfaces = [&](const std::string& kind) {
+    std::size_t count = 0;
+    for (std::size_t at = svg.find("<path class=\"" + kind); at != std::string::npos;
+         at = svg.find("<path class=\"" + kind, at + 1))
+      ++count;
+    return count;
+  };
+  EXPECT_EQ(surfaces("kind-0"), 1U);
+  EXPECT_EQ(surfaces("kind-1"), 1U);
 }
 
 TEST(SvgProfile, ManyLimitsShareTheLastColour) {
