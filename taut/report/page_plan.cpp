@@ -102,14 +102,34 @@ double place_values(const Result& r, double room, PagePlan& plan) {
   return heading_height + table_frame + row_height * static_cast<double>(plan.values.size());
 }
 
-void place_pictures(const Result& r, const std::vector<const Figure*>& shown, double room, PagePlan& plan) {
-  double left = room;
-  for (const Figure* f : figures_in_order(r)) {
+/// A turned figure has a page of its own, the last of the pictures: that of page 1 once more, as large as a page.
+double place_turned(const std::vector<const Figure*>& shown, const std::vector<const Figure*>& all, PagePlan& plan) {
+  double used = 0;
+  for (const Figure* f : all) {
+    if (!is_turned(*f)) continue;
     const bool on_page_one = std::find(shown.begin(), shown.end(), f) != shown.end();
-    if (on_page_one && !std::holds_alternative<Animation>(*f) && !is_turned(*f)) continue;
-    left -= is_turned(*f) ? page_height : picture_height;
-    (left < 0 && !plan.pictures.empty() ? plan.appendix_pictures : plan.pictures).push_back(f);
+    (on_page_one ? plan.pictures : plan.appendix_pictures).push_back(f);
+    if (on_page_one) used += page_height;
   }
+  return used;
+}
+
+/// The height that the pictures among the results take, mm. `room`: for all of them.
+double place_pictures(const Result& r, const std::vector<const Figure*>& shown, double room, PagePlan& plan) {
+  const std::vector<const Figure*> all = figures_in_order(r);
+  PagePlan turned;
+  double used = place_turned(shown, all, turned);
+  for (const Figure* f : all) {
+    const bool on_page_one = std::find(shown.begin(), shown.end(), f) != shown.end();
+    if (is_turned(*f) || (on_page_one && !std::holds_alternative<Animation>(*f))) continue;
+    const bool fits = used + picture_height <= room || plan.pictures.empty();
+    if (fits) used += picture_height;
+    (fits ? plan.pictures : plan.appendix_pictures).push_back(f);
+  }
+  plan.pictures.insert(plan.pictures.end(), turned.pictures.begin(), turned.pictures.end());
+  plan.appendix_pictures.insert(plan.appendix_pictures.end(), turned.appendix_pictures.begin(),
+                                turned.appendix_pictures.end());
+  return used;
 }
 
 void place_tables(const Result& r, double room, PagePlan& plan) {
@@ -151,8 +171,8 @@ PagePlan plan_pages(const Result& r, const std::vector<const Figure*>& shown) {
   constexpr double share_of_values = 0.4, share_of_pictures = 0.6;
   double room = std::max(0.0, room_of(r));
   room = std::max(0.0, room - place_values(r, share_of_values * room, plan));
-  place_pictures(r, shown, share_of_pictures * room, plan);
-  place_tables(r, room - picture_height * static_cast<double>(plan.pictures.size()), plan);
+  const double pictures = place_pictures(r, shown, share_of_pictures * room, plan);
+  place_tables(r, room - pictures, plan);
   return plan;
 }
 

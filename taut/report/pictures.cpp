@@ -22,7 +22,7 @@ std::string caption_html(const FigureWords& w) {
 }
 
 int order_of(const Figure& f) {
-  return std::holds_alternative<Plot>(f) ? 2 : std::holds_alternative<Animation>(f) ? 1 : 0;
+  return is_turned(f) ? 3 : std::holds_alternative<Plot>(f) ? 2 : std::holds_alternative<Animation>(f) ? 1 : 0;
 }
 
 }  // namespace

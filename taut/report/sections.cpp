@@ -147,8 +147,8 @@ std::vector<Section> sections(const Result& r, const std::vector<const Figure*>&
       {.id = "comparison", .title = comparison_title(r), .html = comparisons_html(r)},
       {.id = "calculation", .title = "Calculation", .html = steps_html(r)},
       {.id = "results", .title = "Results", .html = results_html(r, plan)},
-      {.id = "pictures", .title = "Pictures", .html = pictures},
       {.id = "assumptions", .title = "Assumptions", .html = list_html(r.assumptions)},
+      {.id = "pictures", .title = "Pictures", .html = pictures},
       {.id = "appendix", .title = "Appendix", .html = appendix_html(r, plan, animations), .numbered = false}};
   std::erase_if(all, [](const Section& s) { return s.html.empty(); });
   return all;

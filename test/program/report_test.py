@@ -22,7 +22,7 @@ BROWSER = next((found for name in ("chromium", "chromium-browser", "google-chrom
 
 # of the explorations of one boom a few of each kind
 BOOM = ["row1", "pretension", "force_19_hook", "slip_17_hook", "chain_52_load"]
-ORDER = ["page-1", "errors", "warnings", "inputs", "checks", "comparison", "calculation", "results", "pictures", "assumptions",
+ORDER = ["page-1", "errors", "warnings", "inputs", "checks", "comparison", "calculation", "results", "assumptions", "pictures",
          "appendix"]
 METHOD, MACHINE, DESIGN = 8, 10, 12  # pages
 ROWS_OF_A_PAGE = 40
