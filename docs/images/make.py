@@ -23,8 +23,8 @@ IMAGES = ROOT / "docs/images"
 # picture: example deck, beginnings of the labels of its figure (the first one that the report has)
 FIGURES = {
     "first-deck": ("examples/machines/clamped_load.yaml", ("Side view",)),
-    "skyline": ("examples/machines/skyline_over_terrain.yaml", ("Line over", "Profile", "Side view")),
-    "skyline-payload": ("examples/machines/skyline_over_terrain.yaml", ("Payload",)),
+    "skyline": ("examples/machines/skyline_over_terrain.yaml", ("Side view",)),
+    "skyline-payload": ("examples/machines/skyline_over_terrain.yaml", ("The line and what it carries",)),
     "tackle": ("examples/machines/six_part_tackle.yaml", ("Side view",)),
     "boom": ("examples/boom_ropes.yaml", ("Ropes and pads along the boom", "The boom")),
     "mast": ("examples/mast_section.yaml", ("Mast",)),

@@ -22,7 +22,7 @@
 #include "taut/machine/compile/carriage_span.hpp"
 #include "taut/machine/description/names.hpp"
 #include "taut/results/analyses/analyses.hpp"
-#include "taut/results/machine_answers.hpp"
+#include "taut/results/answers/machine_answers.hpp"
 #include "taut/results/machine_beams.hpp"
 #include "taut/results/machine_figures.hpp"
 #include "taut/results/machine_run.hpp"

@@ -269,7 +269,7 @@ TEST(MachineRun, TheExamplesRunAndClose) {
     }
     ++count;
   }
-  EXPECT_EQ(count, 14);
+  EXPECT_EQ(count, 16);
 }
 
 }  // namespace taut::app::machine_run_test

@@ -84,7 +84,7 @@ TEST(Json, HasTheShapeOfTheContractInItsOrder) {
   for (const auto& [key, value] : j.items()) keys.push_back(key);
   EXPECT_EQ(keys, (std::vector<std::string>{"taut", "title", "method", "status", "message", "verdict", "verdict_class",
                                             "verdict_reason", "values", "tables", "checks", "steps", "series",
-                                            "warnings", "errors", "project", "answers"}));
+                                            "warnings", "errors", "project", "answers", "key_figure", "figures"}));
   EXPECT_EQ(j["taut"].dump(), R"({"version":"0.1.0","format":2})");
   EXPECT_EQ(j["status"], "ok");
   EXPECT_EQ(j["values"]["P_s"].dump(),

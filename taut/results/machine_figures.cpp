@@ -11,7 +11,7 @@
 #include <set>
 
 #include "taut/calc/none.hpp"
-#include "taut/results/line_profile.hpp"
+#include "taut/results/answers/line_profile.hpp"
 #include "taut/results/machine_beams.hpp"
 #include "taut/results/machine_tables.hpp"
 #include "taut/results/plot_curves.hpp"

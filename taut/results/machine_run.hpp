@@ -7,7 +7,7 @@
 
 #include "taut/calc/progress.hpp"
 #include "taut/calc/result.hpp"
-#include "taut/results/key_figure.hpp"
+#include "taut/results/answers/key_figure.hpp"
 #include "taut/study/analyses.hpp"
 #include "taut/units/display.hpp"
 

@@ -62,7 +62,7 @@ def pages(report):
         subprocess.run([BROWSER, "--headless", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run",
                         "--disable-background-networking", "--disable-component-update", "--disable-sync",
                         f"--user-data-dir={place}/profile", "--no-pdf-header-footer", f"--print-to-pdf={pdf}",
-                        report.resolve().as_uri()], capture_output=True, check=True, timeout=600)
+                        report.resolve().as_uri()], capture_output=True, check=True)
         return len(re.findall(rb"/Type\s*/Page\b(?!s)", pdf.read_bytes()))
 
 

@@ -10,7 +10,10 @@
 #include "taut/calc/outcome.hpp"
 #include "taut/calc/result.hpp"
 #include "taut/calc/sheet.hpp"
-#include "taut/units/display.hpp"
+
+namespace taut {
+class Display;
+}
 
 /// Three-section telescopic boom: section 2 is driven by a cylinder, section 3 only by two ropes, the extension rope
 /// (two branches of tension S1) and the retraction rope (S2). After A. A. Reutov (2021), equations (1)-(8), with a

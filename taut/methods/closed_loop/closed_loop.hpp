@@ -9,7 +9,10 @@
 #include "taut/calc/outcome.hpp"
 #include "taut/calc/result.hpp"
 #include "taut/calc/sheet.hpp"
-#include "taut/units/display.hpp"
+
+namespace taut {
+class Display;
+}
 
 /// Statics of a closed loop of two ropes with parallel, jointly loaded branches, after V. D. Martynikhin, about 1971: a
 /// running skyline whose return rope is led back over the tail sheave, so that its upper branch carries part of the

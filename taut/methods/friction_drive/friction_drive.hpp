@@ -9,7 +9,10 @@
 #include "taut/calc/outcome.hpp"
 #include "taut/calc/result.hpp"
 #include "taut/calc/sheet.hpp"
-#include "taut/units/display.hpp"
+
+namespace taut {
+class Display;
+}
 
 /// Friction drive of an endless rope with cutters (rope-saw), after Ryabukhin, Grigoriev, Ivanov (2022).
 ///

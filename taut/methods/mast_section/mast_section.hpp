@@ -9,7 +9,10 @@
 #include "taut/calc/outcome.hpp"
 #include "taut/calc/result.hpp"
 #include "taut/calc/sheet.hpp"
-#include "taut/units/display.hpp"
+
+namespace taut {
+class Display;
+}
 
 /// Section of the mast of a tractor-mounted cable yarder, after Shoshin, Dorozhko, Shtollmann, Yarmolik (2022).
 ///

@@ -112,9 +112,11 @@ TEST(SvgProfile, NoLabelLiesOnAnother) {
     std::string text;
   };
   std::vector<Text> all;
-  const std::regex label("<text class=\"label\" x=\"([0-9.]+)\" y=\"([0-9.]+)\" text-anchor=\"middle\">([^<]*)</text>");
+  const std::regex label("<text class=\"label\" x=\"([0-9.]+)\" y=\"([0-9.]+)\" text-anchor=\"middle\">(.*?)</text>");
+  const std::regex tag("<[^>]*>");
   for (std::sregex_iterator i(svg.begin(), svg.end(), label), end; i != end; ++i) {
-    all.push_back({std::stod((*i)[1]), std::stod((*i)[2]), 6.0 * static_cast<double>((*i)[3].length()), (*i)[3]});
+    const std::string words = std::regex_replace((*i)[3].str(), tag, "");
+    all.push_back({std::stod((*i)[1]), std::stod((*i)[2]), 6.0 * static_cast<double>(words.size()), words});
   }
   ASSERT_GT(all.size(), 6U);
   for (std::size_t i = 0; i < all.size(); ++i) {

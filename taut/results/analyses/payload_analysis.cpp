@@ -12,7 +12,7 @@
 #include "taut/checks/checked_parts.hpp"
 #include "taut/math/index.hpp"
 #include "taut/results/analyses/analyses.hpp"
-#include "taut/results/line_profile.hpp"
+#include "taut/results/answers/line_profile.hpp"
 #include "taut/results/load_path_table.hpp"
 #include "taut/study/deck/missing.hpp"
 #include "taut/study/deck/watch.hpp"

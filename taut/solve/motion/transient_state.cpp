@@ -147,7 +147,8 @@ void keep_lengths(const machine::Model& model, machine::State& state) {
 double share_that_stretches(const machine::Node& node, double wrap) {
   const bool turns = node.motor.has_value() || (node.inertia > 0 && node.law.efficiency > 0);
   const double grip = node.law.friction * wrap;
-  if (turns || wrap <= 0 || -std::log(node.law.efficiency) <= grip) return 1;
+  const bool rolls = node.law.efficiency > 0 && -std::log(node.law.efficiency) <= grip;
+  if (turns || wrap <= 0 || rolls) return 1;
   return std::isinf(grip) ? 0 : grip > 0 ? std::tanh(grip / 2) / (grip / 2) : 1;
 }
 

@@ -2,7 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <optional>
+
 #include "taut/methods/boom_ropes/boom_ropes.hpp"
+#include "taut/units/display.hpp"
 
 namespace taut::boom_ropes {
 
@@ -14,9 +17,14 @@ std::vector<Answer> answers(const Input& in, const Result& r, const Display& dis
   };
   const auto has = [&](const char* value) { return r.find_value(value) != nullptr; };
   if (has("S10_set") && has("S20_set")) {
+    const auto given = [&](const std::optional<double>& tension, const char* set) {
+      if (!tension) return shown(set);
+      const std::string own = display.quantity(*tension, si::N.in("kN"));
+      return own == shown(set) ? own : fmt::format("{}, settles at {}", own, shown(set));
+    };
     add_answer_line(lines, in.S10 ? given_label : needs_label,
-                    {fmt::format("pretension of the extension rope {} (one branch)", shown("S10_set")),
-                     fmt::format("of the retraction rope {}", shown("S20_set"))});
+                    {fmt::format("pretension of the extension rope {} (one branch)", given(in.S10, "S10_set")),
+                     fmt::format("of the retraction rope {}", given(in.S20, "S20_set"))});
   }
   if (has("S10_min_corrected") && has("S20_min_corrected")) {
     add_answer_line(lines, "Least",

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "taut/methods/boom_ropes/printed_boom_test.hpp"
+#include "taut/units/display.hpp"
 
 namespace taut::boom_ropes::answers_test {
 

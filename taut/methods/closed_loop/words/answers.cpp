@@ -7,6 +7,7 @@
 #include "taut/catalogue/rope_search.hpp"
 #include "taut/catalogue/rope_words.hpp"
 #include "taut/methods/closed_loop/closed_loop.hpp"
+#include "taut/units/display.hpp"
 
 namespace taut::closed_loop {
 namespace {

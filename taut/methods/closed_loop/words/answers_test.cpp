@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "taut/methods/closed_loop/closed_loop.hpp"
+#include "taut/units/display.hpp"
 #include "test/cases/closed_loop_example.hpp"
 
 namespace taut::closed_loop::answers_test {

@@ -4,6 +4,7 @@
 
 #include "taut/catalogue/rope_words.hpp"
 #include "taut/methods/friction_drive/friction_drive.hpp"
+#include "taut/units/display.hpp"
 
 namespace taut::friction_drive {
 

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "taut/methods/friction_drive/saw_drive_test.hpp"
+#include "taut/units/display.hpp"
 
 namespace taut::friction_drive::answers_test {
 

@@ -7,6 +7,7 @@
 
 #include "taut/methods/mast_section/mast_section.hpp"
 #include "taut/methods/mast_section/tables.hpp"
+#include "taut/units/display.hpp"
 
 namespace taut::mast_section {
 namespace {

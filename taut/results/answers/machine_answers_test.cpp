@@ -1,4 +1,4 @@
-#include "taut/results/machine_answers.hpp"
+#include "taut/results/answers/machine_answers.hpp"
 
 #include <fmt/format.h>
 
@@ -25,7 +25,7 @@ bool has(const std::string& text, const std::string& part) { return text.find(pa
 
 TEST(MachineAnswers, RopesHaveDesignationAndLength) {
   const Result r = run_text(skyline_deck("  - load_path: {carriage: car, from: 140 m, to: 220 m, steps: 2}"),
-                            {"machine.ropes.skyline={rope: 6x36-IWRC 20 mm 1960 MPa, stiffness: 20 MN}"});
+                            {"machine.ropes.skyline={rope: EN 12385-4|6x36-IWRC|20|1960, stiffness: 20 MN}"});
   ASSERT_EQ(r.status, Status::ok) << r.message << to_text(r.errors);
   const std::string given = lines_of(r, "Given");
   EXPECT_TRUE(has(given, "skyline EN 12385-4 6x36-IWRC 20 mm 1960 MPa, cut 382 m")) << given;

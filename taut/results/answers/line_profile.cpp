@@ -1,4 +1,4 @@
-#include "taut/results/line_profile.hpp"
+#include "taut/results/answers/line_profile.hpp"
 
 #include <fmt/format.h>
 

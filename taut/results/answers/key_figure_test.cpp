@@ -1,4 +1,4 @@
-#include "taut/results/key_figure.hpp"
+#include "taut/results/answers/key_figure.hpp"
 
 #include <gtest/gtest.h>
 

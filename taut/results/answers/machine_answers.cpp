@@ -1,4 +1,4 @@
-#include "taut/results/machine_answers.hpp"
+#include "taut/results/answers/machine_answers.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
