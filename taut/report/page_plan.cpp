@@ -19,7 +19,7 @@ constexpr double heading_height = 15;
 constexpr double row_height = 4.9;
 constexpr double line_height = 4.6;
 constexpr double table_frame = 15;
-constexpr double picture_height = 94;
+constexpr double picture_height = 104;
 constexpr int line_characters = 115;
 
 double print_lines_of(int characters, int room = line_characters) {

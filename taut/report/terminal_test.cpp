@@ -124,7 +124,7 @@ TEST(Terminal, ASummaryShowsThePrintedValuesThatAreUnsafe) {
     r.comparisons.push_back({fmt::format("rope_{}", k), "T", si::N, 1, 2, 3, "corrected", k == 40});
   }
   const std::string text = to_terminal(r);
-  EXPECT_NE(text.find("rope_40            1"), std::string::npos) << text;
+  EXPECT_NE(text.find("rope_40       0.001"), std::string::npos) << text;
   EXPECT_EQ(text.find("rope_41"), std::string::npos) << text;
   EXPECT_NE(text.find("52 more comparisons"), std::string::npos) << text;
 }
