@@ -12,6 +12,7 @@ namespace taut::chance::calibration_test {
 /// Tension of a catenary at twelve places: T(x) = H cosh(w (x - 40 m)/H), places 0 to 110 m; x = {H, w}.
 std::vector<double> tensions(const Point& x) {
   std::vector<double> t;
+  t.reserve(12);
   for (int k = 0; k < 12; ++k) t.push_back(x[0] * std::cosh(x[1] * (10. * k - 40) / x[0]));
   return t;
 }

@@ -9,6 +9,7 @@ namespace taut::chance::sensitivity_test {
 
 std::vector<double> outputs(const SaltelliPlan& plan, const Inputs& inputs, double (*f)(const Point&)) {
   std::vector<double> all;
+  all.reserve(plan.size());
   for (std::uint64_t k = 0; k < plan.size(); ++k) all.push_back(f(values_at(inputs, plan.at(k))));
   return all;
 }
@@ -58,7 +59,7 @@ TEST(Sensitivity, ishigami) {
 
 TEST(Sensitivity, failed_and_constant_outputs) {
   const Inputs in{.of = std::vector<Distribution>(2, {Normal{}})};
-  const SaltelliPlan plan(PointKind::sobol, 2, 16 * 64 * 4, 1);
+  const SaltelliPlan plan(PointKind::sobol, 2, 16ULL * 64 * 4, 1);
   const auto sum = [](const Point& x) { return x[0] > 2.5 ? std::nan("") : x[0] + 2 * x[1]; };
   const Sensitivity s = sensitivity(plan, outputs(plan, in, sum));
   EXPECT_GT(s.left_out, 0u);
@@ -71,7 +72,7 @@ TEST(Sensitivity, failed_and_constant_outputs) {
 TEST(Sensitivity, a_case_is_known_without_the_others) {
   const SaltelliPlan plan(PointKind::sobol, 3, 1000, 1);
   const Point base = plan.base().at(7);
-  EXPECT_EQ(plan.at(7 * 5), Point(base.begin(), base.begin() + 3));
+  EXPECT_EQ(plan.at(7ULL * 5), Point(base.begin(), base.begin() + 3));
   EXPECT_EQ(plan.at(7 * 5 + 1), Point(base.begin() + 3, base.end()));
   EXPECT_EQ(plan.at(7 * 5 + 3), (Point{base[0], base[4], base[2]}));
 }

@@ -172,13 +172,13 @@ TEST(Statistics, convergence_ends_with_all_cases) {
   EXPECT_EQ(all.back().cases, 1000u);
   EXPECT_EQ(all.back().counted.value, limit_probability({v}, {Bound::at_most, 2}).counted.value);
   for (std::size_t k = 1; k < all.size(); ++k) EXPECT_GT(all[k].cases, all[k - 1].cases);
-  const auto sobol = exponential(PointKind::sobol, 20 * 64, 4);
+  const auto sobol = exponential(PointKind::sobol, 20ULL * 64, 4);
   EXPECT_EQ(convergence({sobol, 20}, {Bound::at_most, 2}).size(), 5u);
 }
 
 // Too few replicates have values, or too few values lie beyond the quantile: no bound.
 TEST(Statistics, no_bound_without_evidence) {
-  std::vector<double> v = exponential(PointKind::sobol, 16 * 64, 4);
+  std::vector<double> v = exponential(PointKind::sobol, 16ULL * 64, 4);
   EXPECT_EQ(quantiles({v, 16}, std::vector<double>{0.99})[0].interval.high, infinity);
   EXPECT_LT(quantiles({v, 16}, std::vector<double>{0.9})[0].interval.high, infinity);
   std::fill_n(v.begin(), 64, failed);

@@ -96,7 +96,7 @@ TEST(Witness, form_sorm_and_importance_sampling) {
     ASSERT_EQ(f.status, FormStatus::found) << c.name << f.reason;
     // theirs in the order of their starts, ours the nearest first
     std::vector<std::pair<double, std::string>> points;
-    for (std::size_t k = 0; other.count("beta_" + std::to_string(k)) != 0; ++k) {
+    for (std::size_t k = 0; other.contains("beta_" + std::to_string(k)); ++k) {
       points.emplace_back(other.at("beta_" + std::to_string(k)), std::to_string(k));
     }
     std::sort(points.begin(), points.end());
