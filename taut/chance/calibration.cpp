@@ -142,7 +142,7 @@ std::string why_not_identifiable(std::size_t i, const Calibration& c, const Free
 }
 
 CalibratedParameter at_bound(const FreeParameter& p, double value, int held) {
-  CalibratedParameter result{.value = value, .standard_error = no_number, .interval = {p.low, p.high}};
+  CalibratedParameter result{.value = value, .standard_error = no_number, .interval = {.low = p.low, .high = p.high}};
   result.state = held < 0 ? ParameterState::at_low : ParameterState::at_high;
   result.note = fmt::format("'{}' ends at its {} bound: widen it, or doubt the model; no interval", p.name,
                             held < 0 ? "lower" : "upper");
@@ -162,7 +162,7 @@ void describe(Calibration& c, const LeastSquares& fit, const FreeList& free, dou
       c.parameters.push_back(at_bound(p, value, fit.held[i]));
       continue;
     }
-    CalibratedParameter result{.value = value, .standard_error = no_number, .interval = {p.low, p.high}};
+    CalibratedParameter result{.value = value, .standard_error = no_number, .interval = {.low = p.low, .high = p.high}};
     const double error = std::sqrt(variance * told.covariance(index(i), index(i)));
     const bool no_effect = !(fit.J.col(index(i)).norm() > 0);
     if (told.in_null[i] || error > 0.5) {
@@ -173,7 +173,7 @@ void describe(Calibration& c, const LeastSquares& fit, const FreeList& free, dou
     } else {
       result.standard_error = error * (p.high - p.low);
       const double half = quantile * result.standard_error;
-      result.interval = {std::max(p.low, value - half), std::min(p.high, value + half)};
+      result.interval = {.low = std::max(p.low, value - half), .high = std::min(p.high, value + half)};
     }
     c.parameters.push_back(result);
   }
@@ -197,6 +197,63 @@ bool different(const Calibration& best, const Point& other, const FreeList& free
     if (apart > 0.05 * (free[i].high - free[i].low) && !(apart <= 3 * p.standard_error)) return true;
   }
   return false;
+}
+
+/// The converged fits from all starts, the best first; `failed`: why others did not converge.
+std::vector<LeastSquares> fits_of(const Residuals& residuals, const FreeList& free, const CalibrationOptions& options,
+                                  std::string& failed) {
+  std::vector<LeastSquares> fits;
+  for (const VectorXd& start : starts_of(free, options)) {
+    LeastSquares fit =
+        least_squares(residuals, start, {.step = options.step, .most_iterations = options.most_iterations});
+    if (fit.converged) {
+      fits.push_back(std::move(fit));
+    } else if (failed.find(fit.reason) == std::string::npos) {
+      failed += (failed.empty() ? "" : "; ") + fit.reason;
+    }
+  }
+  std::stable_sort(fits.begin(), fits.end(),
+                   [](const LeastSquares& a, const LeastSquares& b) { return a.r.squaredNorm() < b.r.squaredNorm(); });
+  return fits;
+}
+
+/// Fits that lie clearly elsewhere with chi squared within `as_good` of the best, each once.
+void add_other_fits(Calibration& c, const std::vector<LeastSquares>& fits, const FreeList& free, double as_good) {
+  for (const LeastSquares& other : fits) {
+    const Point x = point_of(free, other.t);
+    if (other.r.squaredNorm() > c.chi_squared + as_good || !different(c, x, free)) continue;
+    const bool known = std::any_of(c.other_fits.begin(), c.other_fits.end(), [&](const Point& y) {
+      for (std::size_t i = 0; i < free.size(); ++i) {
+        if (std::abs(y[i] - x[i]) > 0.05 * (free[i].high - free[i].low)) return false;
+      }
+      return true;
+    });
+    if (!known) c.other_fits.push_back(x);
+  }
+}
+
+/// The model's rows less the measurements, in standard deviations; `evaluations` counts the cases.
+Residuals residuals_of(const Evaluate& model, const FreeList& free, const Measured& measured,
+                       std::uint64_t& evaluations) {
+  return [&](const std::vector<VectorXd>& points) {
+    Points x;
+    x.reserve(points.size());
+    for (const VectorXd& t : points) x.push_back(point_of(free, t));
+    const auto rows = model(x);
+    expects(rows.size() == x.size(), "the model gives a row for each point");
+    evaluations += rows.size();
+    std::vector<VectorXd> all;
+    all.reserve(rows.size());
+    for (const auto& row : rows) {
+      expects(row.size() == measured.values.size(), "the model gives an output for each measurement");
+      VectorXd r(index(row.size()));
+      for (std::size_t j = 0; j < row.size(); ++j) {
+        r[index(j)] = (row[j] - measured.values[j]) / (measured.sd.empty() ? 1 : measured.sd[j]);
+      }
+      all.push_back(std::move(r));
+    }
+    return all;
+  };
 }
 
 }  // namespace
@@ -228,40 +285,13 @@ Calibration calibrate(const Evaluate& model, const std::vector<FreeParameter>& f
   const bool given = !measured.sd.empty();
   const std::size_t m = measured.values.size();
   Calibration c;
-  const auto sd_of = [&](std::size_t j) { return given ? measured.sd[j] : 1.; };
-  const Residuals residuals = [&](const std::vector<VectorXd>& points) {
-    Points x;
-    x.reserve(points.size());
-    for (const VectorXd& t : points) x.push_back(point_of(free, t));
-    const auto rows = model(x);
-    expects(rows.size() == x.size(), "the model gives a row for each point");
-    c.evaluations += rows.size();
-    std::vector<VectorXd> all;
-    for (const auto& row : rows) {
-      expects(row.size() == m, "the model gives an output for each measurement");
-      VectorXd r(index(m));
-      for (std::size_t j = 0; j < m; ++j) r[index(j)] = (row[j] - measured.values[j]) / sd_of(j);
-      all.push_back(r);
-    }
-    return all;
-  };
-
-  std::vector<LeastSquares> fits;
+  const Residuals residuals = residuals_of(model, free, measured, c.evaluations);
   std::string failed;
-  for (const VectorXd& start : starts_of(free, options)) {
-    LeastSquares fit = least_squares(residuals, start, {options.step, options.most_iterations});
-    if (fit.converged) {
-      fits.push_back(std::move(fit));
-    } else if (failed.find(fit.reason) == std::string::npos) {
-      failed += (failed.empty() ? "" : "; ") + fit.reason;
-    }
-  }
+  const std::vector<LeastSquares> fits = fits_of(residuals, free, options, failed);
   if (fits.empty()) {
     c.reason = "the calibration has not converged from any start: " + failed;
     return c;
   }
-  std::stable_sort(fits.begin(), fits.end(),
-                   [](const LeastSquares& a, const LeastSquares& b) { return a.r.squaredNorm() < b.r.squaredNorm(); });
   const LeastSquares& fit = fits.front();
   c.status = CalibrationStatus::found;
   c.chi_squared = fit.r.squaredNorm();
@@ -273,23 +303,10 @@ Calibration calibrate(const Evaluate& model, const std::vector<FreeParameter>& f
   const double quantile = given ? normal_score(upper) : c.freedom > 0 ? student_value(upper, c.freedom) : no_number;
   describe(c, fit, free, variance, quantile);
   for (std::size_t j = 0; j < m; ++j) {
-    c.residuals.push_back(-fit.r[index(j)] * sd_of(j));
+    c.residuals.push_back(-fit.r[index(j)] * (given ? measured.sd[j] : 1));
     c.model.push_back(measured.values[j] - c.residuals.back());
   }
-  for (const LeastSquares& other : fits) {
-    const Point x = point_of(free, other.t);
-    const double as_good = 4 * (given ? 1 : c.chi_squared / std::max(c.freedom, 1));
-    const auto same = [&](const Point& known) {
-      for (std::size_t i = 0; i < free.size(); ++i) {
-        if (std::abs(known[i] - x[i]) > 0.05 * (free[i].high - free[i].low)) return false;
-      }
-      return true;
-    };
-    if (other.r.squaredNorm() <= c.chi_squared + as_good && different(c, x, free) &&
-        std::none_of(c.other_fits.begin(), c.other_fits.end(), same)) {
-      c.other_fits.push_back(x);
-    }
-  }
+  add_other_fits(c, fits, free, 4 * (given ? 1 : c.chi_squared / std::max(c.freedom, 1)));
   return c;
 }
 

@@ -12,6 +12,7 @@ namespace taut::chance::calibration_test {
 /// Tension of a catenary at twelve places: T(x) = H cosh(w (x - 40 m)/H), places 0 to 110 m; x = {H, w}.
 std::vector<double> tensions(const Point& x) {
   std::vector<double> t;
+  t.reserve(12);
   for (int k = 0; k < 12; ++k) t.push_back(x[0] * std::cosh(x[1] * (10. * k - 40) / x[0]));
   return t;
 }
@@ -36,7 +37,7 @@ std::vector<double> noisy(std::uint64_t seed, double sd) {
 }
 
 TEST(Calibration, exact_measurements_give_the_truth) {
-  const Calibration c = calibrate(each(tensions), rope, {tensions(truth), {}});
+  const Calibration c = calibrate(each(tensions), rope, {.values = tensions(truth), .sd = {}});
   ASSERT_EQ(c.status, CalibrationStatus::found) << c.reason;
   EXPECT_NEAR(c.parameters[0].value, 9e3, 1e-3);
   EXPECT_NEAR(c.parameters[1].value, 80, 1e-5);
@@ -55,7 +56,7 @@ TEST(Calibration, intervals_hold_the_truth) {
     int surprising = 0;
     double estimated = 0;
     for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
-      Measured measured{noisy(seed, sd), {}};
+      Measured measured{.values = noisy(seed, sd), .sd = {}};
       if (given) measured.sd.assign(12, sd);
       const Calibration c = calibrate(each(tensions), rope, measured);
       ASSERT_EQ(c.status, CalibrationStatus::found) << c.reason;
@@ -89,7 +90,7 @@ TEST(Calibration, covariance_of_a_line) {
     return rows;
   };
   const std::vector<FreeParameter> free{{.name = "a", .low = -10, .high = 10}, {.name = "b", .low = -10, .high = 10}};
-  const Calibration c = calibrate(line, free, {{1.1, 2.9, 5.2, 6.8}, {0.5, 0.5, 0.5, 0.5}});
+  const Calibration c = calibrate(line, free, {.values = {1.1, 2.9, 5.2, 6.8}, .sd = {0.5, 0.5, 0.5, 0.5}});
   // slope S_xy/S_xx = 9.7/5, mean 4 at x = 1.5
   EXPECT_NEAR(c.parameters[1].value, 1.94, 1e-6);
   EXPECT_NEAR(c.parameters[0].value, 4 - 1.5 * 1.94, 1e-6);
@@ -97,7 +98,7 @@ TEST(Calibration, covariance_of_a_line) {
   EXPECT_NEAR(c.covariance[0], 0.25 * (0.25 + 2.25 / 5), 1e-9);
   EXPECT_NEAR(c.covariance[1], -0.25 * 1.5 / 5, 1e-9);
   EXPECT_NEAR(c.parameters[1].interval.high - 1.94, 1.959964 * std::sqrt(0.05), 1e-5);
-  const Calibration d = calibrate(line, free, {{1.1, 2.9, 5.2, 6.8}, {}});
+  const Calibration d = calibrate(line, free, {.values = {1.1, 2.9, 5.2, 6.8}, .sd = {}});
   EXPECT_NEAR(d.sd * d.sd, d.chi_squared / 2, 1e-12);
   EXPECT_NEAR(d.parameters[1].interval.high - 1.94, 4.302653 * d.sd / std::sqrt(5.), 1e-5);
   for (std::size_t j = 0; j < 4; ++j) {
@@ -113,7 +114,7 @@ TEST(Calibration, names_a_pair_that_cannot_be_told_apart) {
   const std::vector<FreeParameter> free{{.name = "stiffness", .low = 1, .high = 3},
                                         {.name = "length", .low = 1, .high = 2},
                                         {.name = "weight", .low = 0, .high = 5}};
-  const Calibration c = calibrate(model, free, {{1.31, 3.29, 5.31, 5.92}, {0.05, 0.05, 0.05, 0.05}});
+  const Calibration c = calibrate(model, free, {.values = {1.31, 3.29, 5.31, 5.92}, .sd = {0.05, 0.05, 0.05, 0.05}});
   ASSERT_EQ(c.status, CalibrationStatus::found) << c.reason;
   ASSERT_EQ(c.inseparable.size(), 1u);
   EXPECT_EQ(c.inseparable[0].parameters, (std::vector<std::size_t>{0, 1}));
@@ -135,7 +136,7 @@ TEST(Calibration, names_a_pair_that_cannot_be_told_apart) {
         for (const Point& x : points) full.push_back({2, x[0], x[1]});
         return model(full);
       },
-      {free[1], free[2]}, {{1.31, 3.29, 5.31, 5.92}, {0.05, 0.05, 0.05, 0.05}});
+      {free[1], free[2]}, {.values = {1.31, 3.29, 5.31, 5.92}, .sd = {0.05, 0.05, 0.05, 0.05}});
   EXPECT_EQ(fixed.parameters[0].state, ParameterState::estimated);
   EXPECT_NEAR(fixed.parameters[1].standard_error / c.parameters[2].standard_error, 1, 1e-3);
 }
@@ -146,13 +147,13 @@ TEST(Calibration, names_a_pair_that_moves_as_one) {
     return std::vector<double>{x[0] + x[1], x[0] + 1.01 * x[1], x[0] + 0.99 * x[1]};
   });
   const std::vector<FreeParameter> free{{.name = "a", .low = 0, .high = 10}, {.name = "b", .low = 0, .high = 10}};
-  const Calibration c = calibrate(model, free, {{7, 7.03, 6.97}, {0.01, 0.01, 0.01}});
+  const Calibration c = calibrate(model, free, {.values = {7, 7.03, 6.97}, .sd = {0.01, 0.01, 0.01}});
   ASSERT_EQ(c.inseparable.size(), 1u);
   EXPECT_LT(c.inseparable[0].correlation, -0.999);
   EXPECT_EQ(c.parameters[0].state, ParameterState::estimated);
   EXPECT_NEAR(c.parameters[0].value, 4, 1e-6);
   // a hundred times the noise: told no more than by the bounds
-  const Calibration d = calibrate(model, free, {{7, 7.03, 6.97}, {1, 1, 1}});
+  const Calibration d = calibrate(model, free, {.values = {7, 7.03, 6.97}, .sd = {1, 1, 1}});
   EXPECT_EQ(d.parameters[0].state, ParameterState::not_identifiable);
   EXPECT_NE(d.parameters[0].note.find("from 'b'"), std::string::npos);
 }
@@ -162,7 +163,7 @@ TEST(Calibration, bounds_and_idle_parameters_are_said) {
   const std::vector<FreeParameter> free{{.name = "a", .low = 0, .high = 10, .start = 2},
                                         {.name = "b", .low = 0, .high = 1},
                                         {.name = "c", .low = 0, .high = 5}};
-  const Calibration c = calibrate(model, free, {{4, 4.1, 3.9, 7}, {0.1, 0.1, 0.1, 0.1}});
+  const Calibration c = calibrate(model, free, {.values = {4, 4.1, 3.9, 7}, .sd = {0.1, 0.1, 0.1, 0.1}});
   EXPECT_NEAR(c.parameters[0].value, 4, 1e-6);
   EXPECT_EQ(c.parameters[1].note, "no measured quantity depends on 'b'");
   EXPECT_EQ(c.parameters[2].state, ParameterState::at_high);
@@ -170,7 +171,7 @@ TEST(Calibration, bounds_and_idle_parameters_are_said) {
   EXPECT_NE(c.parameters[2].note.find("upper bound"), std::string::npos);
   EXPECT_LT(c.p_value, 1e-6);  // the bound does not let it fit
   EXPECT_EQ(c.freedom, 3);
-  const Calibration exact = calibrate(each([](const Point& x) { return x; }), {free[0]}, {{3}, {}});
+  const Calibration exact = calibrate(each([](const Point& x) { return x; }), {free[0]}, {.values = {3}, .sd = {}});
   EXPECT_NEAR(exact.parameters[0].value, 3, 1e-6);
   EXPECT_TRUE(std::isnan(exact.parameters[0].standard_error));
   EXPECT_NE(exact.parameters[0].note, "");
@@ -178,10 +179,11 @@ TEST(Calibration, bounds_and_idle_parameters_are_said) {
 
 // cos is even: two fits as good as each other, and both are shown.
 TEST(Calibration, other_fits_are_shown) {
-  const Calibration c = calibrate(each([](const Point& x) {
-                                    return std::vector<double>{std::cos(x[0]), 0.5};
-                                  }),
-                                  {{.name = "angle", .low = -1, .high = 1.2}}, {{std::cos(0.6), 0.5}, {0.01, 0.01}});
+  const Calibration c =
+      calibrate(each([](const Point& x) {
+                  return std::vector<double>{std::cos(x[0]), 0.5};
+                }),
+                {{.name = "angle", .low = -1, .high = 1.2}}, {.values = {std::cos(0.6), 0.5}, .sd = {0.01, 0.01}});
   ASSERT_EQ(c.status, CalibrationStatus::found);
   ASSERT_EQ(c.other_fits.size(), 1u);
   EXPECT_NEAR(c.other_fits[0][0], -c.parameters[0].value, 1e-4);
@@ -194,11 +196,11 @@ TEST(Calibration, failed_cases) {
     if (x[0] > 13e3 || x[1] > 150) t[3] = std::nan("");
     return t;
   };
-  const Calibration c = calibrate(each(holed), rope, {noisy(3, 10), {}});
+  const Calibration c = calibrate(each(holed), rope, {.values = noisy(3, 10), .sd = {}});
   ASSERT_EQ(c.status, CalibrationStatus::found) << c.reason;
   EXPECT_NEAR(c.parameters[0].value, 9e3, 30);
-  const Calibration none =
-      calibrate(each([](const Point&) { return std::vector<double>(12, std::nan("")); }), rope, {noisy(3, 10), {}});
+  const Calibration none = calibrate(each([](const Point&) { return std::vector<double>(12, std::nan("")); }), rope,
+                                     {.values = noisy(3, 10), .sd = {}});
   EXPECT_EQ(none.status, CalibrationStatus::not_converged);
   EXPECT_EQ(none.reason, "the calibration has not converged from any start: the case at the start failed");
   EXPECT_TRUE(none.parameters.empty());

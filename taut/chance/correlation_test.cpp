@@ -17,7 +17,8 @@ std::string refusal(const std::vector<CorrelatedPair>& pairs) {
 }
 
 TEST(Correlation, factor_gives_the_matrix) {
-  const auto c = correlation(std::vector<CorrelatedPair>{{0, 1, 0.5}, {2, 1, -0.3}}, names);
+  const auto c = correlation(
+      std::vector<CorrelatedPair>{{.first = 0, .second = 1, .r = 0.5}, {.first = 2, .second = 1, .r = -0.3}}, names);
   ASSERT_TRUE(c);
   const double R[3][3] = {{1, 0.5, 0}, {0.5, 1, -0.3}, {0, -0.3, 1}};
   for (std::size_t i = 0; i < 3; ++i) {
@@ -48,20 +49,22 @@ TEST(Correlation, mistakes_are_named) {
   EXPECT_EQ(refusal({{0, 1, 1}}), "the correlation of 'a' and 'b' (r = 1) must lie between -1 and 1");
   EXPECT_EQ(refusal({{0, 1, 0.5}, {1, 0, 0.4}}), "the correlation of 'b' and 'a' (r = 0.4) is given twice");
   // a with b, b with c, but a against c: r = 0.9, 0.9, -0.9 has the least eigenvalue 1 - 2 0.9
-  const std::string text = refusal({{0, 1, 0.9}, {1, 2, 0.9}, {0, 2, -0.9}});
+  const std::string text = refusal(
+      {{.first = 0, .second = 1, .r = 0.9}, {.first = 1, .second = 2, .r = 0.9}, {.first = 0, .second = 2, .r = -0.9}});
   EXPECT_NE(text.find("'a' and 'b' (r = 0.9)"), std::string::npos) << text;
   EXPECT_NE(text.find("'a' and 'c' (r = -0.9)"), std::string::npos) << text;
   EXPECT_NE(text.find("least eigenvalue -0.8"), std::string::npos) << text;
   EXPECT_NE(text.find("less than 0.556"), std::string::npos) << text;
   const double s = 0.55 / 0.9;
-  EXPECT_EQ(refusal({{0, 1, 0.9 * s}, {1, 2, 0.9 * s}, {0, 2, -0.9 * s}}) == "", 1.8 * s < 1);
+  EXPECT_EQ(refusal({{0, 1, 0.9 * s}, {1, 2, 0.9 * s}, {0, 2, -0.9 * s}}).empty(), 1.8 * s < 1);
   EXPECT_EQ(refusal({{0, 1, 0.499}, {1, 2, 0.499}, {0, 2, -0.499}}), "");
 }
 
 // The scores of a sample have the correlation asked for; the values keep their own laws.
 TEST(Inputs, sample_is_correlated) {
-  Inputs in{.of = {{Lognormal{400, 160}}, {Gumbel{1, 0.2}}}};
-  in.correlation = *correlation(std::vector<CorrelatedPair>{{0, 1, 0.6}}, std::vector<std::string>{"a", "b"});
+  Inputs in{.of = {{.law = Lognormal{.mean = 400, .sd = 160}}, {.law = Gumbel{.mode = 1, .scale = 0.2}}}};
+  in.correlation = *correlation(std::vector<CorrelatedPair>{{.first = 0, .second = 1, .r = 0.6}},
+                                std::vector<std::string>{"a", "b"});
   const PointSet points(PointKind::sobol, 2, 16384, 3);
   double product = 0;
   double first = 0;

@@ -21,7 +21,7 @@ struct Chance {
   double below = 0, above = 1;
 };
 
-Chance chance_of_score(double z) { return {normal_below(z), normal_above(z)}; }
+Chance chance_of_score(double z) { return {.below = normal_below(z), .above = normal_above(z)}; }
 
 double score_of_chance(const Chance& c) {
   return c.below < c.above ? normal_score(c.below) : normal_score_above(c.above);
@@ -34,7 +34,7 @@ struct LogLaw {
 LogLaw log_law(const Lognormal& d) {
   const double cov = d.sd / d.mean;
   const double variance = std::log1p(cov * cov);
-  return {std::log(d.mean) - variance / 2, std::sqrt(variance)};
+  return {.mu = std::log(d.mean) - variance / 2, .sigma = std::sqrt(variance)};
 }
 
 // The uncut laws. chance_of: P(X <= x) and P(X > x); value_of: its inverse; density_of: its derivative.
@@ -44,7 +44,7 @@ double value_of(const Normal& d, const Chance& c) { return d.mean + d.sd * score
 double density_of(const Normal& d, double x) { return normal_density((x - d.mean) / d.sd) / d.sd; }
 
 Chance chance_of(const Lognormal& d, double x) {
-  if (x <= 0) return {0, 1};
+  if (x <= 0) return {.below = 0, .above = 1};
   const LogLaw l = log_law(d);
   return chance_of_score((std::log(x) - l.mu) / l.sigma);
 }
@@ -60,7 +60,7 @@ double density_of(const Lognormal& d, double x) {
 
 Chance chance_of(const Uniform& d, double x) {
   const double inside = std::clamp(x, d.low, d.high);
-  return {(inside - d.low) / (d.high - d.low), (d.high - inside) / (d.high - d.low)};
+  return {.below = (inside - d.low) / (d.high - d.low), .above = (d.high - inside) / (d.high - d.low)};
 }
 double value_of(const Uniform& d, const Chance& c) {
   return c.below < c.above ? d.low + c.below * (d.high - d.low) : d.high - c.above * (d.high - d.low);
@@ -69,7 +69,7 @@ double density_of(const Uniform& d, double x) { return x < d.low || x > d.high ?
 
 Chance chance_of(const Gumbel& d, double x) {
   const double e = std::exp(-(x - d.mode) / d.scale);
-  return {std::exp(-e), -std::expm1(-e)};
+  return {.below = std::exp(-e), .above = -std::expm1(-e)};
 }
 double value_of(const Gumbel& d, const Chance& c) {
   const double minus_log = c.below < c.above ? -std::log(c.below) : -std::log1p(-c.above);
@@ -81,9 +81,9 @@ double density_of(const Gumbel& d, double x) {
 }
 
 Chance chance_of(const Weibull& d, double x) {
-  if (x <= d.shift) return {0, 1};
+  if (x <= d.shift) return {.below = 0, .above = 1};
   const double hazard = std::pow((x - d.shift) / d.scale, d.shape);
-  return {-std::expm1(-hazard), std::exp(-hazard)};
+  return {.below = -std::expm1(-hazard), .above = std::exp(-hazard)};
 }
 double value_of(const Weibull& d, const Chance& c) {
   const double hazard = c.below < c.above ? -std::log1p(-c.below) : -std::log(c.above);
@@ -102,10 +102,10 @@ Chance chance_of(const Triangular& d, double x) {
   const double width = d.high - d.low;
   if (inside < d.mode) {
     const double p = left * left / (width * (d.mode - d.low));
-    return {p, 1 - p};
+    return {.below = p, .above = 1 - p};
   }
   const double q = right == 0 ? 0 : right * right / (width * (d.high - d.mode));
-  return {1 - q, q};
+  return {.below = 1 - q, .above = q};
 }
 double value_of(const Triangular& d, const Chance& c) {
   const double width = d.high - d.low;
@@ -133,7 +133,7 @@ Chance chance_of(const Listed& d, double x) {
   double upper = 0;
   for (std::size_t i = 0; i < d.values.size(); ++i) (d.values[i] <= x ? lower : upper) += weight(d, i);
   const double whole = whole_weight(d);
-  return {lower / whole, upper / whole};
+  return {.below = lower / whole, .above = upper / whole};
 }
 double value_of(const Listed& d, const Chance& c) {
   std::vector<std::size_t> order;
@@ -167,7 +167,7 @@ struct Cut {
 };
 
 Cut cut_of(const Distribution& d) {
-  Cut c{.from = {0, 1}, .to = {1, 0}};
+  Cut c{.from = {.below = 0, .above = 1}, .to = {.below = 1, .above = 0}};
   if (d.from) c.from = uncut(d.law, *d.from);
   if (d.to) c.to = uncut(d.law, *d.to);
   c.mass = c.from.below < 0.5 ? c.to.below - c.from.below : c.from.above - c.to.above;
@@ -190,7 +190,8 @@ Chance chance_of(const Distribution& d, double x) {
   const auto between = [](const Chance& a, const Chance& b) {
     return a.below < 0.5 ? b.below - a.below : a.above - b.above;
   };
-  return {std::clamp(between(cut.from, at) / cut.mass, 0., 1.), std::clamp(between(at, cut.to) / cut.mass, 0., 1.)};
+  return {.below = std::clamp(between(cut.from, at) / cut.mass, 0., 1.),
+          .above = std::clamp(between(at, cut.to) / cut.mass, 0., 1.)};
 }
 
 double value_of(const Distribution& d, const Chance& c) {
@@ -200,7 +201,7 @@ double value_of(const Distribution& d, const Chance& c) {
   if (!is_cut(d)) return of_law(c);
   const Cut cut = cut_of(d);
   // sums of positive terms: no digits are lost in either tail
-  const Chance in_law{cut.from.below + c.below * cut.mass, cut.to.above + c.above * cut.mass};
+  const Chance in_law{.below = cut.from.below + c.below * cut.mass, .above = cut.to.above + c.above * cut.mass};
   return inside_cut(d, of_law(in_law));
 }
 
@@ -274,21 +275,24 @@ struct MeanAndSd {
 
 MeanAndSd uncut_moments(const Law& law) {
   struct Of {
-    MeanAndSd operator()(const Normal& d) const { return {d.mean, d.sd}; }
-    MeanAndSd operator()(const Lognormal& d) const { return {d.mean, d.sd}; }
-    MeanAndSd operator()(const Uniform& d) const { return {(d.low + d.high) / 2, (d.high - d.low) / std::sqrt(12.)}; }
+    MeanAndSd operator()(const Normal& d) const { return {.mean = d.mean, .sd = d.sd}; }
+    MeanAndSd operator()(const Lognormal& d) const { return {.mean = d.mean, .sd = d.sd}; }
+    MeanAndSd operator()(const Uniform& d) const {
+      return {.mean = (d.low + d.high) / 2, .sd = (d.high - d.low) / std::sqrt(12.)};
+    }
     MeanAndSd operator()(const Gumbel& d) const {
-      return {d.mode + std::numbers::egamma * d.scale, std::numbers::pi / std::sqrt(6.) * d.scale};
+      return {.mean = d.mode + std::numbers::egamma * d.scale, .sd = std::numbers::pi / std::sqrt(6.) * d.scale};
     }
     MeanAndSd operator()(const Weibull& d) const {
       const double g1 = std::tgamma(1 + 1 / d.shape);
       const double g2 = std::tgamma(1 + 2 / d.shape);
-      return {d.shift + d.scale * g1, d.scale * std::sqrt(std::max(0., g2 - g1 * g1))};
+      return {.mean = d.shift + d.scale * g1, .sd = d.scale * std::sqrt(std::max(0., g2 - g1 * g1))};
     }
     MeanAndSd operator()(const Triangular& d) const {
       const double left = d.mode - d.low;
       const double right = d.high - d.mode;
-      return {(d.low + d.mode + d.high) / 3, std::sqrt((left * left + left * right + right * right) / 18)};
+      return {.mean = (d.low + d.mode + d.high) / 3,
+              .sd = std::sqrt((left * left + left * right + right * right) / 18)};
     }
     MeanAndSd operator()(const Listed& d) const {
       const double whole = whole_weight(d);
@@ -338,7 +342,7 @@ double density(const Distribution& d, double x) {
 
 double value_at(const Distribution& d, double p) {
   expects(p >= 0 && p <= 1, "a chance lies from 0 to 1");
-  return value_of(d, {p, 1 - p});
+  return value_of(d, {.below = p, .above = 1 - p});
 }
 
 double value_at_score(const Distribution& d, double z) {

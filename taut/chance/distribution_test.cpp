@@ -8,11 +8,20 @@
 
 namespace taut::chance::distribution_test {
 
-const std::vector<Distribution> all{{Normal{20, 1.2}},          {Lognormal{400, 16}},    {Uniform{-1, 3}},
-                                    {Gumbel{1.05, 0.03}},       {Weibull{1.7, 3, 0.5}},  {Weibull{0.8, 3}},
-                                    {Triangular{1, 2, 5}},      {Triangular{1, 1, 5}},   {Triangular{1, 5, 5}},
-                                    {Normal{20, 1.2}, 18, 25},  {Normal{0, 1}, 3, {}},   {Normal{0, 1}, {}, -3},
-                                    {Gumbel{1.5, 0.2}, 1, 2.5}, {Weibull{1.7, 3}, {}, 4}};
+const std::vector<Distribution> all{{.law = Normal{.mean = 20, .sd = 1.2}},
+                                    {.law = Lognormal{.mean = 400, .sd = 16}},
+                                    {.law = Uniform{.low = -1, .high = 3}},
+                                    {.law = Gumbel{.mode = 1.05, .scale = 0.03}},
+                                    {.law = Weibull{.shape = 1.7, .scale = 3, .shift = 0.5}},
+                                    {.law = Weibull{.shape = 0.8, .scale = 3}},
+                                    {.law = Triangular{.low = 1, .mode = 2, .high = 5}},
+                                    {.law = Triangular{.low = 1, .mode = 1, .high = 5}},
+                                    {.law = Triangular{.low = 1, .mode = 5, .high = 5}},
+                                    {.law = Normal{.mean = 20, .sd = 1.2}, .from = 18, .to = 25},
+                                    {.law = Normal{.mean = 0, .sd = 1}, .from = 3, .to = {}},
+                                    {.law = Normal{.mean = 0, .sd = 1}, .from = {}, .to = -3},
+                                    {.law = Gumbel{.mode = 1.5, .scale = 0.2}, .from = 1, .to = 2.5},
+                                    {.law = Weibull{.shape = 1.7, .scale = 3}, .from = {}, .to = 4}};
 
 TEST(Distribution, score_and_value_are_inverse) {
   for (const Distribution& d : all) {
@@ -54,7 +63,7 @@ TEST(Distribution, density_and_moments) {
 }
 
 TEST(Distribution, tails_keep_their_digits) {
-  const Distribution gumbel{Gumbel{1, 0.1}};
+  const Distribution gumbel{.law = Gumbel{.mode = 1, .scale = 0.1}};
   const double far = 1 + 0.1 * 27.631021115928547;  // above = 1e-12 (1 - 5e-13)
   EXPECT_NEAR(above(gumbel, far) / 1e-12, 1, 1e-9);
   EXPECT_NEAR(value_at_score(gumbel, normal_score_above(1e-12)), far, 1e-9);
@@ -77,7 +86,7 @@ TEST(Distribution, closed_forms) {
 }
 
 TEST(Distribution, list) {
-  const Distribution d{Listed{{3, 1, 2}, {1, 2, 1}}};
+  const Distribution d{.law = Listed{.values = {3, 1, 2}, .weights = {1, 2, 1}}};
   EXPECT_EQ(mistake(d), "");
   EXPECT_EQ(value_at(d, 0), 1);
   EXPECT_EQ(value_at(d, 0.5), 1);

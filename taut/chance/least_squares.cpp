@@ -15,35 +15,33 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// dr/dt by central differences; near a bound by three points on the inner side, of which the nearer one is enough
-/// where the other failed. Empty where too many cases failed.
+/// On which side of t both neighbours lie: 0 one on each, 1 above (near 0), -1 below (near 1).
+double inner_side(double t, double h) { return t < h ? 1 : t > 1 - h ? -1 : 0; }
+
+/// The difference quotient of r at t from its neighbours a, b; a is the nearer one where both lie on one side. One of
+/// them is enough where the other failed.
+VectorXd quotient(const VectorXd& r, const VectorXd& a, const VectorXd& b, double side, double h) {
+  if (side != 0) return b.hasNaN() ? VectorXd(side * (a - r) / h) : VectorXd(side * (4 * a - 3 * r - b) / (2 * h));
+  if (a.hasNaN()) return (b - r) / h;
+  if (b.hasNaN()) return (r - a) / h;
+  return (b - a) / (2 * h);
+}
+
+/// dr/dt by central differences; near a bound by three points on the inner side. Empty where too many cases failed.
 std::optional<MatrixXd> jacobian(const Residuals& residuals, const VectorXd& t, const VectorXd& r, double h) {
-  const Index n = t.size();
   std::vector<VectorXd> points;
-  std::vector<double> side(static_cast<std::size_t>(n), 0);
-  for (Index i = 0; i < n; ++i) {
-    if (t[i] < h) side[static_cast<std::size_t>(i)] = 1;
-    if (t[i] > 1 - h) side[static_cast<std::size_t>(i)] = -1;
-    const double inner = side[static_cast<std::size_t>(i)];
-    for (const double step : {inner == 0 ? -h : inner * h, inner == 0 ? h : 2 * inner * h}) {
+  for (Index i = 0; i < t.size(); ++i) {
+    const double side = inner_side(t[i], h);
+    for (const double step : {side == 0 ? -h : side * h, side == 0 ? h : 2 * side * h}) {
       points.push_back(t);
       points.back()[i] += step;
     }
   }
   const std::vector<VectorXd> at = residuals(points);
-  MatrixXd J(r.size(), n);
-  for (Index i = 0; i < n; ++i) {
-    const VectorXd& a = at[static_cast<std::size_t>(2 * i)];
-    const VectorXd& b = at[static_cast<std::size_t>(2 * i + 1)];
-    const double inner = side[static_cast<std::size_t>(i)];
-    if (inner == 0) {
-      J.col(i) = (b - a) / (2 * h);
-      if (a.hasNaN()) J.col(i) = (b - r) / h;
-      if (b.hasNaN()) J.col(i) = (r - a) / h;
-    } else {
-      J.col(i) = inner * (4 * a - 3 * r - b) / (2 * h);
-      if (b.hasNaN()) J.col(i) = inner * (a - r) / h;
-    }
+  MatrixXd J(r.size(), t.size());
+  for (Index i = 0; i < t.size(); ++i) {
+    const auto first = static_cast<std::size_t>(2 * i);
+    J.col(i) = quotient(r, at[first], at[first + 1], inner_side(t[i], h), h);
   }
   if (J.hasNaN()) return std::nullopt;
   return J;

@@ -107,7 +107,7 @@ TEST(PointSet, shuffles_are_uniform) {
 // input one in each of 256 intervals; of the inputs 3 and 6, whose directions have 3 and 4 bits of polynomial, in 4
 // x 4.
 TEST(PointSet, sobol_is_a_net) {
-  const PointSet set(PointKind::sobol, 40, 16 * 256, 11);
+  const PointSet set(PointKind::sobol, 40, 16ULL * 256, 11);
   ASSERT_EQ(set.per_replicate(), 256u);
   for (const std::size_t r : {0u, 7u, 15u}) {
     for (const std::size_t a : {1u, 2u, 8u, 16u, 64u, 256u})
@@ -121,7 +121,7 @@ TEST(PointSet, sobol_is_a_net) {
 // squares of two inputs, so their counts are the same but for order, of all pairs of twelve inputs.
 TEST(PointSet, directions_are_those_of_boost) {
   constexpr std::size_t inputs = 12;
-  const PointSet set(PointKind::sobol, inputs, 16 * 256, 11);
+  const PointSet set(PointKind::sobol, inputs, 16ULL * 256, 11);
   boost::random::sobol engine(inputs);
   std::vector<std::vector<std::size_t>> places(256, std::vector<std::size_t>(inputs, 0));
   for (std::size_t k = 1; k < 256; ++k) {
@@ -146,7 +146,7 @@ TEST(PointSet, scrambles_are_uniform) {
   double products = 0;
   constexpr int seeds = 400;
   for (std::uint64_t seed = 0; seed < seeds; ++seed) {
-    const PointSet set(PointKind::sobol, 2, 16 * 8, seed);
+    const PointSet set(PointKind::sobol, 2, 16ULL * 8, seed);
     const Point p = set.at(3);
     const Point q = set.at(8 + 3);
     sum += p[1];
@@ -159,7 +159,7 @@ TEST(PointSet, scrambles_are_uniform) {
 // The integral of prod (1 + (x_i - 1/2)/2) over eight inputs is 1: Sobol points are far better than random ones.
 TEST(PointSet, sobol_integrates_a_smooth_function) {
   const auto error = [](PointKind kind) {
-    const PointSet set(kind, 8, 16 * 1024, 2);
+    const PointSet set(kind, 8, 16ULL * 1024, 2);
     double sum = 0;
     for (std::uint64_t k = 0; k < set.size(); ++k) {
       double product = 1;

@@ -91,7 +91,7 @@ Sensitivity sensitivity(const SaltelliPlan& plan, std::span<const double> output
     own.reserve(each.size());
     for (const Sums& s : each) own.push_back(index(s));
     const double pooled = index(all);
-    return Estimate{pooled, replicate_interval(pooled, own, confidence)};
+    return Estimate{.value = pooled, .interval = replicate_interval(pooled, own, confidence)};
   };
   Sensitivity result{.left_out = base - static_cast<std::uint64_t>(all.n / 2), .base = base};
   for (std::size_t i = 0; i < d; ++i) {

@@ -9,13 +9,17 @@ namespace taut::chance::sensitivity_test {
 
 std::vector<double> outputs(const SaltelliPlan& plan, const Inputs& inputs, double (*f)(const Point&)) {
   std::vector<double> all;
+  all.reserve(plan.size());
   for (std::uint64_t k = 0; k < plan.size(); ++k) all.push_back(f(values_at(inputs, plan.at(k))));
   return all;
 }
 
 // The worked case of the specification; its total indices are exact ones.
 TEST(Sensitivity, worked_case) {
-  const Inputs in{.of = {{Lognormal{400, 16}}, {Normal{25, 3}}, {Normal{0.06, 0.004}}, {Gumbel{1.05, 0.03}}}};
+  const Inputs in{.of = {{.law = Lognormal{.mean = 400, .sd = 16}},
+                         {.law = Normal{.mean = 25, .sd = 3}},
+                         {.law = Normal{.mean = 0.06, .sd = 0.004}},
+                         {.law = Gumbel{.mode = 1.05, .scale = 0.03}}}};
   const SaltelliPlan plan(PointKind::sobol, 4, 100000, 1);
   EXPECT_LT(plan.size(), 107000u);
   const Sensitivity s =
@@ -38,7 +42,7 @@ double ishigami(const Point& x) {
 // Ishigami & Homma 1990 with a = 7, b = 0.1: first 0.3139, 0.4424, 0; total 0.5576, 0.4424, 0.2437.
 TEST(Sensitivity, ishigami) {
   constexpr double pi = std::numbers::pi;
-  const Inputs in{.of = std::vector<Distribution>(3, {Uniform{-pi, pi}})};
+  const Inputs in{.of = std::vector<Distribution>(3, {Uniform{.low = -pi, .high = pi}})};
   for (const PointKind kind : {PointKind::random, PointKind::latin, PointKind::sobol}) {
     const SaltelliPlan plan(kind, 3, 80000, 1);
     const Sensitivity s = sensitivity(plan, outputs(plan, in, ishigami));
@@ -55,7 +59,7 @@ TEST(Sensitivity, ishigami) {
 
 TEST(Sensitivity, failed_and_constant_outputs) {
   const Inputs in{.of = std::vector<Distribution>(2, {Normal{}})};
-  const SaltelliPlan plan(PointKind::sobol, 2, 16 * 64 * 4, 1);
+  const SaltelliPlan plan(PointKind::sobol, 2, 16ULL * 64 * 4, 1);
   const auto sum = [](const Point& x) { return x[0] > 2.5 ? std::nan("") : x[0] + 2 * x[1]; };
   const Sensitivity s = sensitivity(plan, outputs(plan, in, sum));
   EXPECT_GT(s.left_out, 0u);
@@ -68,7 +72,7 @@ TEST(Sensitivity, failed_and_constant_outputs) {
 TEST(Sensitivity, a_case_is_known_without_the_others) {
   const SaltelliPlan plan(PointKind::sobol, 3, 1000, 1);
   const Point base = plan.base().at(7);
-  EXPECT_EQ(plan.at(7 * 5), Point(base.begin(), base.begin() + 3));
+  EXPECT_EQ(plan.at(7ULL * 5), Point(base.begin(), base.begin() + 3));
   EXPECT_EQ(plan.at(7 * 5 + 1), Point(base.begin() + 3, base.end()));
   EXPECT_EQ(plan.at(7 * 5 + 3), (Point{base[0], base[4], base[2]}));
 }
@@ -76,12 +80,13 @@ TEST(Sensitivity, a_case_is_known_without_the_others) {
 TEST(Sensitivity, refused_for_correlated_inputs) {
   Inputs in{.of = std::vector<Distribution>(2, {Normal{}})};
   EXPECT_EQ(indices_refused(in), "");
-  in.correlation = *correlation(std::vector<CorrelatedPair>{{0, 1, 0.5}}, std::vector<std::string>{"a", "b"});
+  in.correlation = *correlation(std::vector<CorrelatedPair>{{.first = 0, .second = 1, .r = 0.5}},
+                                std::vector<std::string>{"a", "b"});
   EXPECT_NE(indices_refused(in).find("correlated"), std::string::npos);
 }
 
 TEST(Sensitivity, tornado) {
-  const Inputs in{.of = {{Uniform{0, 10}}, {Normal{5, 1}}}};
+  const Inputs in{.of = {{.law = Uniform{.low = 0, .high = 10}}, {.law = Normal{.mean = 5, .sd = 1}}}};
   const Points p = tornado_points(in, 0.1);
   ASSERT_EQ(p.size(), 5u);
   EXPECT_EQ(p[0], (Point{5, 5}));

@@ -81,12 +81,12 @@ Estimate over_replicates(const Sample& s, double pooled,
                          const std::function<double(std::span<const double>)>& estimate) {
   std::vector<double> each(s.replicates);
   for (std::size_t r = 0; r < s.replicates; ++r) each[r] = estimate(replicate(s, r));
-  return {pooled, replicate_interval(pooled, each, s.confidence)};
+  return {.value = pooled, .interval = replicate_interval(pooled, each, s.confidence)};
 }
 
 double hazen(const std::vector<double>& sorted, double p) {
   if (sorted.empty()) return none;
-  const double last = static_cast<double>(sorted.size() - 1);
+  const auto last = static_cast<double>(sorted.size() - 1);
   const double place = std::clamp(p * static_cast<double>(sorted.size()) - 0.5, 0., last);
   const auto j = static_cast<std::size_t>(place);
   if (j + 1 == sorted.size()) return sorted[j];
@@ -111,7 +111,7 @@ std::size_t least_above(std::size_t n, double p, double chance) {
 
 Interval order_interval(const std::vector<double>& sorted, double p, double confidence) {
   const std::size_t n = sorted.size();
-  Interval i{-unbounded, unbounded};
+  Interval i{.low = -unbounded, .high = unbounded};
   if (n == 0) return i;
   const double tail = (1 - confidence) / 2;
   // the largest l with P(B <= l - 1) <= tail is the least k with P(B <= k) > tail; x_(l) counts from 1
@@ -136,17 +136,17 @@ struct Count {
 
 Estimate share(const Sample& s, const std::function<Count(std::span<const double>)>& count) {
   const Count all = count(s.values);
-  if (all.n == 0) return {none, {0, 1}};
+  if (all.n == 0) return {.value = none, .interval = {.low = 0, .high = 1}};
   const double p = all.hits / all.n;
   const Interval exact = binomial_interval(all.hits, all.n, s.confidence);
-  if (s.replicates == 1) return {p, exact};
+  if (s.replicates == 1) return {.value = p, .interval = exact};
   Estimate e = over_replicates(s, p, [&](std::span<const double> values) {
     const Count c = count(values);
     return c.n > 0 ? c.hits / c.n : none;
   });
-  e.interval = {std::max(e.interval.low, 0.), std::min(e.interval.high, 1.)};
+  e.interval = {.low = std::max(e.interval.low, 0.), .high = std::min(e.interval.high, 1.)};
   if (std::min(all.hits, all.n - all.hits) < enough_beyond * static_cast<double>(s.replicates)) {
-    e.interval = {std::min(e.interval.low, exact.low), std::max(e.interval.high, exact.high)};
+    e.interval = {.low = std::min(e.interval.low, exact.low), .high = std::max(e.interval.high, exact.high)};
   }
   return e;
 }
@@ -155,16 +155,16 @@ Estimate share(const Sample& s, const std::function<Count(std::span<const double
 
 Interval replicate_interval(double pooled, std::span<const double> estimates, double confidence) {
   const Moments m = moments(estimates);
-  if (m.n < static_cast<double>(least_replicates) || std::isnan(pooled)) return {-unbounded, unbounded};
+  if (m.n < static_cast<double>(least_replicates) || std::isnan(pooled)) return {.low = -unbounded, .high = unbounded};
   const double half = upper_t(confidence, static_cast<std::size_t>(m.n)) * std::sqrt(m.variance / m.n);
-  return {pooled - half, pooled + half};
+  return {.low = pooled - half, .high = pooled + half};
 }
 
 Interval binomial_interval(double hits, double n, double confidence) {
   expects(n > 0 && hits >= 0 && hits <= n, "hits of n cases");
   const double tail = (1 - confidence) / 2;
-  return {hits == 0 ? 0 : beta_value(tail, hits, n - hits + 1),
-          hits == n ? 1 : beta_value(1 - tail, hits + 1, n - hits)};
+  return {.low = hits == 0 ? 0 : beta_value(tail, hits, n - hits + 1),
+          .high = hits == n ? 1 : beta_value(1 - tail, hits + 1, n - hits)};
 }
 
 std::size_t failed_cases(const Sample& s) { return static_cast<std::size_t>(failures_of(s.values)); }
@@ -175,25 +175,25 @@ Estimate sample_mean(const Sample& s) {
   if (s.replicates > 1) {
     return over_replicates(s, m.mean, [](std::span<const double> values) { return moments(values).mean; });
   }
-  if (!(m.n > 1)) return {m.mean, {-unbounded, unbounded}};
+  if (!(m.n > 1)) return {.value = m.mean, .interval = {.low = -unbounded, .high = unbounded}};
   const double half = upper_t(s.confidence, static_cast<std::size_t>(m.n)) * std::sqrt(m.variance / m.n);
-  return {m.mean, {m.mean - half, m.mean + half}};
+  return {.value = m.mean, .interval = {.low = m.mean - half, .high = m.mean + half}};
 }
 
 Estimate sample_sd(const Sample& s) {
   check(s);
   const Moments m = moments(s.values);
   const double sd = std::sqrt(m.variance);
-  Estimate e{sd, {0, unbounded}};
+  Estimate e{.value = sd, .interval = {.low = 0, .high = unbounded}};
   if (s.replicates > 1) {
     // of the variance about the mean of all, which is linear in the cases
     e = over_replicates(s, m.variance, [&](std::span<const double> values) { return mean_square(values, m.mean); });
     e.value = sd;
-    e.interval = {std::sqrt(std::max(e.interval.low, 0.)), std::sqrt(e.interval.high)};
+    e.interval = {.low = std::sqrt(std::max(e.interval.low, 0.)), .high = std::sqrt(e.interval.high)};
   } else if (m.n > 1 && sd > 0) {
     const double spread = std::sqrt(std::max(0., m.fourth - m.variance * m.variance) / m.n) / (2 * sd);
     const double half = normal_score((1 + s.confidence) / 2) * spread;
-    e.interval = {sd - half, sd + half};
+    e.interval = {.low = sd - half, .high = sd + half};
   }
   e.interval.low = std::max(e.interval.low, 0.);
   return e;
@@ -214,7 +214,7 @@ std::vector<Estimate> quantiles(const Sample& s, std::span<const double> p) {
   std::vector<Estimate> estimates;
   for (const double chance : p) {
     expects(chance > 0 && chance < 1, "a quantile's chance lies within 0 and 1");
-    Estimate e{hazen(all, chance), {}};
+    Estimate e{.value = hazen(all, chance), .interval = {}};
     if (s.replicates == 1) {
       e.interval = order_interval(all, chance, s.confidence);
     } else {
@@ -263,10 +263,10 @@ LimitProbability limit_probability(const Sample& s, const Limit& limit) {
   p.failed = failed_cases(s);
   p.beyond = static_cast<std::uint64_t>(hits_of(s.values, limit));
   p.left_out = share(s, [&](std::span<const double> values) {
-    return Count{hits_of(values, limit), static_cast<double>(values.size()) - failures_of(values)};
+    return Count{.hits = hits_of(values, limit), .n = static_cast<double>(values.size()) - failures_of(values)};
   });
   p.counted = share(s, [&](std::span<const double> values) {
-    return Count{hits_of(values, limit) + failures_of(values), static_cast<double>(values.size())};
+    return Count{.hits = hits_of(values, limit) + failures_of(values), .n = static_cast<double>(values.size())};
   });
   return p;
 }
@@ -277,7 +277,8 @@ std::vector<LimitProbability> convergence(const Sample& s, const Limit& limit, s
   std::vector<LimitProbability> all;
   if (s.replicates > 1) {
     for (std::size_t r = least_replicates; r <= s.replicates; ++r) {
-      all.push_back(limit_probability({s.values.first(n / s.replicates * r), r, s.confidence}, limit));
+      all.push_back(limit_probability(
+          {.values = s.values.first(n / s.replicates * r), .replicates = r, .confidence = s.confidence}, limit));
     }
     return all;
   }
@@ -286,7 +287,8 @@ std::vector<LimitProbability> convergence(const Sample& s, const Limit& limit, s
     const double ratio = static_cast<double>(k) / static_cast<double>(steps);
     const auto count = k == steps ? n : static_cast<std::size_t>(std::round(std::pow(static_cast<double>(n), ratio)));
     if (count <= before) continue;
-    all.push_back(limit_probability({s.values.first(count), 1, s.confidence}, limit));
+    all.push_back(
+        limit_probability({.values = s.values.first(count), .replicates = 1, .confidence = s.confidence}, limit));
     before = count;
   }
   return all;

@@ -47,7 +47,7 @@ TEST(Statistics, clopper_pearson) {
 
 TEST(Statistics, failed_cases_both_ways) {
   const std::vector<double> v{1, 2, failed, 3, 4, 5, failed, 6, 7, 8};
-  const LimitProbability p = limit_probability({v}, {Bound::at_least, 3});
+  const LimitProbability p = limit_probability({.values = v}, {.bound = Bound::at_least, .value = 3});
   EXPECT_EQ(p.cases, 10u);
   EXPECT_EQ(p.failed, 2u);
   EXPECT_EQ(p.beyond, 2u);
@@ -67,7 +67,7 @@ TEST(Statistics, failed_cases_both_ways) {
 // Gosset's sleep data (extra hours, drug 2 - drug 1): mean 1.58, 95 % interval 0.70 to 2.46.
 TEST(Statistics, students_own_data) {
   const std::vector<double> hours{1.2, 2.4, 1.3, 1.3, 0, 1.0, 1.8, 0.8, 4.6, 1.4};
-  const Estimate e = sample_mean({hours});
+  const Estimate e = sample_mean({.values = hours});
   EXPECT_NEAR(e.value, 1.58, 1e-12);
   EXPECT_NEAR(e.interval.low, 0.7001142, 1e-6);
   EXPECT_NEAR(e.interval.high, 2.4598858, 1e-6);
@@ -77,7 +77,7 @@ TEST(Statistics, students_own_data) {
 TEST(Statistics, quantile_between_order_statistics) {
   std::vector<double> v(20);
   std::iota(v.rbegin(), v.rend(), 1.);
-  const auto q = quantiles({v}, std::vector<double>{0.5, 0.99, 0.975});
+  const auto q = quantiles({.values = v}, std::vector<double>{0.5, 0.99, 0.975});
   EXPECT_EQ(q[0].value, 10.5);
   EXPECT_EQ(q[0].interval.low, 6);
   EXPECT_EQ(q[0].interval.high, 15);
@@ -100,11 +100,11 @@ TEST(Statistics, intervals_hold_the_truth) {
     constexpr int seeds = 300;
     for (std::uint64_t seed = 0; seed < seeds; ++seed) {
       const auto v = exponential(kind, 4096, seed);
-      const Sample s{v, kind == PointKind::random ? 1u : 16u};
+      const Sample s{.values = v, .replicates = kind == PointKind::random ? 1u : 16u};
       mean += holds(sample_mean(s).interval, 1.5);
       sd += holds(sample_sd(s).interval, std::sqrt(14. / 3 - 2.25));
       median += holds(quantiles(s, std::vector<double>{0.5})[0].interval, middle);
-      const Estimate p = limit_probability(s, {Bound::at_most, 2}).counted;
+      const Estimate p = limit_probability(s, {.bound = Bound::at_most, .value = 2}).counted;
       probability += holds(p.interval, exceeded(2));
       width += p.interval.high - p.interval.low;
     }
@@ -123,7 +123,7 @@ TEST(Statistics, intervals_hold_the_truth) {
 // No case beyond the limit in any replicate: the scatter is 0, the upper bound is not.
 TEST(Statistics, a_rare_case_is_no_impossible_one) {
   const std::vector<double> v(1600, 5.);
-  const LimitProbability p = limit_probability({v, 16}, {Bound::at_least, 3});
+  const LimitProbability p = limit_probability({.values = v, .replicates = 16}, {.bound = Bound::at_least, .value = 3});
   EXPECT_EQ(p.counted.value, 0);
   EXPECT_NEAR(p.counted.interval.high, 1 - std::pow(0.025, 1. / 1600), 1e-9);
   EXPECT_EQ(judged(p.counted, 1e-2), Allowed::kept);
@@ -138,7 +138,7 @@ TEST(Statistics, a_rare_case_is_no_impossible_one) {
 TEST(Statistics, cases_needed_until_it_is_judged) {
   std::vector<double> v(1000, 1.);
   std::fill_n(v.begin(), 12, -1.);
-  const LimitProbability p = limit_probability({v}, {Bound::at_least, 0});
+  const LimitProbability p = limit_probability({.values = v}, {.bound = Bound::at_least, .value = 0});
   ASSERT_EQ(judged(p.counted, 0.01), Allowed::not_judged);
   const auto needed = cases_needed(p, 0.01);
   ASSERT_TRUE(needed);
@@ -168,17 +168,17 @@ TEST(Statistics, histogram_counts_every_case) {
 
 TEST(Statistics, convergence_ends_with_all_cases) {
   const auto v = exponential(PointKind::random, 1000, 4);
-  const auto all = convergence({v}, {Bound::at_most, 2}, 20);
+  const auto all = convergence({.values = v}, {.bound = Bound::at_most, .value = 2}, 20);
   EXPECT_EQ(all.back().cases, 1000u);
   EXPECT_EQ(all.back().counted.value, limit_probability({v}, {Bound::at_most, 2}).counted.value);
   for (std::size_t k = 1; k < all.size(); ++k) EXPECT_GT(all[k].cases, all[k - 1].cases);
-  const auto sobol = exponential(PointKind::sobol, 20 * 64, 4);
+  const auto sobol = exponential(PointKind::sobol, 20ULL * 64, 4);
   EXPECT_EQ(convergence({sobol, 20}, {Bound::at_most, 2}).size(), 5u);
 }
 
 // Too few replicates have values, or too few values lie beyond the quantile: no bound.
 TEST(Statistics, no_bound_without_evidence) {
-  std::vector<double> v = exponential(PointKind::sobol, 16 * 64, 4);
+  std::vector<double> v = exponential(PointKind::sobol, 16ULL * 64, 4);
   EXPECT_EQ(quantiles({v, 16}, std::vector<double>{0.99})[0].interval.high, infinity);
   EXPECT_LT(quantiles({v, 16}, std::vector<double>{0.9})[0].interval.high, infinity);
   std::fill_n(v.begin(), 64, failed);

@@ -26,11 +26,14 @@ LimitState state_of(const Inputs& inputs, const Output& f, Limit limit = {}) { r
 Inputs normals(std::size_t n) { return {.of = std::vector<Distribution>(n, {Normal{}})}; }
 
 // The worked case of the specification: a rope's safety factor n = R/(k Q/(4 f)) below 3.
-const Inputs rope{.of = {{Lognormal{400, 16}}, {Normal{25, 3}}, {Normal{0.06, 0.004}}, {Gumbel{1.05, 0.03}}}};
+const Inputs rope{.of = {{.law = Lognormal{.mean = 400, .sd = 16}},
+                         {.law = Normal{.mean = 25, .sd = 3}},
+                         {.law = Normal{.mean = 0.06, .sd = 0.004}},
+                         {.law = Gumbel{.mode = 1.05, .scale = 0.03}}}};
 double factor(const Point& x) { return x[0] / (x[3] * x[1] / (4 * x[2])); }
 
 TEST(Form, worked_case) {
-  const LimitState state = state_of(rope, factor, {Bound::at_least, 3});
+  const LimitState state = state_of(rope, factor, {.bound = Bound::at_least, .value = 3});
   const Form f = form(state);
   ASSERT_EQ(f.status, FormStatus::found) << f.reason;
   EXPECT_GE(f.starts, 5u);
@@ -55,33 +58,35 @@ TEST(Form, worked_case) {
 
 // The other bound, another unit, another order of the inputs, the parameters of the model in pieces: the same answer.
 TEST(Form, the_same_question_has_the_same_answer) {
-  const Form a = form(state_of(rope, factor, {Bound::at_least, 3}));
-  const Form b = form(state_of(rope, [](const Point& x) { return -1e6 * factor(x); }, {Bound::at_most, -3e6}));
+  const Form a = form(state_of(rope, factor, {.bound = Bound::at_least, .value = 3}));
+  const Form b =
+      form(state_of(rope, [](const Point& x) { return -1e6 * factor(x); }, {.bound = Bound::at_most, .value = -3e6}));
   EXPECT_NEAR(a.points[0].beta, b.points[0].beta, 1e-6);
   const Inputs turned{.of = {rope.of[3], rope.of[2], rope.of[1], rope.of[0]}};
   const Form c = form(state_of(turned,
                                [](const Point& x) {
                                  return factor({x[3], x[2], x[1], x[0]});
                                },
-                               {Bound::at_least, 3}));
+                               {.bound = Bound::at_least, .value = 3}));
   EXPECT_NEAR(a.points[0].beta, c.points[0].beta, 1e-4);
   EXPECT_NEAR(a.points[0].importance[1], c.points[0].importance[2], 2e-3);
   EXPECT_NEAR(a.points[0].breitung, c.points[0].breitung, 1e-5);
-  const Form again = form(state_of(rope, factor, {Bound::at_least, 3}));
+  const Form again = form(state_of(rope, factor, {.bound = Bound::at_least, .value = 3}));
   EXPECT_EQ(a.points[0].scores, again.points[0].scores);
 }
 
 // A plane is exact: beta = (mean of the margin)/(its sd), also with correlated normal inputs; where the medians fail,
 // beta is below 0.
 TEST(Form, plane) {
-  Inputs in{.of = {{Normal{10, 2}}, {Normal{4, 1}}}};
+  Inputs in{.of = {{.law = Normal{.mean = 10, .sd = 2}}, {.law = Normal{.mean = 4, .sd = 1}}}};
   const Output g = [](const Point& x) { return x[0] - x[1]; };
   EXPECT_NEAR(form(state_of(in, g)).points[0].beta, 6 / std::sqrt(5.), 1e-6);
   EXPECT_NEAR(form(state_of(in, g)).points[0].breitung, normal_above(6 / std::sqrt(5.)), 1e-9);
-  const Form failing = form(state_of(in, g, {Bound::at_least, 8}));
+  const Form failing = form(state_of(in, g, {.bound = Bound::at_least, .value = 8}));
   EXPECT_NEAR(failing.points[0].beta, -2 / std::sqrt(5.), 1e-6);
   EXPECT_NEAR(failing.points[0].breitung, normal_below(2 / std::sqrt(5.)), 1e-9);
-  in.correlation = *correlation(std::vector<CorrelatedPair>{{0, 1, 0.5}}, std::vector<std::string>{"R", "S"});
+  in.correlation = *correlation(std::vector<CorrelatedPair>{{.first = 0, .second = 1, .r = 0.5}},
+                                std::vector<std::string>{"R", "S"});
   const Form correlated = form(state_of(in, g));
   EXPECT_NEAR(correlated.points[0].beta, 6 / std::sqrt(5. - 2), 1e-6);
   // alike in either order of the inputs: gamma ~ (2, -1) of the scores' own gradient
@@ -127,7 +132,7 @@ TEST(Form, noisy_model) {
     const double noise = std::fmod(1e7 * (x[0] + 3 * x[1] + x[2] * 1e3 + x[3]), 1.) - 0.5;
     return factor(x) * (1 + 1e-4 * noise);
   };
-  const Form f = form(state_of(rope, noisy, {Bound::at_least, 3}));
+  const Form f = form(state_of(rope, noisy, {.bound = Bound::at_least, .value = 3}));
   ASSERT_EQ(f.status, FormStatus::found) << f.reason;
   EXPECT_NEAR(f.points[0].beta, 1.3139, 2e-3);
 }
@@ -148,7 +153,8 @@ TEST(Form, no_answer_has_a_reason_and_no_number) {
   const Form nothing = form(state_of(normals(1), [](const Point&) { return std::nan(""); }));
   EXPECT_EQ(nothing.status, FormStatus::refused);
   EXPECT_NE(nothing.reason.find("medians failed"), std::string::npos);
-  const Form list = form(state_of({.of = {{Normal{}}, {Listed{{1, 2}}}}}, [](const Point& x) { return x[0]; }));
+  const Form list = form(
+      state_of({.of = {{.law = Normal{}}, {.law = Listed{.values = {1, 2}}}}}, [](const Point& x) { return x[0]; }));
   EXPECT_EQ(list.status, FormStatus::refused);
   EXPECT_NE(list.reason.find("input 2 is a list"), std::string::npos);
 }
@@ -204,8 +210,8 @@ TEST(Form, batches_do_not_matter) {
       rows.insert(rows.begin(), {0, factor(points[points.size() - 1 - k])});
     return rows;
   };
-  const LimitState a = state_of(rope, factor, {Bound::at_least, 3});
-  const LimitState b(rope, one_by_one, 1, {Bound::at_least, 3});
+  const LimitState a = state_of(rope, factor, {.bound = Bound::at_least, .value = 3});
+  const LimitState b(rope, one_by_one, 1, {.bound = Bound::at_least, .value = 3});
   EXPECT_EQ(form(a).points[0].scores, form(b).points[0].scores);
   EXPECT_EQ(importance_sampling(a, form(a)).counted.value, importance_sampling(b, form(b)).counted.value);
 }

@@ -94,7 +94,7 @@ LimitProbability plain_sample(const LimitState& state, std::uint64_t count, std:
     const std::vector<double> g = state.margins(points);
     margins.insert(margins.end(), g.begin(), g.end());
   }
-  return limit_probability({margins}, {Bound::at_least, 0});
+  return limit_probability({.values = margins}, {.bound = Bound::at_least, .value = 0});
 }
 
 bool disagree(const Weighted& p, const LimitProbability& plain) {

@@ -48,26 +48,37 @@ struct Case {
 
 std::vector<Case> cases() {
   const std::vector<Distribution> standard(3, {Normal{}});
-  return {{"worked",
-           {.of = {{Lognormal{400, 16}}, {Normal{25, 3}}, {Normal{0.06, 0.004}}, {Gumbel{1.05, 0.03}}}},
-           [](const Point& x) { return x[0] / (x[3] * x[1] / (4 * x[2])); },
-           3},
-          {"correlated",
-           {.of = {{Lognormal{100, 10}}, {Normal{50, 7}}, {Weibull{2.5, 12}}},
-            .correlation = correlations(3, {{0, 1, -0.4}, {1, 2, 0.6}})},
-           [](const Point& x) { return x[0] - x[1] - x[2]; }},
-          {"curved",
-           {.of = standard},
-           [](const Point& x) { return 2 + 0.4 * x[1] * x[1] - 0.1 * x[2] * x[2] + 0.2 * x[1] * x[2] - x[0]; }},
-          {"two_points",
-           {.of = {{Normal{}}, {Normal{}}}},
-           [](const Point& x) { return (x[0] + 2.5) * (3 - x[0]) + 0.4 * x[1]; }},
-          {"rare",
-           {.of = {{Lognormal{10, 0.7}}, {Normal{5, 0.7}}, {Uniform{0.9, 1.1}}}},
-           [](const Point& x) { return x[0] - x[1] * x[2]; }},
-          {"gumbel", {.of = {{Normal{20, 0.5}}, {Gumbel{5, 2}}, {Normal{1, 0.02}}}}, [](const Point& x) {
-             return x[0] * x[2] - x[1];
-           }}};
+  return {
+      {.name = "worked",
+       .inputs = {.of = {{.law = Lognormal{.mean = 400, .sd = 16}},
+                         {.law = Normal{.mean = 25, .sd = 3}},
+                         {.law = Normal{.mean = 0.06, .sd = 0.004}},
+                         {.law = Gumbel{.mode = 1.05, .scale = 0.03}}}},
+       .output = [](const Point& x) { return x[0] / (x[3] * x[1] / (4 * x[2])); },
+       .at_least = 3},
+      {.name = "correlated",
+       .inputs = {.of = {{.law = Lognormal{.mean = 100, .sd = 10}},
+                         {.law = Normal{.mean = 50, .sd = 7}},
+                         {.law = Weibull{.shape = 2.5, .scale = 12}}},
+                  .correlation =
+                      correlations(3, {{.first = 0, .second = 1, .r = -0.4}, {.first = 1, .second = 2, .r = 0.6}})},
+       .output = [](const Point& x) { return x[0] - x[1] - x[2]; }},
+      {.name = "curved",
+       .inputs = {.of = standard},
+       .output = [](const Point& x) { return 2 + 0.4 * x[1] * x[1] - 0.1 * x[2] * x[2] + 0.2 * x[1] * x[2] - x[0]; }},
+      {.name = "two_points",
+       .inputs = {.of = {{.law = Normal{}}, {.law = Normal{}}}},
+       .output = [](const Point& x) { return (x[0] + 2.5) * (3 - x[0]) + 0.4 * x[1]; }},
+      {.name = "rare",
+       .inputs = {.of = {{.law = Lognormal{.mean = 10, .sd = 0.7}},
+                         {.law = Normal{.mean = 5, .sd = 0.7}},
+                         {.law = Uniform{.low = 0.9, .high = 1.1}}}},
+       .output = [](const Point& x) { return x[0] - x[1] * x[2]; }},
+      {.name = "gumbel",
+       .inputs = {.of = {{.law = Normal{.mean = 20, .sd = 0.5}},
+                         {.law = Gumbel{.mode = 5, .scale = 2}},
+                         {.law = Normal{.mean = 1, .sd = 0.02}}}},
+       .output = [](const Point& x) { return x[0] * x[2] - x[1]; }}};
 }
 
 TEST(Witness, form_sorm_and_importance_sampling) {
@@ -80,12 +91,12 @@ TEST(Witness, form_sorm_and_importance_sampling) {
                              for (const Point& x : points) rows.push_back({c.output(x)});
                              return rows;
                            },
-                           0, {Bound::at_least, c.at_least});
+                           0, {.bound = Bound::at_least, .value = c.at_least});
     const Form f = form(state);
     ASSERT_EQ(f.status, FormStatus::found) << c.name << f.reason;
     // theirs in the order of their starts, ours the nearest first
     std::vector<std::pair<double, std::string>> points;
-    for (std::size_t k = 0; other.count("beta_" + std::to_string(k)) != 0; ++k) {
+    for (std::size_t k = 0; other.contains("beta_" + std::to_string(k)); ++k) {
       points.emplace_back(other.at("beta_" + std::to_string(k)), std::to_string(k));
     }
     std::sort(points.begin(), points.end());
@@ -111,9 +122,12 @@ TEST(Witness, form_sorm_and_importance_sampling) {
 
 TEST(Witness, distributions) {
   const std::map<std::string, Distribution> own{
-      {"lognormal", {Lognormal{400, 16}}},       {"gumbel", {Gumbel{1.5, 0.2}}},
-      {"weibull", {Weibull{1.7, 3, 0.5}}},       {"triangular", {Triangular{1, 2, 5}}},
-      {"normal_cut", {Normal{20, 1.2}, 18, 25}}, {"gumbel_cut", {Gumbel{1.5, 0.2}, 1, 2.5}}};
+      {"lognormal", {.law = Lognormal{.mean = 400, .sd = 16}}},
+      {"gumbel", {.law = Gumbel{.mode = 1.5, .scale = 0.2}}},
+      {"weibull", {.law = Weibull{.shape = 1.7, .scale = 3, .shift = 0.5}}},
+      {"triangular", {.law = Triangular{.low = 1, .mode = 2, .high = 5}}},
+      {"normal_cut", {.law = Normal{.mean = 20, .sd = 1.2}, .from = 18, .to = 25}},
+      {"gumbel_cut", {.law = Gumbel{.mode = 1.5, .scale = 0.2}, .from = 1, .to = 2.5}}};
   const auto numbers = stored();
   for (const auto& [name, d] : own) {
     const double width = sd(d);
