@@ -161,6 +161,8 @@ class Placement(unittest.TestCase):
         cls.folder = tempfile.TemporaryDirectory()
         folder = pathlib.Path(cls.folder.name)
         decks = [x for x in sorted(EXAMPLES.rglob("*.yaml")) if not x.name.endswith(".part.yaml")]
+        if "TAUT_FEWER" in os.environ:
+            decks = [x for x in decks if x.parent.name == "machines"]
         hoists = folder / f"hoists_{CROWD}.yaml"
         hoists.write_text(json.dumps(crowd(CROWD)), encoding="utf-8")
         decks.append(hoists)
