@@ -101,7 +101,7 @@ def standing_alone(svg, css):
 
 
 def report_of(taut, deck, folder):
-    done = subprocess.run([taut, "run", str(ROOT / deck), "-o", str(folder), "--quiet"], capture_output=True, text=True,
+    done = subprocess.run([taut, "run", deck, "-o", str(folder), "--quiet"], capture_output=True, text=True, cwd=ROOT,
                           check=False)
     if done.returncode not in (0, 4):
         sys.exit(f"{deck}: taut ends with {done.returncode}: {done.stderr}")
