@@ -14,11 +14,11 @@ namespace {
 
 constexpr std::string_view between = "; ";
 
-/// Of parts with a limit, and of what fails: the check with the largest utilisation of each part, the largest first.
+/// The check with the largest utilisation of each part, the largest first, as in the table of page 1.
 std::vector<const Check*> worst_checks(const Result& r) {
   std::vector<const Check*> worst;
   for (const Check& c : r.checks) {
-    if ((!c.limits && c.passes) || c.refused) continue;
+    if (c.refused) continue;
     const auto same = std::find_if(worst.begin(), worst.end(),
                                    [&](const Check* other) { return !c.part.empty() && other->part == c.part; });
     if (same == worst.end()) {

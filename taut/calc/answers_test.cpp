@@ -55,12 +55,12 @@ TEST(Answers, NothingIsToBeBuiltThatFailsOrIsNotJudged) {
   EXPECT_TRUE(bad.answers.empty());
 }
 
-TEST(Answers, EachPartUsesItsWorstLimit) {
+TEST(Answers, EachPartHasItsWorstCheck) {
   Result r;
   r.checks = {check_of("a", "a.T", 0.3), check_of("b", "b.S", 0.4), check_of("a", "strength", 0.9),
               check_of("b", "b.break", 0.7, false)};
   finish_answers(r);
-  EXPECT_EQ(text_of(r, "Uses"), "a: strength 0.9; b.S 0.4") << "what can only fail is no limit";
+  EXPECT_EQ(text_of(r, "Uses"), "a: strength 0.9; b.break 0.7") << "as the table of page 1";
 }
 
 TEST(Answers, ALineSaysWhatItHasNoRoomFor) {

@@ -22,6 +22,7 @@ constexpr double least_line_height = 0.2;  ///< of the picture of the line, as a
 constexpr double most_line_height = 0.36;
 constexpr double band_height = 0.18;
 constexpr double room_for_words = 0.14;  ///< above the highest value, as a share of it
+constexpr double almost_one = 0.05;      ///< a scale of heights that no eye tells from that of lengths
 constexpr double head_room = 16;         ///< above both pictures, pixels
 constexpr std::size_t most_kinds = 6;    ///< colours: classes kind-0 to kind-5 of assets/figure.css
 constexpr int longest_kind = 60;         ///< characters of a name in the legend
@@ -499,7 +500,7 @@ std::string profile_svg(const Profile& p, const Display& display, double wide) {
 std::string profile_scale_words(const Profile& p, double wide) {
   if (!can_be_shown(p)) return {};
   const double stretched = profile_layout(p, Display(), wide, 0).stretched;
-  if (std::abs(stretched - 1) < 0.02) return {};
+  if (std::abs(stretched - 1) < almost_one) return {};
   return fmt::format("Heights are drawn {} times as large as lengths; angles are not true.",
                      number_shown(stretched, 2));
 }

@@ -52,7 +52,7 @@ Profile payload_profile(const MachineRun& machine, const study::PayloadRun& run,
   const study::Payload& worst = least.point.payload;
   Profile p = line_profile({.model = *least.model, .state = worst.at, .way = run.way});
   p.name = "payload_profile" + run.ending;
-  p.title = fmt::format("The line and what it carries, {}", run.words);
+  p.title = fmt::format("The line and what it carries (motion: {})", run.words);
   p.caption =
       fmt::format("Drawn where the payload is least, {} at x = {}.",
                   machine.display.quantity(worst.mass, si::kg.in("t")), machine.display.quantity(least.point.x, si::m));

@@ -182,7 +182,7 @@ Profile load_path_profile(const MachineRun& run, const study::LoadPathRun& path)
   if (worst == nullptr) return {};
   Profile p = line_profile({.model = *worst->model, .state = worst->point->at, .way = path.way});
   p.name = "load_path_profile" + path.ending;
-  p.title = fmt::format("The line and what its ropes bear, {}", path.words);
+  p.title = fmt::format("The line and what its ropes bear (motion: {})", path.words);
   p.caption =
       fmt::format("Drawn where the {} is largest, carriage at x = {}.",
                   as_share ? "tension over breaking force" : "tension", run.display.quantity(worst->point->x, si::m));
