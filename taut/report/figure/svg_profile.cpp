@@ -19,7 +19,7 @@ namespace {
 constexpr double left_room = 62;  ///< for the names and numbers of the axes
 constexpr double right_room = 16;
 constexpr double least_line_height = 0.2;  ///< of the picture of the line, as a share of the width
-constexpr double most_line_height = 0.36;
+constexpr double most_line_height = 0.34;
 constexpr double band_height = 0.18;
 constexpr double room_for_words = 0.14;  ///< above the highest value, as a share of it
 constexpr double almost_one = 0.05;      ///< a scale of heights that no eye tells from that of lengths
