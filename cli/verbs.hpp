@@ -14,12 +14,12 @@ struct RunOptions {
   std::vector<std::string> set;
   bool json = false;
   bool quiet = false;
-  bool all = false;     ///< every value on the screen, not the summary
-  bool si = false;      ///< CSV files in SI units
-  bool strict = false;  ///< a part without a limit is no success
-  bool pdf = false;     ///< report.pdf beside report.html
-  bool open = false;    ///< shows report.html in the browser
-  bool appendix = false;  ///< of the report: unfolded, and printed
+  bool all = false;          ///< every value on the screen, not the summary
+  bool si = false;           ///< CSV files in SI units
+  bool strict = false;       ///< a part without a limit is no success
+  bool pdf = false;          ///< report.pdf beside report.html
+  bool open = false;         ///< shows report.html in the browser
+  bool appendix = false;     ///< of the report: unfolded, and printed
   std::string paper = "a4";  ///< of the report: a4 or a3
 };
 
