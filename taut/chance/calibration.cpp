@@ -51,7 +51,7 @@ std::vector<VectorXd> starts_of(const FreeList& free, const CalibrationOptions& 
 
 /// What the Jacobian at the fit tells: covariance of t for unit sd, and who is not told from whom.
 struct Told {
-  MatrixXd covariance;        // of the unknowns that are told
+  MatrixXd covariance;        // of the unknowns that can be identified
   std::vector<bool> in_null;  // held by a null direction, or without effect
   std::vector<Inseparable> groups;
   int rank = 0;
@@ -187,7 +187,7 @@ void describe(Calibration& c, const LeastSquares& fit, const FreeList& free, dou
   }
 }
 
-/// Whether two fits differ in a parameter that is told, by more than three standard errors and a twentieth of its
+/// Whether two fits differ in an identified parameter, by more than three standard errors and a twentieth of its
 /// range.
 bool different(const Calibration& best, const Point& other, const FreeList& free) {
   for (std::size_t i = 0; i < free.size(); ++i) {

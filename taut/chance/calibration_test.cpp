@@ -106,7 +106,7 @@ TEST(Calibration, covariance_of_a_line) {
   }
 }
 
-// Stiffness and length that act only as a quotient: the pair is named; the weight beside them is told all the same.
+// Stiffness and length that act only as a quotient: the pair is named; the weight is identified.
 TEST(Calibration, names_a_pair_that_cannot_be_told_apart) {
   const Evaluate model = each([](const Point& x) {
     return std::vector<double>{x[0] / x[1], x[0] / x[1] + x[2], x[0] / x[1] + 2 * x[2], 3 * x[0] / x[1] + x[2]};
@@ -129,7 +129,7 @@ TEST(Calibration, names_a_pair_that_cannot_be_told_apart) {
   EXPECT_EQ(c.parameters[2].state, ParameterState::estimated);
   EXPECT_NEAR(c.parameters[2].value, 2, 0.05);
   EXPECT_EQ(c.freedom, 2);
-  // the same with the stiffness given: both others are told
+  // with the stiffness given, both others are identified
   const Calibration fixed = calibrate(
       [&](std::span<const Point> points) {
         Points full;

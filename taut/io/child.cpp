@@ -45,7 +45,7 @@ Words environment_with(const Words& changes) {
   return all;
 }
 
-/// What posix_spawn is told, freed at the end.
+/// Attributes and file actions of posix_spawn, freed at the end.
 class Settings {
  public:
   Settings(short flags, const std::string& output) {

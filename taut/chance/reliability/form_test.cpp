@@ -159,7 +159,7 @@ TEST(Form, no_answer_has_a_reason_and_no_number) {
   EXPECT_NE(list.reason.find("input 2 is a list"), std::string::npos);
 }
 
-// Beyond the limit the machine has no equilibrium: those cases count as beyond, and are told apart.
+// Beyond the limit the machine has no equilibrium: those cases count as beyond and are reported as failed.
 TEST(Importance, failed_cases_both_ways) {
   const LimitState state =
       state_of(normals(1), [](const Point& x) { return x[0] > 2.5 ? std::nan("") : 2 - x[0]; }, {});
