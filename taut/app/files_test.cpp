@@ -6,6 +6,7 @@
 #include <iterator>
 
 #include "taut/app/job.hpp"
+#include "test/support/scratch_folder.hpp"
 
 namespace taut::app::files_test {
 
@@ -25,15 +26,14 @@ Result sample() {
 }
 
 TEST(Files, WritesResultReportAndTables) {
-  const auto folder = std::filesystem::temp_directory_path() / "taut_files_test" / "deep";
-  std::filesystem::remove_all(folder.parent_path());
+  const taut_test::ScratchFolder scratch;
+  const auto folder = scratch.path() / "new" / "deep";
   const auto written = write_files(sample(), folder.string());
   ASSERT_TRUE(written.has_value()) << written.error().message;
   for (const char* name : {"result.json", "report.html", "report.md", "positions.csv", "size.csv"}) {
     EXPECT_TRUE(std::filesystem::exists(folder / name)) << name;
   }
   for (const auto& entry : std::filesystem::directory_iterator(folder)) EXPECT_NE(entry.path().extension(), ".part");
-  std::filesystem::remove_all(folder.parent_path());
 }
 
 std::string text_of(const std::filesystem::path& file) {
@@ -42,8 +42,8 @@ std::string text_of(const std::filesystem::path& file) {
 }
 
 TEST(Files, CsvHasTheUnitsOfTheReportOrSi) {
-  const auto folder = std::filesystem::temp_directory_path() / "taut_files_test_units";
-  std::filesystem::remove_all(folder);
+  const taut_test::ScratchFolder scratch;
+  const auto& folder = scratch.path();
   Result r = sample();
   r.display = {{"length", "cm"}};
   r.comparisons.push_back({.quantity = "pull",
@@ -64,16 +64,15 @@ TEST(Files, CsvHasTheUnitsOfTheReportOrSi) {
   EXPECT_EQ(text_of(folder / "positions.csv"), "x [m]\r\n1\r\n2\r\n");
   EXPECT_EQ(text_of(folder / "size.csv"), "x [m],D [m]\r\n0,1\r\n1,2\r\n");
   EXPECT_NE(text_of(folder / "comparison.csv").find("pull,P,N,1500,2000,,corrected"), std::string::npos);
-  std::filesystem::remove_all(folder);
 }
 
 TEST(Files, SaysWhyItCannotWrite) {
-  const auto file = std::filesystem::temp_directory_path() / "taut_files_test_file";
+  const taut_test::ScratchFolder scratch;
+  const auto file = scratch.path() / "a_file";
   std::ofstream(file) << "x";
   const auto written = write_files(sample(), (file / "sub").string());
   ASSERT_FALSE(written.has_value());
-  EXPECT_NE(written.error().message.find("taut_files_test_file"), std::string::npos);
-  std::filesystem::remove(file);
+  EXPECT_NE(written.error().message.find("a_file"), std::string::npos);
 }
 
 }  // namespace taut::app::files_test

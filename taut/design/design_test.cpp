@@ -14,6 +14,7 @@
 #include "taut/catalogue/rope_search.hpp"
 #include "test/paths.hpp"
 #include "test/support/machine_decks.hpp"
+#include "test/support/scratch_folder.hpp"
 
 namespace taut::design::design_test {
 
@@ -182,16 +183,14 @@ TEST(Design, mistakes) {
 /// A deck beside a catalogue of the user's.
 class UserCatalogue : public testing::Test {
  protected:
-  void SetUp() override { std::filesystem::create_directories(folder_); }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
   Result run_with(const std::string& csv, const std::string& seek = "lightest") {
     std::ofstream(folder_ / "mine.csv") << csv;
     const std::string deck = line_deck(
         300, 2000, 15, "{}", fmt::format("design: {{catalogue: mine.csv, seek: {}, ropes: {{skyline: {{}}}}}}", seek));
     return app::run(app::Job{.text = deck, .name = (folder_ / "deck.yaml").string(), .set = {}});
   }
-  std::filesystem::path folder_ =
-      std::filesystem::temp_directory_path() / fmt::format("taut_design_test_{}", static_cast<const void*>(this));
+  taut_test::ScratchFolder scratch_;
+  std::filesystem::path folder_ = scratch_.path();
 };
 
 constexpr const char* header =

@@ -4,10 +4,11 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
+
+#include "test/support/scratch_folder.hpp"
 
 namespace taut::io::child_test {
 
@@ -15,13 +16,6 @@ namespace fs = std::filesystem;
 
 class ChildProgram : public ::testing::Test {
  protected:
-  void SetUp() override {
-    std::string name = (fs::temp_directory_path() / "taut_child_XXXXXX").string();
-    ASSERT_NE(mkdtemp(name.data()), nullptr);
-    top_ = name;
-  }
-  void TearDown() override { fs::remove_all(top_); }
-
   Child shell(const std::string& command) const {
     Child child;
     child.words = {"/bin/sh", "-c", command};
@@ -33,7 +27,8 @@ class ChildProgram : public ::testing::Test {
     text << std::ifstream(top_ / "output").rdbuf();
     return text.str();
   }
-  fs::path top_;
+  taut_test::ScratchFolder scratch_;
+  fs::path top_ = scratch_.path();
 };
 
 TEST_F(ChildProgram, ItsCodeOutputAndEnvironment) {

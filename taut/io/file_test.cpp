@@ -12,6 +12,7 @@
 #include <fstream>
 
 #include "taut/io/deck/deck.hpp"
+#include "test/support/scratch_folder.hpp"
 
 namespace taut::io::file_test {
 
@@ -19,13 +20,6 @@ namespace fs = std::filesystem;
 
 class File : public ::testing::Test {
  protected:
-  void SetUp() override {
-    std::string name = (fs::temp_directory_path() / "taut_file_XXXXXX").string();
-    ASSERT_NE(mkdtemp(name.data()), nullptr);
-    top_ = name;
-  }
-  void TearDown() override { fs::remove_all(top_); }
-
   std::string write(const std::string& name, const std::string& text) const {
     std::ofstream(top_ / name, std::ios::binary) << text;
     return (top_ / name).string();
@@ -38,7 +32,8 @@ class File : public ::testing::Test {
     return mistakes;
   }
 
-  fs::path top_;
+  taut_test::ScratchFolder scratch_;
+  fs::path top_ = scratch_.path();
 };
 
 TEST_F(File, ReadsAFileWhole) {

@@ -6,12 +6,13 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <map>
 #include <set>
 #include <sstream>
+
+#include "test/support/scratch_folder.hpp"
 
 namespace taut::io::folder_test {
 
@@ -20,13 +21,6 @@ using Files = std::map<std::string, std::string>;
 
 class Folder : public ::testing::Test {
  protected:
-  void SetUp() override {
-    std::string name = (fs::temp_directory_path() / "taut_folder_XXXXXX").string();
-    ASSERT_NE(mkdtemp(name.data()), nullptr);
-    top_ = name;
-  }
-  void TearDown() override { fs::remove_all(top_); }
-
   static void write(const fs::path& path, const std::string& text) { std::ofstream(path) << text; }
   static std::string text_of(const fs::path& path) {
     std::ostringstream text;
@@ -63,7 +57,8 @@ class Folder : public ::testing::Test {
     EXPECT_EQ(found, names);
   }
 
-  fs::path top_;
+  taut_test::ScratchFolder scratch_;
+  fs::path top_ = scratch_.path();
 };
 
 TEST_F(Folder, HoldsTheLastResultAlone) {

@@ -3,10 +3,11 @@
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
+
+#include "test/support/scratch_folder.hpp"
 
 namespace taut::io::pdf_test {
 
@@ -15,13 +16,7 @@ namespace fs = std::filesystem;
 /// Programs in the place of Chromium; test/program/doors_test.py prints with a real one.
 class Pdf : public ::testing::Test {
  protected:
-  void SetUp() override {
-    std::string name = (fs::temp_directory_path() / "taut_pdf_test_XXXXXX").string();
-    ASSERT_NE(mkdtemp(name.data()), nullptr);
-    top_ = name;
-    std::ofstream(top_ / "report.html") << "<p>page</p>";
-  }
-  void TearDown() override { fs::remove_all(top_); }
+  void SetUp() override { std::ofstream(top_ / "report.html") << "<p>page</p>"; }
 
   /// Runs a shell script as Chromium: `$to` is the file that it shall write.
   std::string printed_by(const std::string& script, std::function<bool()> go_on = {}) const {
@@ -36,7 +31,8 @@ class Pdf : public ::testing::Test {
     return done ? std::string() : done.error();
   }
   bool has_pdf() const { return fs::exists(top_ / "report.pdf"); }
-  fs::path top_;
+  taut_test::ScratchFolder scratch_;
+  fs::path top_ = scratch_.path();
 };
 
 TEST_F(Pdf, IsKeptWhenWhole) {

@@ -11,6 +11,7 @@
 #include "taut/catalogue/rope_search.hpp"
 #include "taut/catalogue/section_search.hpp"
 #include "test/support/machine_decks.hpp"
+#include "test/support/scratch_folder.hpp"
 
 /// `design:` beside the published methods.
 namespace taut::app::design_method_test {
@@ -84,8 +85,8 @@ TEST(DesignMethod, loop_agrees_with_brute_force) {
 
 // Ropes of the user's own file, which no name of the input could call.
 TEST(DesignMethod, loop_with_an_own_catalogue_and_prices) {
-  const auto folder = std::filesystem::temp_directory_path() / "taut_design_method_test";
-  std::filesystem::create_directories(folder);
+  const taut_test::ScratchFolder scratch;
+  const auto& folder = scratch.path();
   std::ofstream(folder / "mine.csv")
       << "id,standard,construction,core,d_mm,area_mm2,mass_kg_per_m,grade_MPa,mbf_kN,trust,price_per_m\n"
          "light,mine,6x36,IWRC,26,311,2.8,1960,480,verified,9\n"
@@ -94,7 +95,6 @@ TEST(DesignMethod, loop_with_an_own_catalogue_and_prices) {
   const std::string deck =
       loop(200, 10, 20, "", "design: {catalogue: mine.csv, seek: cheapest, ropes: {return: {}, traction: {}}}");
   const Result r = run(Job{.text = deck, .name = (folder / "deck.yaml").string(), .set = {}, .progress = {}});
-  std::filesystem::remove_all(folder);
   ASSERT_EQ(exit_code(r), 0) << r.message << to_text(r.errors);
   EXPECT_EQ(text_cell(table_of(r, "design"), 0, "designation"), "cheap");
 }

@@ -9,6 +9,7 @@
 
 #include "taut/calc/verdict.hpp"
 #include "test/support/machine_decks.hpp"
+#include "test/support/scratch_folder.hpp"
 
 namespace taut::app::library_test {
 
@@ -99,18 +100,17 @@ TEST(Library, TheRatingLimitsAPayload) {
 class OwnTables : public testing::Test {
  protected:
   void SetUp() override {
-    std::filesystem::create_directories(folder);
     std::ofstream(folder / "mine.csv")
         << "name,mass_kg,payload_kg,rollers,wheelbase_m,trust\nOWN,300,800,2,0.8,verified\n";
     std::ofstream(folder / "bad.csv") << "name,mass_kg,payload_kg,trust\nOWN,0.3,800,verified\n";
     std::ofstream(folder / "yarders.csv") << "yarder,drum,capacity_m,at_diameter_mm,pull_kN,hold_kN,trust\n"
                                              "OWN,skyline,100,20,40,90,verified\nOWN,mainline,80,10,20,,verified\n";
   }
-  void TearDown() override { std::filesystem::remove_all(folder); }
   Result run(const Span& span) const {
     return app::run(Job{.text = deck_of(span), .name = (folder / "deck.yaml").string(), .set = {}, .progress = {}});
   }
-  std::filesystem::path folder = std::filesystem::temp_directory_path() / "taut_library_test";
+  taut_test::ScratchFolder scratch;
+  std::filesystem::path folder = scratch.path();
 };
 
 TEST_F(OwnTables, OfCarriages) {
