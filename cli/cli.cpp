@@ -19,6 +19,7 @@
 #include "cli/completion.hpp"
 #include "cli/progress.hpp"
 #include "cli/say.hpp"
+#include "cli/study_verbs.hpp"
 #include "cli/verbs.hpp"
 #include "taut/base/suggest.hpp"
 #include "taut/base/version.hpp"
@@ -107,6 +108,40 @@ void add_export(CLI::App& app, std::function<int()>& action) {
   add_set(*verb, *options);
   verb->add_flag("-q,--quiet", options->quiet, "print nothing but errors");
   verb->callback([format, options, &action] { action = [format, options] { return export_as(*format, *options); }; });
+}
+
+void add_study(CLI::App& app, std::function<int()>& action) {
+  auto* verb = app.add_subcommand("study", "Calculate many cases of a deck: its 'study' says what varies");
+  auto options = std::make_shared<StudyVerbOptions>();
+  verb->add_option("action", options->action,
+                   "run or calibrate a deck; resume, merge, status: of the folder of a study; slurm: batch files for "
+                   "a cluster")
+      ->type_name("ACTION")
+      ->check(CLI::IsMember({"run", "resume", "merge", "status", "slurm", "calibrate"}))
+      ->required();
+  verb->add_option("what", options->run.deck, "the deck; of resume, merge, status the study's folder")
+      ->type_name("DECK")
+      ->required();
+  add_folder(*verb, options->run);
+  add_set(*verb, options->run);
+  verb->add_option("--threads", options->threads, "threads at work; all of the machine where it is not given")
+      ->type_name("N")
+      ->check(CLI::Range(1, 1024));
+  verb->add_option("--shard", options->shard, "calculate one share of the cases, as in --shard 2/7; then merge")
+      ->type_name("K/N");
+  verb->add_option("--throttle", options->throttle, "slurm: shards at work at the same time, at most")
+      ->type_name("N")
+      ->check(CLI::Range(1, 100000));
+  verb->add_option("--sbatch", options->sbatch, "slurm: an option for its batch files, as in --sbatch=--partition=long")
+      ->type_name("OPTION")
+      ->take_all()
+      ->allow_extra_args(false);
+  verb->add_flag("--json", options->run.json, "the result as JSON, and nothing else, on standard output");
+  verb->add_flag("-q,--quiet", options->run.quiet, "print nothing but errors");
+  verb->add_flag("--si", options->run.si, "CSV files in SI units; else in those of the report");
+  verb->add_flag("-a,--all", options->run.all, "print every check, value and short table, not the summary of 40 lines");
+  add_report_options(*verb, options->run);
+  verb->callback([options, &action] { action = [options] { return study(*options); }; });
 }
 
 void add_check(CLI::App& app, std::function<int()>& action) {
@@ -263,6 +298,7 @@ int main(int argc, char** argv) {
   add_run(app, action);
   add_check(app, action);
   add_compare(app, action);
+  add_study(app, action);
   add_export(app, action);
   add_list(app, action);
   add_texts(app, action);

@@ -91,7 +91,8 @@ bool wants_colour() {
   return isatty(STDOUT_FILENO) != 0 && (no == nullptr || *no == '\0') && !dumb;
 }
 
-/// Writes and shows what was found; the exit code.
+}  // namespace
+
 int tell(const Result& result, const RunOptions& options) {
   int code = exit_code(result, options.strict);
   if (result.status == Status::bad_deck) print_mistakes(result.errors);
@@ -108,8 +109,6 @@ int tell(const Result& result, const RunOptions& options) {
   }
   return written == computed ? code : written;
 }
-
-}  // namespace
 
 int run(const RunOptions& options) {
   auto job = app::read_job(options.deck);

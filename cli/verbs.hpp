@@ -5,6 +5,7 @@
 #include "cli/command_words.hpp"
 #include "cli/exit_code.hpp"
 #include "taut/app/explain/listing.hpp"
+#include "taut/calc/result.hpp"
 
 namespace taut::cli {
 
@@ -25,6 +26,8 @@ struct RunOptions {
 
 /// Each verb prints what it found (standard output), messages (standard error), and returns the exit code.
 int run(const RunOptions& options);
+/// Writes and shows a result that is there already.
+int tell(const Result& result, const RunOptions& options);
 int check(const RunOptions& options);
 int compare(const RunOptions& options);
 int export_as(const std::string& format, const RunOptions& options);

@@ -52,4 +52,5 @@ set(fenced_headers
   "^pybind11/ python"
   "^nlopt\\.h$ design chance"
   "^hdf5\\.h$ io"
+  "^oneapi/tbb/ app"
   "^(kinsol|cvode|ida|sunlinsol|sunmatrix|nvector|sundials)/ mechanics solve")

@@ -87,6 +87,7 @@ Written write_result(const Result& result, const std::string& place, const FileO
   auto written = write_all(files, place);
   if (!written || result.series.empty()) return written;
   for (const Table& t : result.series) {
+    if (t.detail) continue;
     errno = 0;
     std::ofstream file(fs::path(place) / (t.name + ".csv"), std::ios::binary | std::ios::trunc);
     io::to_csv(t, [&](const std::string& text) { file.write(text.data(), static_cast<std::streamsize>(text.size())); });

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "taut/app/cases/study_deck.hpp"
 #include "taut/calc/field.hpp"
 #include "taut/catalogue/rope.hpp"
 #include "taut/checks/checked_deck.hpp"
@@ -15,12 +16,18 @@
 
 namespace taut::app {
 
+/// How much of a machine's result is wanted: the values alone, those with tables and checks, or all that a report
+/// shows.
+enum class RunDepth { values, checks, report };
+
 /// A deck with `machine:`, `analyses:` and `checks:`. Without analyses: the equilibrium at rest.
 struct MachineDeck {
   machine::Machine machine;
   std::vector<study::AnalysisRequest> analyses;
   std::optional<checks::ChecksRequest> checks;
   std::optional<design::DesignRequest> design;
+  std::optional<StudyRequest> study;
+  std::optional<CalibrateRequest> calibrate;
   checks::AskedChecks asked;                         ///< not of the deck: what its checks name
   std::map<std::string, catalogue::RopeRow> chosen;  ///< not of the deck: rows of the ropes that a design has put in
   Display display;                                   ///< not of the deck's machine: units for the sentences of a result

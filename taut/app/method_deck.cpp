@@ -14,6 +14,8 @@ const Description& MethodBlocks::describe() {
   static const Description d =
       Describe<MethodBlocks>()
           .record(&MethodBlocks::checks, "checks", "which parts are checked by which rules")
+          .record(&MethodBlocks::study, "study", "many cases of this deck: what varies, and what is asked for")
+          .record(&MethodBlocks::calibrate, "calibrate", "numbers of this deck that measurements shall tell")
           .record(&MethodBlocks::design, "design", "free choices; the best one that passes all checks is found");
   return d;
 }
@@ -51,12 +53,38 @@ checks::AskedChecks MethodDeck::resolve(const io::Node& node, const io::Node* ot
   return found;
 }
 
-std::function<Result()> prepare_method(const MethodEntry& method, const io::Node& node, const io::Node* others,
-                                       const MethodSurroundings& around, Diagnostics& mistakes) {
-  MethodDeck deck{.method = &method, .input = method.input_of_defaults(), .display = around.display};
-  const std::size_t before = mistakes.size();
+namespace {
+
+/// The deck, its checks not resolved.
+MethodDeck as_written(const MethodEntry& method, const io::Node& node, const io::Node* others, const Display& display,
+                      Diagnostics& mistakes) {
+  MethodDeck deck{.method = &method, .input = method.input_of_defaults(), .display = display};
   io::read(node, *method.input, deck.input.place(), "the input of " + method.about->name, mistakes);
   if (others != nullptr) io::read(*others, MethodBlocks::describe(), &deck.blocks, "the deck", mistakes);
+  return deck;
+}
+
+}  // namespace
+
+std::optional<MethodDeck> read_method(const MethodEntry& method, const io::Node& node, const io::Node* others,
+                                      const Display& display, Diagnostics& mistakes) {
+  const std::size_t before = mistakes.size();
+  MethodDeck deck = as_written(method, node, others, display, mistakes);
+  if (deck.blocks.design) {
+    io::place(*others,
+              {{"design", "the cases of a study have their choices made: a method's deck with 'design' has not"}},
+              mistakes);
+  }
+  if (mistakes.size() > before) return std::nullopt;
+  deck.asked = deck.resolve(node, others, mistakes);
+  if (mistakes.size() > before) return std::nullopt;
+  return deck;
+}
+
+std::function<Result()> prepare_method(const MethodEntry& method, const io::Node& node, const io::Node* others,
+                                       const MethodSurroundings& around, Diagnostics& mistakes) {
+  const std::size_t before = mistakes.size();
+  MethodDeck deck = as_written(method, node, others, around.display, mistakes);
   if (mistakes.size() > before) return {};
   if (!deck.blocks.design) {
     deck.asked = deck.resolve(node, others, mistakes);

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "taut/app/cases/study_deck.hpp"
 #include "taut/app/methods.hpp"
 #include "taut/calc/progress.hpp"
 #include "taut/checks/asked_checks.hpp"
@@ -20,6 +21,8 @@ namespace taut::app {
 struct MethodBlocks {
   std::optional<checks::ChecksRequest> checks;
   std::optional<design::DesignRequest> design;
+  std::optional<StudyRequest> study;
+  std::optional<CalibrateRequest> calibrate;
   static const Description& describe();
 };
 
@@ -51,6 +54,11 @@ struct MethodSurroundings {
   std::function<bool(const Progress&)> progress;  ///< as in a Job
   Display display;
 };
+
+/// Reads `node`, the deck's input (and of the map `others` the blocks) and notes every mistake; empty where there is
+/// one. A deck with a free choice is one.
+std::optional<MethodDeck> read_method(const MethodEntry& method, const io::Node& node, const io::Node* others,
+                                      const Display& display, Diagnostics& mistakes);
 
 /// Reads `node`, the deck's input (and of the map `others` the blocks `checks` and `design`, where the deck has any)
 /// and notes every mistake; without mistakes returns the calculation, ready to be called; else an empty one.

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <utility>
 
 #include "taut/app/absurd.hpp"
 #include "taut/app/design/design_machine.hpp"
@@ -135,10 +136,10 @@ Result solve_more(const std::vector<study::Asked>& asked, results::MachineRun& r
   return more;
 }
 
-/// `checks_only`: without what nothing but a report needs.
-Result compute(const MachineDeck& deck, const machine::Model& model, const study::AskedAll& asked,
-               const std::function<bool(const Progress&)>& progress, bool checks_only = false) {
-  results::MachineRun run;
+/// All that was asked, as deep as wanted. `run`: what it rests on, for whoever goes on from there.
+Result compute(const MachineDeck& deck, const machine::Model& model, const study::AskedAll& asked, RunDepth depth,
+               const std::function<bool(const Progress&)>& progress, results::MachineRun& run) {
+  const bool report = depth == RunDepth::report;
   run.model = model;
   run.equilibria = asked.equilibria;
   run.paths = asked.paths;
@@ -147,12 +148,12 @@ Result compute(const MachineDeck& deck, const machine::Model& model, const study
   run.several = asked.equilibria.size() + asked.paths.size() + asked.more.size() > 1;
   Result r;
   r.method_title = "Machine";
-  if (!checks_only) r.given = given_of(MachineDeck::describe(), &deck);
-  if (!checks_only) r.assumptions = results::assumptions_of(deck.machine);
+  if (report) r.given = given_of(MachineDeck::describe(), &deck);
+  if (report) r.assumptions = results::assumptions_of(deck.machine);
   for (const auto& car : deck.machine.carriages) {
     if (!car.from_library.empty()) r.assumptions.push_back(car.from_library);
   }
-  if (!checks_only) r.warnings = absurd_machine(deck, run.model);
+  if (report) r.warnings = absurd_machine(deck, run.model);
   results::add_rope_stiffness(deck.machine, r);
   if (auto warning = terrain_warning(run.model)) r.warnings.push_back(std::move(*warning));
   study::note_failure(r, study::install_guys(deck.machine, run.model), "installation");
@@ -167,15 +168,17 @@ Result compute(const MachineDeck& deck, const machine::Model& model, const study
   results::show_put_up(run.model, lines, *run.checked);
   results::show_answers(run, *run.checked);
   Result more = solve_more(asked.more, run, r);
-  results::add_tables(run, r);
-  results::add_beam_tables(run, r);
+  if (depth != RunDepth::values) {
+    results::add_tables(run, r);
+    results::add_beam_tables(run, r);
+  }
   run.checked->judge.add_values(r);
   results::add_values(run, r);
   run.checked->drives.add_checks(r);
   results::warn_of_friction(run.model, r);
   results::add_put_up(run.model, lines, r);
   results::add_beam_values(deck.machine, run, r);
-  if (!checks_only) {
+  if (report) {
     add_steps(deck, run, r);
     results::add_figures(run, r);
     results::add_beam_plots(run, r);
@@ -184,38 +187,10 @@ Result compute(const MachineDeck& deck, const machine::Model& model, const study
     r.key_figure = run.key_figure.name;
   }
   results::append(more, r);
-  if (!checks_only) {
+  if (report) {
     for (std::string& words : absurd_answers(results::answers_of(run))) r.warnings.push_back(std::move(words));
   }
-  checks::add_checks(deck, run.model, *run.checked, r);
-  return r;
-}
-
-/// A deck whose mistakes are reported already, with other numbers than it was read with. One of which a state is
-/// missing can't be judged: it is no choice.
-Result compute_again(const MachineDeck& deck, bool checks_only, const std::function<bool(const Progress&)>& progress) {
-  auto model = machine::compile(deck.machine);
-  if (!model) {
-    Result r;
-    r.status = Status::infeasible;
-    r.message = model.error().front().message;
-    return r;
-  }
-  std::vector<Complaint> complaints;
-  const study::AskedAll asked =
-      study::resolve(deck.analyses, deck.design.has_value(), deck.machine, *model, complaints);
-  if (!complaints.empty()) {
-    Result r;
-    r.status = Status::infeasible;
-    r.message = complaints.front().message;
-    return r;
-  }
-  Result r = compute(deck, *model, asked, progress, checks_only);
-  if (r.status == Status::ok && !r.missing.empty()) {
-    r.status = Status::infeasible;
-    r.message =
-        fmt::format("{}, {}: {}", r.missing.front().analysis, r.missing.front().first, r.missing.front().reason);
-  }
+  if (depth != RunDepth::values || deck.checks) checks::add_checks(deck, run.model, *run.checked, r);
   return r;
 }
 
@@ -234,56 +209,99 @@ void place_in_machine(const io::Node& input, std::vector<Complaint> complaints, 
   io::place(input, complaints, mistakes);
 }
 
+/// Infeasible, with the first of these as its reason.
+Result refused(const std::vector<Complaint>& complaints) {
+  Result r;
+  r.status = Status::infeasible;
+  r.message = complaints.front().message;
+  return r;
+}
+
+/// The files and tables that a deck names, put into it.
+bool load_named(const io::Node& input, MachineDeck& deck, bool readable, Diagnostics& mistakes) {
+  const std::size_t before = mistakes.size();
+  load_terrain(input, deck.machine, mistakes);
+  load_restarts(input, deck, mistakes);
+  if (readable) take_from_library(input, deck, mistakes);
+  return readable && mistakes.size() == before;
+}
+
 }  // namespace
 
-std::function<Result()> prepare_machine(const io::Node& input, Diagnostics& mistakes,
-                                        std::function<bool(const Progress&)> progress, const Display& display) {
+std::optional<ReadMachine> read_machine(const io::Node& input, const Display& display, Diagnostics& mistakes) {
   const auto deck = std::make_shared<MachineDeck>();
   deck->display = display;
   const bool readable = io::read(input, MachineDeck::describe(), deck.get(), "the deck", mistakes);
-  const std::size_t before = mistakes.size();
-  load_terrain(input, deck->machine, mistakes);
-  load_restarts(input, *deck, mistakes);
-  if (readable) take_from_library(input, *deck, mistakes);
-  if (!readable || mistakes.size() > before) {
+  if (!load_named(input, *deck, readable, mistakes)) {
     if (all_parts_known(input)) place_in_machine(input, machine::unknown_names(deck->machine), mistakes);
-    return {};
+    return std::nullopt;
   }
-  design::DesignSpace space;
-  if (deck->design) {
-    space = machine_space(input, *deck, mistakes);
-    if (mistakes.size() > before) return {};
-  }
+  ReadMachine read;
+  read.study = std::exchange(deck->study, std::nullopt);
+  read.calibrate = std::exchange(deck->calibrate, std::nullopt);
+  const std::size_t before = mistakes.size();
+  if (deck->design) read.space = machine_space(input, *deck, mistakes);
+  if (mistakes.size() > before) return std::nullopt;
   // what is free is read as the first of its candidates
   const auto first =
-      deck->design ? std::make_shared<MachineDeck>(with_design(*deck, space, design::first_place(space))) : deck;
+      deck->design ? std::make_shared<MachineDeck>(with_design(*deck, read.space, design::first_place(read.space)))
+                   : deck;
   auto model = machine::compile(first->machine);
   if (!model) {
     place_in_machine(input, model.error(), mistakes);
-    return {};
+    return std::nullopt;
   }
-  if (const auto missing = not_computed(*first); !missing.empty()) {
-    io::place(input, missing, mistakes);
-    return {};
+  std::vector<Complaint> complaints = not_computed(*first);
+  if (complaints.empty()) first->asked = deck->asked = checks::resolve(*first, *model, complaints);
+  if (complaints.empty()) {
+    read.asked = study::resolve(first->analyses, first->design.has_value(), first->machine, *model, complaints);
   }
+  io::place(input, complaints, mistakes);
+  if (!complaints.empty()) return std::nullopt;
+  read.deck = deck;
+  read.first = first;
+  read.model = std::move(*model);
+  return read;
+}
+
+Result run_machine(const MachineDeck& deck, RunDepth depth, const std::function<bool(const Progress&)>& progress,
+                   States* states) {
+  auto model = machine::compile(deck.machine);
+  if (!model) return refused(model.error());
   std::vector<Complaint> complaints;
-  first->asked = deck->asked = checks::resolve(*first, *model, complaints);
-  if (!complaints.empty()) {
-    io::place(input, complaints, mistakes);
-    return {};
+  study::AskedAll asked = study::resolve(deck.analyses, deck.design.has_value(), deck.machine, *model, complaints);
+  if (!complaints.empty()) return refused(complaints);
+  for (std::size_t i = 0; states != nullptr && i < std::min(states->size(), asked.equilibria.size()); ++i) {
+    asked.equilibria[i].near = (*states)[i];
   }
-  const auto asked = std::make_shared<const study::AskedAll>(
-      study::resolve(first->analyses, first->design.has_value(), first->machine, *model, complaints));
-  if (!complaints.empty()) {
-    io::place(input, complaints, mistakes);
-    return {};
+  results::MachineRun run;
+  Result r = compute(deck, *model, asked, depth, progress, run);
+  if (r.status == Status::ok && !r.missing.empty()) {
+    r.status = Status::infeasible;
+    r.message =
+        fmt::format("{}, {}: {}", r.missing.front().analysis, r.missing.front().first, r.missing.front().reason);
   }
-  if (deck->design) {
-    const design::DesignTask task = machine_task(deck, std::move(space), compute_again, std::move(progress));
+  if (states != nullptr && states->empty() && r.status == Status::ok) {
+    for (study::EquilibriumRun& one : run.equilibria) states->push_back(std::move(one.result.state));
+  }
+  return r;
+}
+
+std::function<Result()> prepare_machine(const io::Node& input, Diagnostics& mistakes,
+                                        std::function<bool(const Progress&)> progress, const Display& display) {
+  auto read = read_machine(input, display, mistakes);
+  if (!read) return {};
+  if (read->deck->design) {
+    const auto run = [](const MachineDeck& deck, RunDepth depth, const std::function<bool(const Progress&)>& ask) {
+      return run_machine(deck, depth, ask);
+    };
+    const design::DesignTask task = machine_task(read->deck, std::move(read->space), run, std::move(progress));
     return [task] { return design::run_design(task); };
   }
-  return [first, model = std::make_shared<const machine::Model>(std::move(*model)), asked,
-          progress = std::move(progress)] { return compute(*first, *model, *asked, progress); };
+  return [read = std::make_shared<const ReadMachine>(std::move(*read)), progress = std::move(progress)] {
+    results::MachineRun run;
+    return compute(*read->first, read->model, read->asked, RunDepth::report, progress, run);
+  };
 }
 
 }  // namespace taut::app

@@ -1,16 +1,46 @@
 #pragma once
 #include <functional>
+#include <memory>
+#include <optional>
+#include <vector>
 
+#include "taut/app/machine_deck.hpp"
 #include "taut/calc/progress.hpp"
 #include "taut/calc/result.hpp"
+#include "taut/design/design.hpp"
 #include "taut/io/deck/node.hpp"
+#include "taut/machine/state.hpp"
 #include "taut/units/display.hpp"
 
 namespace taut::app {
 
-/// Reads a deck's `machine` and `analyses` and notes every mistake; without mistakes returns the calculation, ready to
-/// be called; else an empty one. `input`: the map with both keys; a terrain's file is looked for beside the file that
-/// names it. `progress`: as in a Job; `display`: for the sentences of the result.
+/// A machine's deck that was read without a mistake.
+struct ReadMachine {
+  std::shared_ptr<const MachineDeck> deck;
+  std::shared_ptr<const MachineDeck> first;  ///< what a design leaves free is the first of its candidates
+  design::DesignSpace space;                 ///< of a design
+  machine::Model model;                      ///< of `first`, and what it asks
+  study::AskedAll asked;
+  std::optional<StudyRequest> study;  ///< not in `deck`, as what follows
+  std::optional<CalibrateRequest> calibrate;
+};
+
+/// Reads a deck's `machine`, `analyses`, `checks` and `design` and notes every mistake; empty where there is one.
+/// `input`: the map with these keys; a file that the deck names is looked for beside the file that names it.
+/// `display`: for the sentences of the result.
+std::optional<ReadMachine> read_machine(const io::Node& input, const Display& display, Diagnostics& mistakes);
+
+/// The states of a deck's equilibria, in its order.
+using States = std::vector<machine::State>;
+
+/// Runs a deck whose mistakes were told when it was read, with other numbers than it had then. Infeasible where a
+/// number makes no machine, and where a state is missing of which the deck asks: it can't be judged. `states`: near
+/// which each equilibrium begins; when empty, those found are put there.
+Result run_machine(const MachineDeck& deck, RunDepth depth, const std::function<bool(const Progress&)>& progress = {},
+                   States* states = nullptr);
+
+/// Reads such a deck; without mistakes returns the calculation, ready to be called; else an empty one. `progress`: as
+/// in a Job.
 std::function<Result()> prepare_machine(const io::Node& input, Diagnostics& mistakes,
                                         std::function<bool(const Progress&)> progress = {},
                                         const Display& display = Display());

@@ -188,6 +188,27 @@ struct Profile {
   std::size_t decisive = 0;       ///< index of the place that the answer names
 };
 
-using Figure = std::variant<Drawing, Plot, Animation, Profile>;
+/// Horizontal bars, one row for each name: shares, or how far a value goes to both sides. SI.
+struct Bars {
+  struct Bar {
+    double from = 0;
+    double to = 0;
+    double low = 0, high = 0;  ///< ends of a confidence interval; NaN: none
+  };
+  struct Row {
+    std::string label;
+    std::vector<Bar> bars;  ///< one for each series
+  };
+  std::string name;
+  std::string title;
+  std::string caption;
+  Axis value;
+  std::vector<std::string> series;  ///< names of a row's bars
+  std::vector<Row> rows;            ///< from the top to the bottom
+  double base = 0;                  ///< a line across all rows, from which the bars go
+  bool in_line = false;             ///< the bars of a row lie on one line, else below each other
+};
+
+using Figure = std::variant<Drawing, Plot, Animation, Profile, Bars>;
 
 }  // namespace taut

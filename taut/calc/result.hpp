@@ -189,7 +189,7 @@ struct Result {
   std::vector<Comparison> comparisons;
   std::vector<Figure> figures;
   std::vector<Table> series;  ///< long tables that are only written to files, such as time.csv; the first column is the
-                              ///< independent variable
+                              ///< independent variable. Those of detail are in series.h5 alone
   std::vector<Scene> scenes;
   std::vector<Attachment> attachments;
   std::vector<std::string> assumptions;

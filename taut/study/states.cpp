@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <utility>
 
 #include "taut/machine/compile/carriage_span.hpp"
@@ -66,6 +67,16 @@ int guides_of(const machine::Model& model) {
   return static_cast<int>(all);
 }
 
+/// Whether a state has as many parts as the machine: bodies, ropes, their branches, beams.
+bool is_state_of(const machine::Model& model, const machine::State& state) {
+  const auto branches_fit = [](const machine::Reeving& rope, const Array<machine::BranchState>& branches) {
+    return branches.size() + 1 == rope.nodes.size();
+  };
+  return state.bodies.size() == model.bodies.size() && state.beams.size() == model.beams.size() &&
+         std::equal(model.reevings.begin(), model.reevings.end(), state.branches.begin(), state.branches.end(),
+                    branches_fit);
+}
+
 /// Fills `run.result` for `run.model`.
 void solve_once(EquilibriumRun& run) {
   solve::EquilibriumOptions options = run.motion.options(run.model);
@@ -76,7 +87,9 @@ void solve_once(EquilibriumRun& run) {
     run.model = std::move(found.model);
     run.result = std::move(found.result);
   } else {
-    run.result = solve::equilibrium(run.model, options);
+    const bool near = run.near && is_state_of(run.model, *run.near);
+    run.result = solve::equilibrium(run.model, options, near ? run.near : std::nullopt);
+    if (near && !run.result.outcome.ok()) run.result = solve::equilibrium(run.model, options);
   }
 }
 

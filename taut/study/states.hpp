@@ -37,6 +37,9 @@ struct EquilibriumRun {
   machine::Model model;
   solve::EquilibriumResult result;
   bool judged = true;
+  /// The state of a machine near this one, with the same ropes: the solve begins there. Where that fails, or there is
+  /// none, it begins as for a machine alone.
+  std::optional<machine::State> near;
 };
 
 /// The request with its names resolved; complaints below `path`.

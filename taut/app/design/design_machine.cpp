@@ -295,12 +295,13 @@ design::DesignTask machine_task(std::shared_ptr<const MachineDeck> deck, design:
       const MachineDeck whole = with_design(*deck, *own, place, load_case);
       auto& places = memory->places[load_case];
       if (how == design::Depth::quick && !places.empty()) {
-        Result probe = run(at_places(whole, places), true, ask);
+        Result probe = run(at_places(whole, places), RunDepth::checks, ask);
         design::disregard(deck->design->disregard, probe);
         if (!design::trial_of(probe).passes || probe.interrupted)
           return {.result = std::move(probe), .tension = std::nan("")};
       }
-      design::DesignRun done{.result = run(whole, how != design::Depth::report, ask), .tension = 0};
+      const RunDepth wanted = how == design::Depth::report ? RunDepth::report : RunDepth::checks;
+      design::DesignRun done{.result = run(whole, wanted, ask), .tension = 0};
       if (how == design::Depth::report) add_rows(whole, done.result);
       if (depth != design::Depth::report) design::disregard(deck->design->disregard, done.result);
       if (how == design::Depth::quick && !design::trial_of(done.result).passes)

@@ -16,8 +16,7 @@ design::DesignSpace machine_space(const io::Node& input, const MachineDeck& deck
 MachineDeck with_design(const MachineDeck& deck, const design::DesignSpace& space, const design::DesignPlace& place,
                         const design::DesignCase* load_case = nullptr);
 
-/// Runs a deck: with everything that a report shows, or for its checks alone.
-using RunDeck = std::function<Result(const MachineDeck& deck, bool checks_only,
+using RunDeck = std::function<Result(const MachineDeck& deck, RunDepth depth,
                                      const std::function<bool(const Progress&)>& progress)>;
 
 design::DesignTask machine_task(std::shared_ptr<const MachineDeck> deck, design::DesignSpace space, RunDeck run,

@@ -70,7 +70,7 @@ std::string analysis_tables() {
   return text;
 }
 
-constexpr const char* blocks[] = {"checks", "design"};
+constexpr const char* blocks[] = {"checks", "design", "study", "calibrate"};
 
 const Field* analysis_named(const std::string& name) { return study::AnalysisRequest::describe().find(name); }
 
@@ -112,8 +112,9 @@ std::string analysis_text(const Field& f) {
 
 /// A block beside the machine: checks, design.
 std::string block_text(const Field& f) {
-  return fmt::format("{0}: {1}\nThe guide: docs/guide/{0}.md.\n\nDeck keys\n{2}", f.key, f.words,
-                     keys_text(f.key + ".", *f.record));
+  const std::string guide = f.key == "calibrate" ? "study" : f.key;
+  return fmt::format("{0}: {1}\nThe guide: docs/guide/{3}.md.\n\nDeck keys\n{2}", f.key, f.words,
+                     keys_text(f.key + ".", *f.record), guide);
 }
 
 std::string part_text(const Field& f) {
@@ -137,8 +138,8 @@ std::optional<std::string> explain_machine(const std::string& topic) {
   if (topic == "machine") return whole_machine();
   if (const Field* f = analysis_named(topic)) return analysis_text(*f);
   if (const Field* f = machine::Machine::describe().find(topic)) return part_text(*f);
-  if (const Field* f = MachineDeck::describe().find(topic); f != nullptr && (topic == "checks" || topic == "design")) {
-    return block_text(*f);
+  if (std::find(std::begin(blocks), std::end(blocks), topic) != std::end(blocks)) {
+    return block_text(*MachineDeck::describe().find(topic));
   }
   return std::nullopt;
 }

@@ -16,8 +16,10 @@
 namespace taut::io {
 namespace {
 
-const std::vector<std::string> deck_keys = {"taut",       "title", "project", "method",   "display", "include",
-                                            "parameters", "input", "machine", "analyses", "checks",  "design"};
+const std::vector<std::string> deck_keys = {"taut",    "title",      "project", "method",   "display",
+                                            "include", "parameters", "input",   "machine",  "analyses",
+                                            "checks",  "design",     "study",   "calibrate"};
+constexpr std::array block_keys = {"checks", "design", "study", "calibrate"};  // beside a machine or an input
 
 void read_format(const Node& root, Diagnostics& mistakes) {
   const Node* n = root.find("taut");
@@ -112,7 +114,8 @@ Node read_machine(const Node& root, Diagnostics& mistakes) {
   both.kind = Node::Kind::map;
   both.spot = root.spot;
   for (const Entry& e : root.entries) {
-    if (e.key == "machine" || e.key == "analyses" || e.key == "checks" || e.key == "design") both.entries.push_back(e);
+    const bool block = std::find(block_keys.begin(), block_keys.end(), e.key) != block_keys.end();
+    if (e.key == "machine" || e.key == "analyses" || block) both.entries.push_back(e);
     if (e.key != "method" && e.key != "input") continue;
     add(mistakes, e.key_spot, fmt::format("'{}' belongs to a published method; this deck has a machine", e.key));
   }
@@ -152,7 +155,7 @@ Deck read_deck(const Document& document, const std::vector<std::string>& methods
   if (const Entry* e = root.find_entry("analyses")) {
     add(mistakes, e->key_spot, "'analyses' belong to a machine; a published method has its 'input' alone");
   }
-  for (const char* key : {"checks", "design"}) {
+  for (const char* key : block_keys) {
     const Entry* e = root.find_entry(key);
     if (e == nullptr) continue;
     if (!deck.others) {

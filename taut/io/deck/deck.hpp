@@ -19,12 +19,13 @@ struct Deck {
   std::string method;       ///< one of the methods; empty when the deck names none of them
   bool is_machine = false;  ///< the deck has `machine` and `analyses` in place of `method` and `input`
   Display display;
-  std::optional<Node>
-      others;  ///< of a method's deck: a map with the keys `checks` and `design` alone, where it has any
+  std::optional<Node> others;  ///< of a method's deck: a map with the keys `checks`, `design`, `study` and `calibrate`
+                               ///< alone, where it has any
   std::shared_ptr<const Reading> reading;  ///< what it names has been read into: includes now, other files later on
   Node parameters;                         ///< as the deck has them; `input` holds their values already
   Node input;  ///< always a map; empty at the deck's place when `input` is missing. Of a machine the deck's own map
-               ///< with the keys `machine`, `analyses`, `checks` and `design` alone
+               ///< with the keys `machine`, `analyses`, `checks`, `design`, `study` and
+               ///< `calibrate` alone
 };
 
 /// Everything that comes before a method reads its input: YAML, `include:`, the overrides of `--set`, `parameters:`,

@@ -4,6 +4,7 @@
 
 #include "taut/report/figure/animation.hpp"
 #include "taut/report/figure/motion_strip.hpp"
+#include "taut/report/figure/svg_bars.hpp"
 #include "taut/report/figure/svg_drawing.hpp"
 #include "taut/report/figure/svg_plot.hpp"
 #include "taut/report/figure/svg_profile.hpp"
@@ -18,6 +19,7 @@ struct StaticFigure {
   std::string operator()(const Plot& p) const { return plot_svg(p, display); }
   std::string operator()(const Animation& a) const { return strip_svg(a, display); }
   std::string operator()(const Profile& p) const { return profile_svg(p, display); }
+  std::string operator()(const Bars& b) const { return bars_svg(b, display); }
 };
 
 }  // namespace

@@ -185,8 +185,12 @@ class Finder {
 
 tl::expected<Parameter, std::string> find_parameter(const Description& description, void* object,
                                                     const std::string& path) {
-  std::string below = path.starts_with("machine.") ? path.substr(8) : path;
-  return Finder(below).find(description, object);
+  return parameter_at(description, object, path.starts_with("machine.") ? path.substr(8) : path);
+}
+
+tl::expected<Parameter, std::string> parameter_at(const Description& description, void* object,
+                                                  const std::string& path) {
+  return Finder(path).find(description, object);
 }
 
 }  // namespace taut::study

@@ -24,4 +24,8 @@ struct Parameter {
 tl::expected<Parameter, std::string> find_parameter(const Description& description, void* object,
                                                     const std::string& path);
 
+/// The same at a whole path: "machine.loads[0].mass" of a struct with a `machine`.
+tl::expected<Parameter, std::string> parameter_at(const Description& description, void* object,
+                                                  const std::string& path);
+
 }  // namespace taut::study

@@ -1,0 +1,12 @@
+#pragma once
+#include "taut/app/job.hpp"
+#include "taut/calc/result.hpp"
+
+namespace taut::app {
+
+/// Finds the numbers that a deck's `calibrate` leaves free by least squares of what was measured: values with
+/// intervals, what the measurements do not tell, residuals, covariance, and as attachment `calibrated.yaml` the deck
+/// with the values found and a `study` that goes on from them. Status bad_deck, or not_converged where there is no fit.
+Result calibrate(const Job& job, int threads);
+
+}  // namespace taut::app

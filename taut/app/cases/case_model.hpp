@@ -1,0 +1,67 @@
+#pragma once
+#include <functional>
+#include <span>
+#include <string>
+#include <tl/expected.hpp>
+#include <vector>
+
+#include "taut/calc/field.hpp"
+#include "taut/calc/outcome.hpp"
+#include "taut/units/unit.hpp"
+
+namespace taut::app {
+
+/// A name of a study and where the deck has it: "study.of[0]".
+struct CaseName {
+  std::string name;
+  std::string place;
+};
+
+/// What a study changes in a deck, and what it asks of it.
+struct CaseQuestion {
+  std::vector<CaseName> inputs;   ///< numbers by their whole path: "machine.loads[0].mass", "input.span"
+  std::vector<CaseName> outputs;  ///< values by their analysis and name: "equilibrium.skyline.safety_factor"
+};
+
+/// One number that changes.
+struct CaseInput {
+  std::string path;
+  Unit unit;
+  Range range;      ///< that the deck's field allows, SI
+  double base = 0;  ///< of the deck, SI; NaN where it gives none
+};
+
+/// One value that is asked for.
+struct CaseOutput {
+  std::string name;
+  Unit unit;
+  std::string label;
+  double base = 0;  ///< of the deck as it is, SI
+};
+
+/// One case. Not ok: it has no answer, and the outputs are NaN.
+struct CaseAnswer {
+  std::vector<double> outputs;
+  Outcome outcome;
+};
+
+/// A deck as a function of numbers. It was read and compiled once; what it needs besides the outputs is left out: other
+/// analyses, checks, tables, figures, formulas.
+struct CaseModel {
+  std::vector<CaseInput> inputs;
+  std::vector<CaseOutput> outputs;
+  /// One number (SI) for each input. A pure function: the same numbers give the same bits, whatever was asked before
+  /// and from whichever thread. Every case begins from the equilibrium of the deck as it is, and where it does not come
+  /// from there to an answer, as the machine of its numbers alone would.
+  std::function<CaseAnswer(std::span<const double> values)> answer;
+};
+
+/// Why a deck can't be asked that: mistakes at their places, or the deck itself has no answer.
+struct NoCases {
+  std::vector<Complaint> complaints = {};
+  Outcome outcome = {};
+};
+
+using MadeCases = tl::expected<CaseModel, NoCases>;
+
+}  // namespace taut::app

@@ -1,0 +1,109 @@
+#include "taut/app/cases/case_values.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "taut/base/suggest.hpp"
+
+namespace taut::app {
+namespace {
+
+constexpr const char* utilisation = ".utilisation";
+
+struct FoundValue {
+  double value = 0;
+  Unit unit;
+  std::string label;
+};
+
+std::optional<FoundValue> find(const Result& r, const WantedValue& wanted) {
+  for (const std::string& name : {wanted.name, wanted.name + wanted.ending}) {
+    if (const Value* v = r.find_value(name)) return FoundValue{.value = v->value, .unit = v->unit, .label = v->label};
+  }
+  for (const Check& c : r.checks) {
+    if (c.name == wanted.name) return FoundValue{.value = c.value, .unit = c.unit, .label = c.rule};
+    if (c.name + utilisation == wanted.name) {
+      return FoundValue{.value = c.utilisation, .unit = si::one, .label = "utilisation: " + c.rule};
+    }
+  }
+  return std::nullopt;
+}
+
+std::vector<std::string> names_in(const Result& r) {
+  std::vector<std::string> names;
+  for (const Value& v : r.values) names.push_back(v.name);
+  for (const Check& c : r.checks) names.push_back(c.name);
+  return names;
+}
+
+/// "a, b, c and 12 more".
+std::string first_names(const std::vector<std::string>& names) {
+  constexpr std::size_t most = 8;
+  const std::vector<std::string> first(names.begin(),
+                                       names.begin() + static_cast<std::ptrdiff_t>(std::min(most, names.size())));
+  const std::string more = names.size() > most ? fmt::format(" and {} more", names.size() - most) : std::string{};
+  return fmt::format("{}{}", fmt::join(first, ", "), more);
+}
+
+}  // namespace
+
+void add_input(const FoundParameter& parameter, const CaseName& name, CaseModel& made, NoCases& wrong) {
+  if (!parameter) {
+    wrong.complaints.push_back({name.place, parameter.error()});
+    return;
+  }
+  if (std::isnan(parameter->value)) {
+    wrong.complaints.push_back(
+        {name.place, fmt::format("'{}' has no value in the deck that could change: write one there", name.name)});
+  }
+  made.inputs.push_back(
+      {.path = name.name, .unit = parameter->unit, .range = parameter->field->range, .base = parameter->value});
+  // the range of a vector's field is that of its components, not of its angle
+  if (parameter->unit.is_angle && !parameter->field->unit.is_angle) made.inputs.back().range = {};
+}
+
+void add_outputs(const Result& r, const std::vector<WantedValue>& wanted, CaseModel& made, NoCases& wrong) {
+  if (r.status != Status::ok) {
+    wrong.outcome = {.status = r.status, .message = "the deck as it is has no answer: " + r.message};
+    return;
+  }
+  const std::vector<std::string> names = names_in(r);
+  for (const WantedValue& one : wanted) {
+    const auto found = find(r, one);
+    if (!found) {
+      const std::string hint = did_you_mean(one.name, names);
+      const std::string list = hint.empty() ? "; it has " + first_names(names) : hint;
+      wrong.complaints.push_back({one.place, fmt::format("there is no value '{}' in its result{}", one.name, list)});
+      continue;
+    }
+    CaseOutput& output = made.outputs[one.output];
+    output.unit = found->unit;
+    output.label = found->label;
+    output.base = found->value;
+  }
+}
+
+Outcome put_number(const FoundParameter& parameter, const std::string& path, double value) {
+  if (!parameter) return infeasible(parameter.error());
+  const bool own_range = parameter->unit.is_angle == parameter->field->unit.is_angle;
+  if (!std::isfinite(value) || (own_range && !parameter->field->range.contains(value))) {
+    return infeasible(fmt::format("'{}' must be {}", path, range_text(*parameter->field)));
+  }
+  parameter->set(value);
+  return {};
+}
+
+Outcome take_values(const Result& r, const std::vector<WantedValue>& wanted, std::vector<double>& outputs) {
+  if (r.status != Status::ok) return {.status = r.status, .message = r.message};
+  for (const WantedValue& one : wanted) {
+    const auto found = find(r, one);
+    if (!found || std::isnan(found->value)) return infeasible(fmt::format("the result has no '{}'", one.name));
+    outputs[one.output] = found->value;
+  }
+  return {};
+}
+
+}  // namespace taut::app

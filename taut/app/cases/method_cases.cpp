@@ -1,0 +1,59 @@
+#include "taut/app/cases/method_cases.hpp"
+
+#include <cmath>
+#include <memory>
+
+#include "taut/app/cases/case_values.hpp"
+
+namespace taut::app {
+namespace {
+
+struct MethodModel {
+  MethodDeck deck;
+  std::vector<std::string> paths;
+  std::vector<WantedValue> wanted;
+};
+
+CaseAnswer answer_of(const MethodModel& model, std::span<const double> values) {
+  CaseAnswer answer{.outputs = std::vector<double>(model.wanted.size(), std::nan("")), .outcome = {}};
+  MethodDeck deck = model.deck;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    answer.outcome = put_number(deck.parameter(model.paths[i]), model.paths[i], values[i]);
+    if (!answer.outcome.ok()) return answer;
+  }
+  const std::vector<Complaint> complaints = deck.method->complaints(deck.input);
+  if (!complaints.empty()) {
+    answer.outcome = infeasible(complaints.front().message);
+    return answer;
+  }
+  std::vector<double> found = answer.outputs;
+  answer.outcome = take_values(deck.calculate(), model.wanted, found);
+  if (answer.outcome.ok()) answer.outputs = std::move(found);
+  return answer;
+}
+
+}  // namespace
+
+MadeCases method_cases(const MethodDeck& deck, const CaseQuestion& question) {
+  auto model = std::make_shared<MethodModel>();
+  model->deck = deck;
+  CaseModel made;
+  NoCases wrong;
+  for (const CaseName& one : question.inputs) {
+    add_input(model->deck.parameter(one.name), one, made, wrong);
+    model->paths.push_back(one.name);
+  }
+  for (const CaseName& one : question.outputs) {
+    const std::string name = one.name.starts_with("checks.") ? one.name.substr(7) : one.name;
+    model->wanted.push_back({.output = model->wanted.size(), .name = name, .ending = {}, .place = one.place});
+  }
+  for (const CaseName& one : question.outputs) made.outputs.push_back({.name = one.name, .unit = {}, .label = {}});
+  if (wrong.complaints.empty()) add_outputs(model->deck.calculate(), model->wanted, made, wrong);
+  if (!wrong.complaints.empty() || !wrong.outcome.ok()) return tl::unexpected(std::move(wrong));
+  made.answer = [model = std::shared_ptr<const MethodModel>(model)](std::span<const double> values) {
+    return answer_of(*model, values);
+  };
+  return made;
+}
+
+}  // namespace taut::app

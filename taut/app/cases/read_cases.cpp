@@ -1,0 +1,79 @@
+#include "taut/app/cases/read_cases.hpp"
+
+#include <fmt/format.h>
+
+#include "taut/app/cases/machine_cases.hpp"
+#include "taut/app/cases/method_cases.hpp"
+#include "taut/app/fingerprint.hpp"
+#include "taut/io/deck/read.hpp"
+
+namespace taut::app {
+namespace {
+
+bool read_as_machine(ReadCases& read, Diagnostics& mistakes) {
+  auto machine = read_machine(read.deck.input, read.deck.display, mistakes);
+  if (!machine) return false;
+  read.study = std::move(machine->study);
+  read.calibrate = std::move(machine->calibrate);
+  read.method_title = "Machine";
+  read.of = std::move(*machine);
+  return true;
+}
+
+bool read_as_method(ReadCases& read, Diagnostics& mistakes) {
+  const MethodEntry* method = find_method(read.deck.method);
+  if (method == nullptr) return false;
+  const io::Node* others = read.deck.others ? &*read.deck.others : nullptr;
+  auto deck = read_method(*method, read.deck.input, others, read.deck.display, mistakes);
+  if (!deck) return false;
+  read.study = std::move(deck->blocks.study);
+  read.calibrate = std::move(deck->blocks.calibrate);
+  read.method_title = method->about->title;
+  read.of = std::move(*deck);
+  return true;
+}
+
+}  // namespace
+
+const io::Node& ReadCases::blocks() const { return deck.is_machine || !deck.others ? deck.input : *deck.others; }
+
+MadeCases ReadCases::cases(const CaseQuestion& question) const {
+  if (const auto* machine = std::get_if<ReadMachine>(&of)) return machine_cases(*machine, question);
+  return method_cases(std::get<MethodDeck>(of), question);
+}
+
+Result bad_deck(Diagnostics mistakes) {
+  Result r;
+  r.status = Status::bad_deck;
+  r.message =
+      mistakes.size() == 1 ? "the deck has a mistake" : fmt::format("the deck has {} mistakes", mistakes.size());
+  r.errors = std::move(mistakes);
+  return r;
+}
+
+Result refusal(const NoCases& why, const io::Node& blocks) {
+  if (!why.complaints.empty()) {
+    Diagnostics mistakes;
+    io::place(blocks, why.complaints, mistakes);
+    return bad_deck(std::move(mistakes));
+  }
+  Result r;
+  r.status = why.outcome.status;
+  r.message = why.outcome.message;
+  return r;
+}
+
+tl::expected<ReadCases, Result> read_cases(const Job& job) {
+  ReadCases read;
+  Diagnostics mistakes;
+  auto deck = io::read_deck(job.text, job.name, job.set, method_names(), mistakes);
+  if (!deck) return tl::unexpected(bad_deck(std::move(mistakes)));
+  read.deck = std::move(*deck);
+  const bool good = read.deck.is_machine ? read_as_machine(read, mistakes) : read_as_method(read, mistakes);
+  if (!good || !mistakes.empty()) return tl::unexpected(bad_deck(std::move(mistakes)));
+  const auto texts = read.deck.reading ? read.deck.reading->texts : std::vector<std::string>{};
+  read.hash = fingerprint(job.text, texts, job.set);
+  return read;
+}
+
+}  // namespace taut::app
