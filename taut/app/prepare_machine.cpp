@@ -155,11 +155,13 @@ Result compute(const MachineDeck& deck, const machine::Model& model, const study
   if (!checks_only) r.warnings = absurd_machine(deck, run.model);
   results::add_rope_stiffness(deck.machine, r);
   if (auto warning = terrain_warning(run.model)) r.warnings.push_back(std::move(*warning));
-  study::note_failure(r, study::install_guys(deck.machine, run.model), "installation");
-  if (r.status != Status::ok) return r;
   std::vector<study::PutUpLine> lines;
-  study::note_failure(r, study::put_up_lines(run.model, lines), "installation");
-  if (r.status != Status::ok) return r;
+  study::note_failure(r, study::install_guys(deck.machine, run.model), "installation");
+  if (r.status == Status::ok) study::note_failure(r, study::put_up_lines(run.model, lines), "installation");
+  if (r.status != Status::ok) {
+    if (!checks_only) results::add_described_figures(run, "no equilibrium was found", r);
+    return r;
+  }
   for (std::string& text : results::held_tension_warnings(deck.machine, run.model))
     r.warnings.push_back(std::move(text));
   solve_states(deck, run, r);
@@ -217,6 +219,17 @@ Result compute_again(const MachineDeck& deck, bool checks_only, const std::funct
         fmt::format("{}, {}: {}", r.missing.front().analysis, r.missing.front().first, r.missing.front().reason);
   }
   return r;
+}
+
+/// The machine of a deck with the choice that comes nearest, where no design was found.
+void picture_described(const MachineDeck& deck, Result& r) {
+  const auto model = machine::compile(deck.machine);
+  if (!model) return;
+  std::vector<Complaint> complaints;
+  results::MachineRun run;
+  run.model = *model;
+  run.paths = study::resolve(deck.analyses, deck.design.has_value(), deck.machine, *model, complaints).paths;
+  results::add_described_figures(run, "no design was found", r);
 }
 
 /// Whether every part of the machine could be looked up: where a list is called by a wrong name, all its names would be
@@ -279,7 +292,8 @@ std::function<Result()> prepare_machine(const io::Node& input, Diagnostics& mist
     return {};
   }
   if (deck->design) {
-    const design::DesignTask task = machine_task(deck, std::move(space), compute_again, std::move(progress));
+    const design::DesignTask task =
+        machine_task(deck, std::move(space), {.run = compute_again, .picture = picture_described}, std::move(progress));
     return [task] { return design::run_design(task); };
   }
   return [first, model = std::make_shared<const machine::Model>(std::move(*model)), asked,
