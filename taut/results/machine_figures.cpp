@@ -525,8 +525,8 @@ std::vector<std::array<Vector3, 2>> body_lines(const machine::Model& m,
 
 void add_described_figures(MachineRun& run, const std::string& why, Result& r) {
   const solve::EquilibriumResult e = described_state(run.model);
-  const Box box = box_of(run.model, e);
-  if (!(box.size().norm() > 0)) return;  // nothing, or one place alone
+  const double size = box_of(run.model, e).size().norm();
+  if (!(size > 0) || std::isinf(size)) return;  // one place alone, or nothing
   add_drawings(run.model, e, line_of(run), text_of_description(why), r);
   run.key_figure.offer(Pictured::machine, "machine");
   r.key_figure = run.key_figure.name;
