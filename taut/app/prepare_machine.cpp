@@ -156,11 +156,13 @@ Result compute(const MachineDeck& deck, const machine::Model& model, const study
   if (report) r.warnings = absurd_machine(deck, run.model);
   results::add_rope_stiffness(deck.machine, r);
   if (auto warning = terrain_warning(run.model)) r.warnings.push_back(std::move(*warning));
-  study::note_failure(r, study::install_guys(deck.machine, run.model), "installation");
-  if (r.status != Status::ok) return r;
   std::vector<study::PutUpLine> lines;
-  study::note_failure(r, study::put_up_lines(run.model, lines), "installation");
-  if (r.status != Status::ok) return r;
+  study::note_failure(r, study::install_guys(deck.machine, run.model), "installation");
+  if (r.status == Status::ok) study::note_failure(r, study::put_up_lines(run.model, lines), "installation");
+  if (r.status != Status::ok) {
+    if (report) results::add_described_figures(run, "no equilibrium was found", r);
+    return r;
+  }
   for (std::string& text : results::held_tension_warnings(deck.machine, run.model))
     r.warnings.push_back(std::move(text));
   solve_states(deck, run, r);
@@ -192,6 +194,17 @@ Result compute(const MachineDeck& deck, const machine::Model& model, const study
   }
   if (depth != RunDepth::values || deck.checks) checks::add_checks(deck, run.model, *run.checked, r);
   return r;
+}
+
+/// The machine of a deck with the choice that comes nearest, where no design was found.
+void picture_described(const MachineDeck& deck, Result& r) {
+  const auto model = machine::compile(deck.machine);
+  if (!model) return;
+  std::vector<Complaint> complaints;
+  results::MachineRun run;
+  run.model = *model;
+  run.paths = study::resolve(deck.analyses, deck.design.has_value(), deck.machine, *model, complaints).paths;
+  results::add_described_figures(run, "no design was found", r);
 }
 
 /// Whether every part of the machine could be looked up: where a list is called by a wrong name, all its names would be
@@ -295,7 +308,8 @@ std::function<Result()> prepare_machine(const io::Node& input, Diagnostics& mist
     const auto run = [](const MachineDeck& deck, RunDepth depth, const std::function<bool(const Progress&)>& ask) {
       return run_machine(deck, depth, ask);
     };
-    const design::DesignTask task = machine_task(read->deck, std::move(read->space), run, std::move(progress));
+    const design::DesignTask task = machine_task(read->deck, std::move(read->space),
+                                                 {.run = run, .picture = picture_described}, std::move(progress));
     return [task] { return design::run_design(task); };
   }
   return [read = std::make_shared<const ReadMachine>(std::move(*read)), progress = std::move(progress)] {

@@ -2,10 +2,15 @@
 #include <vector>
 
 #include "taut/calc/quantity.hpp"
+#include "taut/calc/value_kind.hpp"
 
 namespace taut::checks {
 
 /// The tables that `checks:` of a machine or a method adds, made of the same quantities as the tables themselves.
 std::vector<TableWords> table_words();
+
+/// The values that the verdict and the checks answer with by name: those of every judged state, of `checks:` of a
+/// machine and of a method.
+const std::vector<ValueKind>& value_kinds();
 
 }  // namespace taut::checks

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "taut/calc/none.hpp"
+#include "taut/checks/described.hpp"
 #include "taut/checks/rope/rope_uses.hpp"
 #include "taut/math/index.hpp"
 #include "taut/study/line/rope_clearance.hpp"
@@ -352,15 +353,13 @@ void Judge::add_tensions(Result& r) const {
       where = fmt::format("{}, {}", rope.name, own.where);
     }
     const std::string symbol = fmt::format("{}.T_max", rope.name);
-    r.values.push_back(
-        {symbol, own.T, si::N, symbol, fmt::format("largest tension of {} ({})", rope.name, own.where), {}});
+    const ValueKind& tension = named(value_kinds(), "ROPE.T_max");
+    r.values.push_back(make_value(tension, rope.name, "", own.T,
+                                  fmt::format("{} of {} ({})", tension.about.words, rope.name, own.where)));
     if (own.breaking_force <= 0 || own.T_of_share <= 0) continue;
-    r.values.push_back({fmt::format("{}.safety_factor", rope.name),
-                        own.breaking_force / own.T_of_share,
-                        si::one,
-                        fmt::format("{}.S", rope.name),
-                        fmt::format("breaking force over the largest tension of {}", rope.name),
-                        {}});
+    const ValueKind& factor = named(value_kinds(), "ROPE.safety_factor");
+    r.values.push_back(make_value(factor, rope.name, "", own.breaking_force / own.T_of_share,
+                                  fmt::format("{} of {}", factor.about.words, rope.name)));
     Check c = make_check(symbol, own.T_of_share, si::N,
                          {.sense = Sense::at_most,
                           .limit = own.breaking_force,
@@ -372,12 +371,13 @@ void Judge::add_tensions(Result& r) const {
     r.checks.push_back(std::move(c));
   }
   if (model_->reevings.empty()) return;
-  r.values.insert(r.values.begin(), {"T_max", worst, si::N, "T_max", fmt::format("largest tension ({})", where), {}});
+  const ValueKind& largest = named(value_kinds(), "T_max");
+  r.values.insert(r.values.begin(),
+                  make_value(largest, "", "", worst, fmt::format("{} ({})", largest.about.words, where)));
 }
 
 void Judge::add_heights(Result& r) const {
-  const auto add = [&](const std::map<std::string, Height>& all, const char* name, const char* symbol,
-                       const char* what) {
+  const auto add = [&](const std::map<std::string, Height>& all, const char* name) {
     const Height* least = nullptr;
     for (const auto& [part, one] : all) {
       if (!std::isfinite(one.value)) continue;
@@ -396,16 +396,13 @@ void Judge::add_heights(Result& r) const {
       r.checks.push_back(std::move(c));
     }
     if (least == nullptr) return;
-    r.values.push_back({name,
-                        least->value,
-                        si::m,
-                        symbol,
-                        fmt::format("least height of {} over the ground: {} at x = {:.6g} m ({})", what, least->part,
-                                    least->x, least->where),
-                        {}});
+    const ValueKind& kind = named(value_kinds(), name);
+    r.values.push_back(
+        make_value(kind, "", "", least->value,
+                   fmt::format("{}: {} at x = {:.6g} m ({})", kind.about.words, least->part, least->x, least->where)));
   };
-  add(carriages_, "clearance_min", "c_min", "a carriage");
-  add(rope_heights_, "rope_clearance_min", "c_r_min", "a rope");
+  add(carriages_, "clearance_min");
+  add(rope_heights_, "rope_clearance_min");
 }
 
 void Judge::add_values(Result& r) const {

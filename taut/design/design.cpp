@@ -58,6 +58,12 @@ Result no_design(const DesignTask& task, const DesignFound& found) {
     r.message += fmt::format("; the nearest, {}, fails by {}{}", place, last.governs, use);
     add_answer_line(r, nearest_label, {place, fmt::format("fails by {}{}", last.governs, use)});
   }
+  if (task.picture) {
+    const bool tried = !found.nearest.choice.empty() || !found.nearest_values.empty();
+    task.picture(
+        tried ? DesignPlace{.choice = found.nearest.choice, .values = found.nearest_values} : first_place(task.space),
+        r);
+  }
   if (!found.points.empty()) add_runner_ups(task, found.points.front().answer, {}, r);
   if (found.points.size() > 1) add_trade_off(task, found.points, r);
   return r;

@@ -91,6 +91,9 @@ struct DesignTask {
   /// The inputs of a design without any load case; may be empty.
   std::function<std::vector<Given>(const DesignPlace&)> given_with;
   Display display;  ///< units for the sentences of the result
+  /// Adds the picture of a design without an answer; may be empty.
+  // NOLINTNEXTLINE(readability-redundant-member-init): keeps it optional in a list of initial values
+  std::function<void(const DesignPlace&, Result&)> picture = {};
 };
 
 /// The first of all candidates, every unknown at the beginning of its grid.

@@ -270,13 +270,16 @@ void add_design(const DesignTask& task, const DesignFound& found, Result& r) {
   const SizingCandidate& best = found.best.answer.best;
   const Seek seek = task.request.seek;
   std::vector<Value> values;
-  values.push_back({"design_cost", best.cost, cost_unit(seek), "cost", cost_words(task.request), {}});
+  values.push_back(make_value(named(value_kinds(), "design_cost"), "", "", best.cost, cost_words(task.request)));
+  values.back().unit = cost_unit(seek);
   for (std::size_t k = 0; k < found.best.values.size(); ++k) {
     const UnknownValues& one = space.unknowns[k];
-    values.push_back(
-        {"design_" + one.name, found.best.values[k], one.unit, one.name, fmt::format("{} chosen", one.parameter), {}});
+    values.push_back(make_value(named(value_kinds(), "design_UNKNOWN"), one.name, "", found.best.values[k],
+                                fmt::format("{} chosen", one.parameter)));
+    values.back().unit = one.unit;
   }
-  values.push_back({"design_trials", found.trials, si::one, "trials", "calculations that the search took", {}, true});
+  const ValueKind& trials = named(value_kinds(), "design_trials");
+  values.push_back(make_value(trials, "", "", found.trials, trials.about.words));
   r.values.insert(r.values.begin(), std::make_move_iterator(values.begin()), std::make_move_iterator(values.end()));
   Result own;
   if (!space.ropes.empty()) own.tables.push_back(chosen_table(space, best));
@@ -292,6 +295,25 @@ void add_design(const DesignTask& task, const DesignFound& found, Result& r) {
   if (space.unknowns.size() != 1) return;
   Plot plot = trade_off_plot(task, found);
   if (!plot.curves.empty()) r.figures.emplace_back(std::move(plot));
+}
+
+const std::vector<ValueKind>& value_kinds() {
+  static const std::vector<ValueKind> all = kinds_of(
+      {{.name = "design_cost",
+        .symbol = "cost",
+        .unit = si::one,
+        .words = "what is sought, of the design found: mass, price, sum of sizes, tension or utilisation, by `seek`"},
+       {.name = "design_UNKNOWN",
+        .symbol = "UNKNOWN",
+        .unit = si::one,
+        .words = "an unknown of the design, as found, in its own unit"},
+       {.name = "design_trials",
+        .symbol = "trials",
+        .unit = si::one,
+        .words = "calculations that the search took",
+        .detail = true}},
+      "`design:`", "guide/design.md");
+  return all;
 }
 
 std::vector<TableWords> table_words() {

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "taut/calc/quantity.hpp"
+#include "taut/calc/value_kind.hpp"
 #include "taut/design/design_search.hpp"
 
 namespace taut::design {
@@ -22,7 +23,8 @@ void add_trade_off(const DesignTask& task, const std::vector<DesignPoint>& point
 /// `design_runner_ups`, `design_trade_off` before those of the result.
 void add_design(const DesignTask& task, const DesignFound& found, Result& r);
 
-/// Those tables as described.
+/// Those tables and values as described.
 std::vector<TableWords> table_words();
+const std::vector<ValueKind>& value_kinds();
 
 }  // namespace taut::design

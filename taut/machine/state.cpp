@@ -31,6 +31,8 @@ rope::TangentLine line_between(const State& state, const Node& from, const Node&
   const rope::Round a = round_at(state, from), b = round_at(state, to);
   if (const auto line = rope::tangent_line(a, b)) return *line;
   rope::TangentLine centres;
+  centres.from = a.centre;
+  centres.to = b.centre;
   centres.length = (b.centre - a.centre).norm();
   return centres;
 }
@@ -123,6 +125,11 @@ Model with_sides(Model model, const State& state) {
 
 double straight_length(const State& state, const Node& from, const Node& to) {
   return line_between(state, from, to).length;
+}
+
+std::pair<Vector3, Vector3> straight_ends(const State& state, const Node& from, const Node& to) {
+  const rope::TangentLine line = line_between(state, from, to);
+  return {line.from, line.to};
 }
 
 double taut_length(const State& state, const Reeving& reeving, const Node& from, const Node& to, double tension) {

@@ -1,5 +1,6 @@
 #pragma once
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "taut/base/array.hpp"
@@ -42,6 +43,9 @@ State initial_state(const Model& model);
 
 /// Length of the common tangent of two nodes, m; where there is none, the distance of their centres.
 double straight_length(const State& state, const Node& from, const Node& to);
+
+/// Ends of that tangent, m; where there is none, the centres.
+std::pair<Vector3, Vector3> straight_ends(const State& state, const Node& from, const Node& to);
 
 /// Unstretched length of a branch along its straight line at `tension`, N. The sag is neglected, so the branch is
 /// tighter than this tension. For an inextensible rope: the straight line plus a quarter of the extra length that the

@@ -22,7 +22,7 @@ namespace taut::report {
 namespace {
 
 constexpr int longest_title = 150, longest_line = 110, longest_source = 230, longest_reason = 330, longest_scope = 220,
-              longest_answer = 190, longest_answer_label = 24;
+              longest_answer = 190, longest_answer_label = 24, longest_caption = 240;
 constexpr std::size_t most_answers = 12;
 constexpr std::size_t most_errors = 8;
 constexpr std::size_t most_table_columns = 7;
@@ -166,27 +166,30 @@ double room_for_pictures(const Result& r) {
   return height - used - std::max(row * static_cast<double>(rows), side);
 }
 
-/// Adds a figure to page 1; its height in print, mm, 0 when there is nothing to draw.
-double add_figure(const Figure& figure, const Display& display, PageOne& page) {
+/// Adds a figure to page 1, where nothing was found with its caption, so that nobody takes it for an answer; its height
+/// in print, mm, 0 when there is nothing to draw.
+double add_figure(const Figure& figure, const Result& r, PageOne& page) {
   constexpr double page_width = 176;
-  const std::string picture = figure_svg(figure, display);
+  const std::string picture = figure_svg(figure, display_of(r));
   if (!picture.starts_with("<svg")) return 0;
   const double aspect = aspect_of(picture);
   const FigureWords w = words_of(figure);
+  const std::string title = short_html(w.title, longest_line);
+  const std::string words =
+      r.status == Status::ok ? title : fmt::format("<b>{}.</b> {}", title, short_html(w.caption, longest_caption));
   page.html += fmt::format(
       "<figure class=\"key\" style=\"flex-grow:{:.0f}\"><div class=\"frame\">{}</div><figcaption>{} {}</figcaption>"
       "</figure>\n",
-      std::max(1.0, 100 * aspect), picture, short_html(w.title, longest_line), escape(w.scale));
+      std::max(1.0, 100 * aspect), picture, words, escape(w.scale));
   page.figures.push_back(&figure);
   return page_width * aspect;
 }
 
 void add_pictures(const Result& r, PageOne& page) {
   constexpr double least_height = 55, least_second = 75;  // mm
-  const Display display = display_of(r);
   const Figure* key = key_figure(r);
   const double room = room_for_pictures(r);
-  const double height = key == nullptr || room < least_height ? 0 : add_figure(*key, display, page);
+  const double height = key == nullptr || room < least_height ? 0 : add_figure(*key, r, page);
   if (height == 0) {
     page.html += "<div class=\"room\"></div>\n";
     return;
@@ -194,7 +197,7 @@ void add_pictures(const Result& r, PageOne& page) {
   if (room - height < least_second) return;
   const auto second = std::find_if(r.figures.begin(), r.figures.end(),
                                    [&](const Figure& f) { return &f != key && std::holds_alternative<Plot>(f); });
-  if (second != r.figures.end()) add_figure(*second, display, page);
+  if (second != r.figures.end()) add_figure(*second, r, page);
 }
 
 }  // namespace

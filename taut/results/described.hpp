@@ -2,6 +2,7 @@
 #include <vector>
 
 #include "taut/calc/quantity.hpp"
+#include "taut/calc/value_kind.hpp"
 
 namespace taut::results {
 
@@ -9,7 +10,8 @@ namespace taut::results {
 /// tables themselves.
 std::vector<TableWords> table_words();
 
-/// The values of a machine that are one of those quantities: "ROPE.T_start". Those of checks and verdict are besides.
-std::vector<QuantityWords> value_words();
+/// The values of a machine by name, "ROPE.T_start", "payload_min", as the analyses make them. Those of checks and
+/// verdict are besides (checks/described.hpp).
+const std::vector<ValueKind>& value_kinds();
 
 }  // namespace taut::results

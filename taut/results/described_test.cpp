@@ -2,7 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <set>
+
+#include "taut/checks/described.hpp"
+#include "test/paths.hpp"
 
 namespace taut::results {
 namespace {
@@ -22,8 +26,17 @@ TEST(Described, EveryColumnHasWordsAndItsOwnName) {
   }
 }
 
-TEST(Described, AValueHasThePartBeforeItsName) {
-  for (const QuantityWords& v : value_words()) EXPECT_NE(v.name.find('.'), std::string::npos) << v.name;
+TEST(Described, EveryValueHasWordsAPlaceAndAPageThatIsThere) {
+  std::set<std::string> names;
+  for (const auto* kinds : {&value_kinds(), &checks::value_kinds()}) {
+    for (const ValueKind& v : *kinds) {
+      EXPECT_TRUE(names.insert(v.about.name).second) << v.about.name;
+      EXPECT_FALSE(v.about.words.empty()) << v.about.name;
+      EXPECT_FALSE(v.of.empty()) << v.about.name;
+      EXPECT_TRUE(std::filesystem::exists(taut_test::source_dir() / "docs" / v.page)) << v.page;
+    }
+  }
+  EXPECT_TRUE(names.contains("payload_min"));
 }
 
 }  // namespace

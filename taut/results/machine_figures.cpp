@@ -4,6 +4,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -12,6 +13,7 @@
 
 #include "taut/calc/none.hpp"
 #include "taut/results/answers/line_profile.hpp"
+#include "taut/results/described_state.hpp"
 #include "taut/results/machine_beams.hpp"
 #include "taut/results/machine_tables.hpp"
 #include "taut/results/plot_curves.hpp"
@@ -54,11 +56,34 @@ std::vector<Vector3> line_of(const solve::BranchResult& s) {
   return line;
 }
 
-Box box_of(const solve::EquilibriumResult& e) {
+/// A state without an answer is the machine as described: its ropes are straight, their tensions not known.
+bool is_described(const solve::EquilibriumResult& e) { return !e.outcome.ok(); }
+
+/// Whether the deck's author knows a body by its name: not a section of a beam, nor a point of a rope.
+bool is_own(const machine::Body& body) { return !body.of_rope && !body.beam; }
+
+std::vector<std::array<Vector3, 2>> body_lines_of(const machine::Model& m, const solve::EquilibriumResult& e) {
+  return body_lines(m, [&](const machine::Place& place) { return machine::in_ground(e.state, place); });
+}
+
+/// What of a described machine stands beside its ropes and beams: bodies, and the places that the deck names.
+std::vector<Vector3> described_places(const machine::Model& m, const solve::EquilibriumResult& e) {
+  std::vector<Vector3> all;
+  if (!is_described(e)) return all;
+  for (std::size_t i = 0; i < m.bodies.size(); ++i) {
+    if (is_own(m.bodies[i])) all.push_back(e.state.bodies[i].position);
+  }
+  for (const machine::NamedPlace& one : m.places) all.push_back(machine::in_ground(e.state, one.place));
+  for (const auto& line : body_lines_of(m, e)) all.insert(all.end(), line.begin(), line.end());
+  return all;
+}
+
+Box box_of(const machine::Model& m, const solve::EquilibriumResult& e) {
   Box box;
   for (const auto& s : e.branches) {
     for (const Vector3& v : line_of(s)) box.add(v);
   }
+  for (const Vector3& v : described_places(m, e)) box.add(v);
   for (const auto& line : beam_lines(e)) {
     for (const Vector3& v : line) box.add(v);
   }
@@ -106,9 +131,18 @@ void draw_ground(Drawing& d, const machine::Model& m, const View& view, const Bo
   const double high = std::max(view.point(box.low).x, view.point(box.high).x) + margin;
   Polyline ground;
   ground.role = Role::ground;
-  for (const auto& p : m.terrain) {
-    const double x = view.point(m.terrain_from + p.x * m.terrain_along).x;
-    if (x >= low && x <= high) ground.points.push_back({x, p.z});
+  const auto seen = [&](const machine::GroundPoint& p) {
+    return Point{.x = view.point(m.terrain_from + p.x * m.terrain_along).x, .y = p.z};
+  };
+  for (std::size_t i = 1; i < m.terrain.size(); ++i) {
+    const Point from = seen(m.terrain[i - 1]), to = seen(m.terrain[i]);
+    if (std::max(from.x, to.x) <= low || std::min(from.x, to.x) >= high) continue;
+    const auto add = [&](const Point& p) {
+      const double x = std::clamp(p.x, low, high);
+      ground.points.push_back({.x = x, .y = from.y + (x - from.x) / (to.x - from.x) * (to.y - from.y)});
+    };
+    if (ground.points.empty()) add(from);
+    add(to);
   }
   if (ground.points.size() > 1) d.shapes.emplace_back(std::move(ground));
 }
@@ -122,19 +156,23 @@ void draw_ropes(Drawing& d, const solve::EquilibriumResult& e, const View& view)
   }
 }
 
-/// Bodies as lines from their origin to where ropes hold them.
+/// Bodies as lines from their origin to what sits on them.
 void draw_bodies(Drawing& d, const machine::Model& m, const solve::EquilibriumResult& e, const View& view) {
-  std::set<std::pair<int, std::string>> drawn;
+  const auto draw = [&](const Vector3& from, const Vector3& to) {
+    Polyline line;
+    line.role = Role::structure;
+    line.points = {view.point(from), view.point(to)};
+    d.shapes.emplace_back(std::move(line));
+  };
+  for (const auto& [from, to] : body_lines_of(m, e)) draw(from, to);
+  if (!is_described(e)) return;
+  std::set<std::pair<int, std::string>> on_ropes;
   for (const machine::Reeving& rope : m.reevings) {
-    for (const machine::Node& node : rope.nodes) {
-      if (node.at.body == machine::ground || node.at.at.norm() == 0) continue;
-      if (!drawn.insert({node.at.body, node.name}).second) continue;
-      const Vector3& origin = e.state.bodies[node.at.body].position;
-      Polyline line;
-      line.role = Role::structure;
-      line.points = {view.point(origin), view.point(machine::in_ground(e.state, node.at))};
-      d.shapes.emplace_back(std::move(line));
-    }
+    for (const machine::Node& node : rope.nodes) on_ropes.insert({node.at.body, node.name});
+  }
+  for (const machine::NamedPlace& one : m.places) {
+    if (one.place.body == machine::ground || on_ropes.contains({one.place.body, one.name})) continue;
+    draw(e.state.bodies[one.place.body].position, machine::in_ground(e.state, one.place));
   }
 }
 
@@ -152,10 +190,11 @@ void draw_beams(Drawing& d, const solve::EquilibriumResult& e, const View& view,
   if (times > 0) draw(beam_lines(e, times), Role::highlight);
 }
 
-/// Each rope with its largest tension, where that is; too many names would hide the machine.
+/// Each rope with its largest tension, where that is, or with its name alone where no tension is known; too many names
+/// would hide the machine.
 void name_ropes(Drawing& d, const machine::Model& m, const solve::EquilibriumResult& e, const View& view) {
   if (m.reevings.size() > most_named_ropes) {
-    d.caption += " Tensions of the ropes: table ropes.";
+    if (!is_described(e)) d.caption += " Tensions of the ropes: table ropes.";
     return;
   }
   for (std::size_t i = 0; i < m.reevings.size() && i < e.ropes.size(); ++i) {
@@ -167,16 +206,18 @@ void name_ropes(Drawing& d, const machine::Model& m, const solve::EquilibriumRes
       const auto k = std::min(static_cast<std::size_t>(place), line.size() - 2);
       return view.point(line[k] + (place - static_cast<double>(k)) * (line[k + 1] - line[k]));
     };
-    d.shapes.emplace_back(Label{.at = at(0.5),
-                                .text = "T " + m.reevings[i].name,
-                                .or_at = {at(0.35), at(0.65), at(0.2), at(0.8)},
-                                .force = rope.T_max});
+    Label label{.at = at(0.5), .text = m.reevings[i].name, .or_at = {at(0.35), at(0.65), at(0.2), at(0.8)}};
+    if (!is_described(e)) {
+      label.text = "T " + label.text;
+      label.force = rope.T_max;
+    }
+    d.shapes.emplace_back(std::move(label));
   }
 }
 
 /// Lengths of beams; the span and the difference in height of the first rope's ends; the sag of wide branches.
 void draw_dimensions(Drawing& d, const machine::Model& m, const solve::EquilibriumResult& e, const View& view) {
-  const Box box = box_of(e);
+  const Box box = box_of(m, e);
   const double size = box.size().norm();
   for (const auto& b : e.beams) {
     const Point from = view.point(b.points.front().place), to = view.point(b.points.back().place);
@@ -218,7 +259,7 @@ void draw_span(Drawing& d, const machine::Model& m, const solve::EquilibriumResu
   if (first == e.branches.end()) return;
   Point from = view.point(first->start), to = view.point(last->end);
   if (from.x > to.x) std::swap(from, to);
-  const Box box = box_of(e);
+  const Box box = box_of(m, e);
   const double size = box.size().norm(), span = to.x - from.x, rise = std::abs(to.y - from.y);
   if (span < 0.5 * size) return;
   const double top = box.high.z() + 0.06 * size;
@@ -235,16 +276,20 @@ void draw_span(Drawing& d, const machine::Model& m, const solve::EquilibriumResu
   }
 }
 
+void draw_round(Drawing& d, const Point& centre, double radius, double size) {
+  const bool round = radius > 0;
+  d.shapes.emplace_back(Circle{.center = centre,
+                               .radius = round ? radius : size / 300,
+                               .role = Role::body,
+                               .from = 0,
+                               .to = 0,
+                               .filled = !round});
+}
+
 void draw_holders(Drawing& d, const machine::Model& m, const solve::EquilibriumResult& e, const View& view,
                   double size) {
   for (const auto& [name, h] : held_of(m, e)) {
-    const bool round = h.radius > 0 && !view.plan;
-    d.shapes.emplace_back(Circle{.center = view.point(h.at),
-                                 .radius = round ? h.radius : size / 300,
-                                 .role = Role::body,
-                                 .from = 0,
-                                 .to = 0,
-                                 .filled = !round});
+    draw_round(d, view.point(h.at), view.plan ? 0 : h.radius, size);
     const Point f = view.point(h.force);
     if (h.moves || std::hypot(f.x, f.y) <= 0) {  // the ropes of what moves are in balance with its weight
       d.shapes.emplace_back(Label{.at = view.point(h.at), .text = name});
@@ -253,6 +298,22 @@ void draw_holders(Drawing& d, const machine::Model& m, const solve::EquilibriumR
     d.shapes.emplace_back(ForceArrow{
         .at = view.point(h.at), .fx = f.x, .fy = f.y, .label = "F " + name, .role = Role::force, .towards = false});
   }
+}
+
+/// Of a described machine the bodies and named places that no rope touches.
+void draw_others(Drawing& d, const machine::Model& m, const solve::EquilibriumResult& e, const View& view,
+                 double size) {
+  if (!is_described(e)) return;
+  const std::map<std::string, Held> held = held_of(m, e);
+  const auto draw = [&](const std::string& name, const Vector3& at) {
+    if (held.contains(name)) return;
+    draw_round(d, view.point(at), 0, size);
+    d.shapes.emplace_back(Label{.at = view.point(at), .text = name});
+  };
+  for (std::size_t i = 0; i < m.bodies.size(); ++i) {
+    if (is_own(m.bodies[i])) draw(m.bodies[i].name, e.state.bodies[i].position);
+  }
+  for (const machine::NamedPlace& one : m.places) draw(one.name, machine::in_ground(e.state, one.place));
 }
 
 /// Forces along the ropes; a rate as one arrow in the middle of its parts.
@@ -308,17 +369,36 @@ void draw_weights(Drawing& d, const machine::Model& m, const solve::EquilibriumR
   }
 }
 
+/// What a reader is told of the drawings.
+struct FigureText {
+  std::string title, plan_title, caption;
+};
+
+FigureText text_of_answer(const std::string& words) {
+  return {.title = "Side view",
+          .plan_title = "Plan",
+          .caption = fmt::format("{}. T: largest tension of a rope. F: ropes on what holds them, W and P: weights and "
+                                 "loads, as they are seen in this view.",
+                                 words)};
+}
+
+FigureText text_of_description(const std::string& why) {
+  const std::string title = "Machine as described; " + why;
+  return {.title = title,
+          .plan_title = title + ", plan",
+          .caption =
+              "This is not an answer: ropes are drawn straight, and no tension is known. W and P: weights and "
+              "loads that are given, as they are seen in this view."};
+}
+
 Drawing drawing_of(const machine::Model& m, const solve::EquilibriumResult& e, const View& view,
-                   const std::string& words) {
-  const Box box = box_of(e);
+                   const FigureText& text) {
+  const Box box = box_of(m, e);
   const bool plan = view.plan;
   Drawing d;
   d.name = plan ? "plan" : "machine";
-  d.title = plan ? "Plan" : "Side view";
-  d.caption = fmt::format(
-      "{}. T: largest tension of a rope. F: ropes on what holds them, W and P: weights and loads, as they are seen in "
-      "this view.",
-      words);
+  d.title = plan ? text.plan_title : text.title;
+  d.caption = text.caption;
   d.across = view.right == Vector3::UnitX() ? "x" : view.right == Vector3::UnitY() ? "y" : "along the line";
   d.upward = plan ? "y" : "z";
   d.legend = {{Role::rope, m.reevings.empty() ? "rope" : m.reevings.front().name},
@@ -333,6 +413,7 @@ Drawing drawing_of(const machine::Model& m, const solve::EquilibriumResult& e, c
   draw_beams(d, e, view, times);
   draw_ropes(d, e, view);
   draw_holders(d, m, e, view, box.size().norm());
+  draw_others(d, m, e, view, box.size().norm());
   draw_weights(d, m, e, view);
   draw_rope_loads(d, e, m, view);
   name_ropes(d, m, e, view);
@@ -342,23 +423,26 @@ Drawing drawing_of(const machine::Model& m, const solve::EquilibriumResult& e, c
 }
 
 void add_drawings(const machine::Model& m, const solve::EquilibriumResult& e, const std::optional<Vector3>& line,
-                  const std::string& words, Result& r) {
-  const Box box = box_of(e);
+                  const FigureText& text, Result& r) {
+  const Box box = box_of(m, e);
   const Vector3 size = box.size();
   // seen across its longer horizontal side, or across the line that the ground or a load path follows
   const Vector3 longer = size.y() > size.x() ? Vector3(Vector3::UnitY()) : Vector3(Vector3::UnitX());
   const Vector3 right = line ? *line : longer;
-  r.figures.emplace_back(drawing_of(m, e, {.right = right}, words));
+  r.figures.emplace_back(drawing_of(m, e, {.right = right}, text));
   const Vector3 aside = up().cross(right);
   double low = std::numeric_limits<double>::infinity(), high = -low;
+  const auto take = [&](const Vector3& v) {
+    low = std::min(low, v.dot(aside));
+    high = std::max(high, v.dot(aside));
+  };
   for (const auto& s : e.branches) {
-    for (const Vector3& v : {s.start, s.end}) {
-      low = std::min(low, v.dot(aside));
-      high = std::max(high, v.dot(aside));
-    }
+    take(s.start);
+    take(s.end);
   }
+  for (const Vector3& v : described_places(m, e)) take(v);
   if (high - low <= least_width * std::max(size.x(), size.y())) return;
-  r.figures.emplace_back(drawing_of(m, e, {.right = Vector3::UnitX(), .above = Vector3::UnitY(), .plan = true}, words));
+  r.figures.emplace_back(drawing_of(m, e, {.right = Vector3::UnitX(), .above = Vector3::UnitY(), .plan = true}, text));
 }
 
 Plot plot(const study::LoadPathRun& run, const std::string& name, const std::string& title, const Axis& y) {
@@ -418,16 +502,52 @@ std::optional<Vector3> line_of(const MachineRun& run) {
 
 }  // namespace
 
+std::vector<std::array<Vector3, 2>> body_lines(const machine::Model& m,
+                                               const std::function<Vector3(const machine::Place&)>& in_ground) {
+  std::vector<std::array<Vector3, 2>> lines;
+  std::set<std::pair<int, std::string>> drawn;
+  for (const machine::Reeving& rope : m.reevings) {
+    for (const machine::Node& node : rope.nodes) {
+      if (node.at.body == machine::ground || node.at.at.norm() == 0) continue;
+      if (!drawn.insert({node.at.body, node.name}).second) continue;
+      lines.push_back({in_ground({.body = node.at.body}), in_ground(node.at)});
+    }
+  }
+  for (const machine::Face& face : m.faces) {
+    lines.push_back({in_ground({.body = face.body, .at = face.from}), in_ground({.body = face.body, .at = face.to})});
+  }
+  for (const machine::Actuator& one : m.actuators) {
+    lines.push_back(
+        {in_ground({.body = one.from_body, .at = one.from}), in_ground({.body = one.to_body, .at = one.to})});
+  }
+  return lines;
+}
+
+void add_described_figures(MachineRun& run, const std::string& why, Result& r) {
+  const solve::EquilibriumResult e = described_state(run.model);
+  const double size = box_of(run.model, e).size().norm();
+  if (!(size > 0) || std::isinf(size)) return;  // one place alone, or nothing
+  add_drawings(run.model, e, line_of(run), text_of_description(why), r);
+  run.key_figure.offer(Pictured::machine, "machine");
+  r.key_figure = run.key_figure.name;
+}
+
 void add_figures(MachineRun& run, Result& r) {
   const std::vector<Answer> all = answers_of(run);
-  if (all.empty()) return;
+  if (all.empty()) {
+    const bool at_rest = !run.equilibria.empty() || !run.paths.empty();
+    if (r.status != Status::ok && run.key_figure.shows == Pictured::nothing) {
+      add_described_figures(run, at_rest ? "no equilibrium was found" : "no answer was found", r);
+    }
+    return;
+  }
   const bool has_equilibrium = all.front().point == nullptr && !run.equilibria.empty();
   const Answer drawn =
       has_equilibrium ? all.front() : *std::max_element(all.begin(), all.end(), [](const Answer& a, const Answer& b) {
         return largest_tension(*a.result) < largest_tension(*b.result);
       });
   add_drawings(*drawn.model, *drawn.result, line_of(run),
-               (has_equilibrium ? "Equilibrium, " : "Where the tension is largest: ") + drawn.words, r);
+               text_of_answer((has_equilibrium ? "Equilibrium, " : "Where the tension is largest: ") + drawn.words), r);
   run.key_figure.offer(Pictured::machine, "machine");
   for (const study::LoadPathRun& path : run.paths) {
     Profile profile = load_path_profile(run, path);

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "taut/checks/checked_parts.hpp"
+#include "taut/results/described.hpp"
 
 namespace taut::results {
 namespace {
@@ -48,15 +49,13 @@ void add_put_up(const machine::Model& model, const std::vector<study::PutUpLine>
     const std::string& name = model.reevings[one.reeving].name;
     const std::string words = put_up_words(model, one);
     rows.push_back({model, one});
-    const auto value = [&](const char* what, double v, const Unit& unit, const std::string& label) {
-      const std::string full = fmt::format("{}.{}", name, what);
-      r.values.push_back({full, v, unit, full, label, {}});
-    };
-    value("base_tension", one.at_end ? one.at.T_end : one.at.T_start, si::N,
-          fmt::format("base tension: at its {}, {}", end_name(one.at_end), words));
-    value("cut_length", one.at.cut, si::m,
-          fmt::format("length of {} to cut: unstretched, at the temperature at which it is put up; kept from there on",
-                      name));
+    const ValueKind& base = named(value_kinds(), "ROPE.base_tension");
+    r.values.push_back(make_value(base, name, "", one.at_end ? one.at.T_end : one.at.T_start,
+                                  fmt::format("{}: at its {}, {}", base.about.words, end_name(one.at_end), words)));
+    r.values.push_back(make_value(
+        named(value_kinds(), "ROPE.cut_length"), name, "", one.at.cut,
+        fmt::format("length of {} to cut: unstretched, at the temperature at which it is put up; kept from there on",
+                    name)));
   }
   r.tables.push_back(
       make_table("put_up",

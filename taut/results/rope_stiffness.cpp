@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "taut/machine/links/rope_of.hpp"
+#include "taut/results/described.hpp"
 
 namespace taut::results {
 
@@ -21,8 +22,8 @@ void add_rope_stiffness(const machine::Machine& machine, Result& r) {
                       std::any_of(machine.guys.begin(), machine.guys.end(), runs);
     const auto s = machine::catalogue_stiffness(rope);
     if (!used || !s) continue;
-    const std::string name = fmt::format("{}.stiffness", rope.name);
-    r.values.push_back({name, s->EA, si::N.in("MN"), name, catalogue::to_text(*s), {}});
+    r.values.push_back(
+        make_value(named(value_kinds(), "ROPE.stiffness"), rope.name, "", s->EA, catalogue::to_text(*s)));
     if (s->trust != catalogue::Trust::unverified) continue;
     r.warnings.push_back(
         fmt::format("stiffness of rope '{}': {}; give the maker's 'stiffness' where sag or tension decide", rope.name,

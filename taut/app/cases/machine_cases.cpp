@@ -83,7 +83,9 @@ Result run_part(const MachineModel& model, const DeckPart& part, MachineDeck dec
   const auto run = [](const MachineDeck& one, RunDepth depth, const std::function<bool(const Progress&)>& ask) {
     return run_machine(one, std::min(depth, RunDepth::checks), ask);
   };
-  return design::run_design(machine_task(std::make_shared<const MachineDeck>(std::move(deck)), model.space, run, {}));
+  const auto no_picture = [](const MachineDeck&, Result&) {};
+  return design::run_design(machine_task(std::make_shared<const MachineDeck>(std::move(deck)), model.space,
+                                         {.run = run, .picture = no_picture}, {}));
 }
 
 Outcome put(const MachineModel& model, std::span<const double> values, MachineDeck& deck) {

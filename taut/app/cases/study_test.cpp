@@ -222,22 +222,22 @@ TEST(Study, FormAgreesWithTheSampleAndWithoutAnAnswerThereIsNoNumber) {
 
 TEST(Study, MistakesHaveTheirPlace) {
   const auto message = [](const std::string& study) { return to_text(refused(deck_with(study)).errors); };
-  EXPECT_THAT(message("  vary: {machine.loads[1].mass: {uniform: {low: 1 t, high: 2 t}}}\n  of: [equilibrium.T_max]\n"),
+  EXPECT_THAT(message("  vary: {'machine.loads[1].mass': {uniform: {low: 1 t, high: 2 t}}}\n  of: [equilibrium.T_max]\n"),
               HasSubstr("deck.yaml:10:34: error"));
-  EXPECT_THAT(message("  vary: {machine.loads[0].mass: {uniform: {low: 1 m, high: 2 t}}}\n  of: [equilibrium.T_max]\n"),
+  EXPECT_THAT(message("  vary: {'machine.loads[0].mass': {uniform: {low: 1 m, high: 2 t}}}\n  of: [equilibrium.T_max]\n"),
               HasSubstr("study.vary.machine.loads[0].mass.uniform.low"));
-  EXPECT_THAT(message("  vary: {machine.loads[0].mass: {uniform: {low: 2 t, high: 1 t}}}\n  of: [equilibrium.T_max]\n"),
+  EXPECT_THAT(message("  vary: {'machine.loads[0].mass': {uniform: {low: 2 t, high: 1 t}}}\n  of: [equilibrium.T_max]\n"),
               HasSubstr("study.vary.machine.loads[0].mass"));
-  EXPECT_THAT(message("  vary: {machine.loads[0].mass: {uniform: {low: 1 t, high: 2 t}}}\n  of: [load_path.T_max]\n"),
+  EXPECT_THAT(message("  vary: {'machine.loads[0].mass': {uniform: {low: 1 t, high: 2 t}}}\n  of: [load_path.T_max]\n"),
               HasSubstr("none of the deck's analyses"));
   EXPECT_THAT(
-      message("  vary: {machine.loads[0].mass: {uniform: {low: 1 t, high: 2 t}}}\n  of: [equilibrium.sky.T_mux]\n"),
+      message("  vary: {'machine.loads[0].mass': {uniform: {low: 1 t, high: 2 t}}}\n  of: [equilibrium.sky.T_mux]\n"),
       HasSubstr("did you mean 'sky.T_max'"));
   EXPECT_THAT(message(std::string(usual) + "  points: grid\n"), HasSubstr("a grid is made of lists and steps"));
   EXPECT_THAT(message(std::string(usual) + "  answer: [form]\n"), HasSubstr("about a limit"));
   EXPECT_THAT(
       message(std::string(usual) +
-              "  correlate: [[machine.loads[0].mass, machine.ropes.sky.stiffness, 0.5]]\n  answer: [indices]\n"),
+              "  correlate: [['machine.loads[0].mass', machine.ropes.sky.stiffness, 0.5]]\n  answer: [indices]\n"),
       HasSubstr("study.answer"));
   EXPECT_THAT(message(std::string(usual) + "  limit: {equilibrium.sky.T_mix: {at_most: 1 kN}}\n"),
               HasSubstr("did you mean"));

@@ -272,7 +272,7 @@ std::map<std::string, std::size_t> lists_by_name(const machine::Machine& machine
 
 }  // namespace
 
-design::DesignTask machine_task(std::shared_ptr<const MachineDeck> deck, design::DesignSpace space, RunDeck run,
+design::DesignTask machine_task(std::shared_ptr<const MachineDeck> deck, design::DesignSpace space, DeckDoors doors,
                                 std::function<bool(const Progress&)> progress) {
   design::DesignTask task;
   task.request = *deck->design;
@@ -287,10 +287,13 @@ design::DesignTask machine_task(std::shared_ptr<const MachineDeck> deck, design:
     const MachineDeck chosen = with_design(*deck, *own, place);
     return given_of(MachineDeck::describe(), &chosen);
   };
+  task.picture = [deck, own, picture = std::move(doors.picture)](const design::DesignPlace& place, Result& r) {
+    picture(with_design(*deck, *own, place), r);
+  };
   task.list_of = lists_by_name(deck->machine, task.space);
   const auto memory = std::make_shared<Memory>();
-  task.run = [deck, own, memory, run = std::move(run)](const design::DesignPlace& place, design::Depth depth,
-                                                       const std::function<bool(const Progress&)>& ask) {
+  task.run = [deck, own, memory, run = std::move(doors.run)](const design::DesignPlace& place, design::Depth depth,
+                                                             const std::function<bool(const Progress&)>& ask) {
     const auto one = [&](const design::DesignCase* load_case, design::Depth how) -> design::DesignRun {
       const MachineDeck whole = with_design(*deck, *own, place, load_case);
       auto& places = memory->places[load_case];

@@ -16,10 +16,15 @@ design::DesignSpace machine_space(const io::Node& input, const MachineDeck& deck
 MachineDeck with_design(const MachineDeck& deck, const design::DesignSpace& space, const design::DesignPlace& place,
                         const design::DesignCase* load_case = nullptr);
 
-using RunDeck = std::function<Result(const MachineDeck& deck, RunDepth depth,
-                                     const std::function<bool(const Progress&)>& progress)>;
+/// What a design needs of the calculation of machines.
+struct DeckDoors {
+  std::function<Result(const MachineDeck& deck, RunDepth depth, const std::function<bool(const Progress&)>& progress)>
+      run;
+  /// Adds the picture of a deck without an answer.
+  std::function<void(const MachineDeck& deck, Result& r)> picture;
+};
 
-design::DesignTask machine_task(std::shared_ptr<const MachineDeck> deck, design::DesignSpace space, RunDeck run,
+design::DesignTask machine_task(std::shared_ptr<const MachineDeck> deck, design::DesignSpace space, DeckDoors doors,
                                 std::function<bool(const Progress&)> progress);
 
 }  // namespace taut::app

@@ -8,6 +8,7 @@
 #include "taut/calc/comparison.hpp"
 #include "taut/checks/described.hpp"
 #include "taut/design/design_tables.hpp"
+#include "taut/results/described.hpp"
 
 namespace taut::app {
 namespace {
@@ -42,6 +43,12 @@ std::vector<TableGroup> table_groups() {
                  .words = "Of a set of decks beside published values.",
                  .tables = {compared_words()}});
   return all;
+}
+
+std::vector<ValueGroup> value_groups() {
+  return {{.title = "Values of a machine", .values = results::value_kinds()},
+          {.title = "Values of the verdict and of checks", .values = checks::value_kinds()},
+          {.title = "Values of a design", .values = design::value_kinds()}};
 }
 
 }  // namespace taut::app

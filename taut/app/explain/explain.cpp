@@ -59,6 +59,20 @@ std::string results_table(const std::string& head, const std::vector<QuantityWor
   return text;
 }
 
+std::string values_table(const std::vector<ValueKind>& all) {
+  std::string text = "| value | SI unit | symbol | meaning | of | page |\n|---|---|---|---|---|---|\n";
+  for (const ValueKind& one : all) {
+    const QuantityWords& q = one.about;
+    const std::string symbol = q.symbol.empty() ? "" : fmt::format("`{}`", q.symbol);
+    const std::string_view unit = q.unit.symbol == "1" ? "" : q.unit.symbol;
+    const std::string file = one.page.substr(one.page.rfind('/') + 1);
+    const std::string link =
+        one.page.empty() ? "" : fmt::format("[{}](../{})", file.substr(0, file.rfind('.')), one.page);
+    text += fmt::format("| `{}` | {} | {} | {} | {} | {} |\n", q.name, unit, symbol, cell(q.words), cell(one.of), link);
+  }
+  return text;
+}
+
 std::string table_text(const TableWords& t) {
   return fmt::format("### Table `{}`\n\nA row for: {}.\n\n{}\n", t.name, t.rows, results_table("column", t.columns));
 }
@@ -142,10 +156,11 @@ std::string reference_guide() {
       "analysis of a kind\n"
       "adds an ending to its tables and values, its `name` or its number: `spans_hoist`, `skyline.T_start_2`.\n\n";
   for (const TableWords& t : results::table_words()) text += table_text(t);
-  text += "### Values\n\nOf the first equilibrium or of each state; those of checks stand with the checks.\n\n";
-  text += results_table("value", results::value_words());
+  for (const ValueGroup& group : value_groups()) {
+    text += fmt::format("### {}\n\n{}\n", group.title, values_table(group.values));
+  }
   text +=
-      "\n### What `observe`, conditions and measures take\n\nOf a moving machine; each is a column of `time.csv`, and "
+      "### What `observe`, conditions and measures take\n\nOf a moving machine; each is a column of `time.csv`, and "
       "`NAME_min`, `NAME_max`, `NAME_end` are values.\n\n";
   text += results_table("path", machine::observable_words());
   for (const TableGroup& group : table_groups()) {

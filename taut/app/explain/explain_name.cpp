@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <iterator>
 #include <optional>
 #include <set>
 #include <vector>
@@ -107,7 +108,7 @@ std::string text_of(const Term& term) {
   if (term.kind == Term::Kind::key) return text_of_key(term);
   if (term.kind == Term::Kind::rule) return text_of_rule(term);
   return fmt::format("{}\n", term.path) + line("meaning", term.words) + line("unit", term.unit) +
-         line("part of", term.place);
+         line("part of", term.place) + line("page", term.page);
 }
 
 std::string list_of(const Hits& hits) {
@@ -181,6 +182,18 @@ std::string see_also(const std::string& name) {
   return text.empty() ? text : "\nThe same name elsewhere (taut explain PATH)\n" + text;
 }
 
+/// The value that has just this name, before the other hits.
+std::optional<std::string> text_of_value(const std::string& name, const Hits& hits) {
+  const auto own = std::find_if(hits.begin(), hits.end(),
+                                [&](const Term* t) { return t->kind == Term::Kind::value && t->path == name; });
+  if (own == hits.end()) return std::nullopt;
+  Hits others;
+  std::copy_if(hits.begin(), hits.end(), std::back_inserter(others), [&](const Term* t) { return t != *own; });
+  if (others.empty()) return text_of(**own);
+  return fmt::format("{}\nOthers with that name, or a part of it (taut explain PATH)\n{}", text_of(**own),
+                     list_of(others));
+}
+
 std::optional<std::string> found_text(const std::string& name) {
   if (auto topic = topic_text(name)) return *topic + see_also(name);
   Hits hits = hits_of(name, {Fit::whole, Fit::tail});
@@ -190,6 +203,7 @@ std::optional<std::string> found_text(const std::string& name) {
     if (fit_of(name, t->path) == Fit::whole && name.find('.') != std::string::npos) return text_of(*t);
   }
   for (const Term* t : hits_of(name, {Fit::part, Fit::below})) hits.push_back(t);
+  if (auto text = text_of_value(name, hits)) return text;
   if (hits.empty()) return std::nullopt;
   if (hits.size() == 1) return text_of(*hits.front());
   return fmt::format("'{}' is the name, or a part of the name, of {} things. 'taut explain PATH' explains one.\n{}",
@@ -210,6 +224,28 @@ std::vector<std::string> all_names() {
   return names;
 }
 
+/// Whether a value, or what can be observed, has that name; an N at its end stands for a number.
+bool is_of_results(const std::string& name) {
+  const auto& all = terms();
+  return std::any_of(all.begin(), all.end(), [&](const Term& t) {
+    if (t.kind != Term::Kind::value && t.kind != Term::Kind::observable) return false;
+    const Fit fit = fit_of(name, t.path);
+    return fit == Fit::whole || fit == Fit::tail || fit == Fit::by_name || t.path == name + "_N";
+  });
+}
+
+/// What has the name without its last words behind "_": those of a further analysis, a number, an extreme.
+std::optional<std::string> text_without_ending(const std::string& name) {
+  for (std::size_t at = name.rfind('_'); at != std::string::npos && at > 0; at = name.rfind('_', at - 1)) {
+    const std::string own = name.substr(0, at);
+    const auto text = is_of_results(own) ? found_text(own) : std::nullopt;
+    if (!text) continue;
+    return fmt::format("'{}' is '{}' with an ending: the name or number of an analysis, a number, or an extreme.\n\n{}",
+                       name, own, *text);
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 tl::expected<std::string, std::string> explain_name(const std::string& name) {
@@ -226,6 +262,7 @@ tl::expected<std::string, std::string> explain_name(const std::string& name) {
     return fmt::format("Nothing is named '{}'; the word stands in the meaning of {} things.\n{}", name, hits.size(),
                        list_of(hits));
   }
+  if (auto text = text_without_ending(name)) return *text;
   const std::string near = nearest(name, all_names());
   const std::string meant = near.empty() ? std::string() : fmt::format("; did you mean '{}'?", near);
   return tl::unexpected(

@@ -4,12 +4,15 @@
 #include <gtest/gtest.h>
 
 #include "taut/app/explain/explain_machine.hpp"
+#include "taut/app/job.hpp"
 #include "taut/app/methods.hpp"
+#include "test/paths.hpp"
 
 namespace taut::app::explain_name_test {
 
 using testing::HasSubstr;
 using testing::Not;
+using testing::StartsWith;
 
 std::string text_of(const std::string& name) { return explain_name(name).value_or("nothing"); }
 
@@ -58,7 +61,42 @@ TEST(ExplainName, FindsAWordInTheMeanings) {
   EXPECT_THAT(text, HasSubstr("Nothing is named 'catenary'"));
 }
 
+TEST(ExplainName, OfAValueOfAnAnalysisSaysUnitAnalysisAndPage) {
+  const std::string payload = text_of("payload_min");
+  for (const char* part : {"payload_min\n", "meaning   least payload", "unit      t\n", "analysis `payload`",
+                           "page      docs/theory/payload.md"}) {
+    EXPECT_THAT(payload, HasSubstr(part));
+  }
+  EXPECT_THAT(text_of("clearance_min"), HasSubstr("over the ground"));
+  EXPECT_THAT(text_of("cycle_time"), HasSubstr("analysis `cycle`"));
+  EXPECT_THAT(text_of("design_trials"), HasSubstr("`design:`"));
+  EXPECT_THAT(text_of("T_max"), StartsWith("T_max\n  meaning   largest tension\n"));
+  EXPECT_THAT(text_of("T_max"), HasSubstr("ROPE.T_max"));
+  EXPECT_THAT(text_of("skyline.base_tension"), HasSubstr("base tension"));
+}
+
+TEST(ExplainName, KnowsEveryValueOfTheseExamples) {
+  const std::string examples = (taut_test::source_dir() / "examples").string();
+  for (const char* deck :
+       {"machines/running_skyline.yaml", "machines/skyline_over_terrain.yaml", "machines/guys_pulled_in_turn.yaml",
+        "machines/guyed_tower.yaml", "motion/brake_stop.yaml", "design/crane_hoist.yaml"}) {
+    const auto job = read_job(examples + "/" + deck);
+    ASSERT_TRUE(job) << deck;
+    const Result r = run(*job);
+    ASSERT_FALSE(r.values.empty()) << deck << r.message << to_text(r.errors);
+    for (const Value& v : r.values) EXPECT_TRUE(explain_name(v.name)) << deck << ": " << v.name;
+  }
+}
+
+TEST(ExplainName, OfAValueWithAnEndingIsThatOfItsKind) {
+  EXPECT_THAT(text_of("payload_min_uphill"), HasSubstr("'payload_min_uphill' is 'payload_min' with an ending"));
+  EXPECT_THAT(text_of("frequency_2"), HasSubstr("undamped frequency"));
+  EXPECT_THAT(text_of("safety_factor_min"), HasSubstr("breaking force over the largest tension"));
+  EXPECT_THAT(text_of("car.z_max"), HasSubstr("BODY.z"));
+}
+
 TEST(ExplainName, SuggestsForANameThatIsNone) {
+  EXPECT_THAT(explain_name("payload_mni").error(), HasSubstr("did you mean 'payload_min'?"));
   EXPECT_THAT(explain_name("frictoin").error(), HasSubstr("did you mean 'friction'?"));
   EXPECT_THAT(explain_name("sheav").error(), HasSubstr("did you mean 'sheaves'?"));
   EXPECT_THAT(explain_name("qqqqqq").error(), Not(HasSubstr("did you mean")));

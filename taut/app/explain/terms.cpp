@@ -101,6 +101,13 @@ void add_results(std::vector<Term>& all, Term::Kind kind, const std::string& pre
   }
 }
 
+void add_values(std::vector<Term>& all, const std::vector<ValueKind>& kinds) {
+  for (const ValueKind& kind : kinds) {
+    add_results(all, Term::Kind::value, "", "values of results: " + kind.of, {kind.about});
+    if (!kind.page.empty()) all.back().page = "docs/" + kind.page;
+  }
+}
+
 void add_tables(std::vector<Term>& all, const std::vector<TableWords>& tables) {
   for (const TableWords& t : tables) {
     add_results(all, Term::Kind::column, t.name + ".", fmt::format("table {}: a row for: {}", t.name, t.rows),
@@ -141,7 +148,7 @@ const std::vector<Term>& terms() {
                        .place = "rules",
                        .rule = &r});
     }
-    add_results(found, Term::Kind::value, "", "values of a machine", results::value_words());
+    for (const ValueGroup& group : value_groups()) add_values(found, group.values);
     for (const MethodEntry& m : methods()) {
       add_values_of(found, m.about->name, *m.output);
       if (m.exact != nullptr) add_values_of(found, m.about->name, *m.exact);

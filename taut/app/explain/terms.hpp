@@ -16,6 +16,8 @@ struct Term {
   std::string unit;   ///< as print shows it: "m", "kN"; of a key what it takes; may be empty
   std::string words;  ///< its meaning in one line
   std::string place;  ///< where it stands: "machine: reevings: paths of the ropes", "table payload", "the deck"
+  // NOLINTNEXTLINE(readability-redundant-member-init): keeps it optional in a list of initial values
+  std::string page = {};                     ///< of the docs, of a value: "docs/theory/payload.md"; may be empty
   const Description* description = nullptr;  ///< of a key: the one in which it stands
   const Field* field = nullptr;              ///< of a key
   const catalogue::RuleRow* rule = nullptr;  ///< of a rule

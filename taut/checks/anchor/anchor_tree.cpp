@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "taut/catalogue/forestry/tree.hpp"
+#include "taut/checks/described.hpp"
 #include "taut/checks/guy/guy_checks.hpp"
 
 namespace taut::checks {
@@ -44,13 +45,9 @@ void AnchorTree::take(double pull, double above_ground, const std::string& words
 void add_anchor_tree(const std::string& anchor, const AnchorTree& tree, std::optional<double> given, Result& r) {
   const std::string worst = pull_words(tree.force, tree.angle, tree.where);
   if (const auto needed = tree.needed()) {
-    const std::string name = anchor + ".tree_diameter";
-    r.values.push_back({name,
-                        *needed,
-                        si::m.in("cm"),
-                        name,
-                        fmt::format("diameter of the tree that holds {}, by force and angle: {}", anchor, worst),
-                        {}});
+    r.values.push_back(
+        make_value(named(value_kinds(), "ANCHOR.tree_diameter"), anchor, "", *needed,
+                   fmt::format("diameter of the tree that holds {}, by force and angle: {}", anchor, worst)));
   }
   if (!given) return;
   if (!tree.beyond.empty() && *given >= tree.diameter) {

@@ -10,6 +10,7 @@
 #include "taut/calc/none.hpp"
 #include "taut/catalogue/forestry/tree.hpp"
 #include "taut/checks/anchor/rope_ends.hpp"
+#include "taut/checks/described.hpp"
 #include "taut/checks/guy/guy_checks.hpp"
 #include "taut/study/load_path.hpp"
 
@@ -101,13 +102,10 @@ void check_tree(const SupportStates& s, Result& r) {
   const std::string& name = s.request->name;
   const auto needed = tree_diameter(s);
   if (needed) {
-    r.values.push_back({name + ".tree_diameter",
-                        *needed,
-                        si::m.in("cm"),
-                        name + ".tree_diameter",
-                        fmt::format("diameter of the tree at breast height that carries {}, by force and height: {}",
-                                    name, force_words(s)),
-                        {}});
+    r.values.push_back(
+        make_value(named(value_kinds(), "SUPPORT.tree_diameter"), name, "", *needed,
+                   fmt::format("diameter of the tree at breast height that carries {}, by force and height: {}", name,
+                               force_words(s))));
   }
   if (!s.request->tree_diameter) return;
   if (!needed) {

@@ -8,6 +8,7 @@
 #include "taut/calc/none.hpp"
 #include "taut/catalogue/section_search.hpp"
 #include "taut/catalogue/steel.hpp"
+#include "taut/checks/described.hpp"
 #include "taut/checks/guy/guy_checks.hpp"
 #include "taut/structure/hollow_section.hpp"
 
@@ -317,18 +318,17 @@ void add_mast_report(const MastCheckRequest& request, const MastReport& report, 
     r.warnings.push_back(fmt::format("{}: f_y of {} is {}", report.name, one.steel, one.trust));
     break;
   }
-  const auto value = [&](const char* key, double v, const Unit& unit, const char* words) {
-    const std::string name = fmt::format("{}.{}", report.name, key);
-    r.values.push_back({name, v, unit, name, fmt::format("{} of {}", words, report.name), {}});
+  const auto value = [&](const char* name, double v) {
+    const ValueKind& kind = named(value_kinds(), name);
+    r.values.push_back(make_value(kind, report.name, "", v, fmt::format("{} of {}", kind.about.words, report.name)));
   };
   if (u.refused.empty()) {
-    value("utilisation", std::max({u.section.value, u.shear.value, u.flexural.value, u.member.value}), si::one,
-          "largest use by EN 1993-1-1");
+    value("MAST.utilisation", std::max({u.section.value, u.shear.value, u.flexural.value, u.member.value}));
     add_row(report, u, r);
     add_profile(report, r);
     write_mast(request, report, u, r);
   }
-  value("service_stress", u.stress.value, si::Pa, "largest |N|/A + M/W without factors");
+  value("MAST.service_stress", u.stress.value);
   add_mast_choice(request, report, r);
 }
 

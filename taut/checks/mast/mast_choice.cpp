@@ -5,6 +5,7 @@
 
 #include "taut/calc/none.hpp"
 #include "taut/catalogue/section_search.hpp"
+#include "taut/checks/described.hpp"
 #include "taut/checks/mast/mast_checks.hpp"
 
 namespace taut::checks {
@@ -96,13 +97,9 @@ void add_mast_choice(const MastCheckRequest& request, const MastReport& report, 
     }
   }
   if (!best) return;
-  const std::string name = report.name + ".chosen_mass";
-  r.values.push_back({name,
-                      best->section.mass_per_length,
-                      si::kg_per_m,
-                      name,
-                      fmt::format("mass of {}, the lightest that passes, of {}", best->section.name, report.name),
-                      {}});
+  r.values.push_back(
+      make_value(named(value_kinds(), "MAST.chosen_mass"), report.name, "", best->section.mass_per_length,
+                 fmt::format("mass of {}, the lightest that passes, of {}", best->section.name, report.name)));
   r.assumptions.push_back(fmt::format(
       "{}: {} ({:.4g} kg/m) is the lightest section of the catalogue that passes; chosen under the forces found here: "
       "run the deck with it.",

@@ -6,6 +6,7 @@
 
 #include "taut/base/suggest.hpp"
 #include "taut/checks/checks.hpp"
+#include "taut/checks/described.hpp"
 #include "taut/checks/rope/rope_life.hpp"
 #include "taut/checks/rope/rope_rules.hpp"
 #include "taut/checks/rope/rope_uses.hpp"
@@ -90,15 +91,11 @@ void add_checks_of(const RopeCheckRequest& request, const AskedRules& asked, con
   r.warnings.insert(r.warnings.end(), found.remarks.begin(), found.remarks.end());
   std::move(found.left_out.begin(), found.left_out.end(), std::back_inserter(r.unmade));
   if (const double peak = rope::peak_tension(use, rules); peak > 0 && use.rope.breaking_force > 0) {
-    const std::string name = use.name + ".dynamic_safety_factor";
     const bool moves = use.peak > 0 && use.peak >= rules.dynamic_factor * use.tension;
-    r.values.push_back({name,
-                        use.rope.breaking_force / peak,
-                        si::one,
-                        name,
-                        fmt::format("breaking force over the peak tension of {} ({})", use.name,
-                                    moves ? use.peak_where : rules.dynamic_words),
-                        {}});
+    const ValueKind& kind = named(value_kinds(), "ROPE.dynamic_safety_factor");
+    r.values.push_back(make_value(
+        kind, use.name, "", use.rope.breaking_force / peak,
+        fmt::format("{} of {} ({})", kind.about.words, use.name, moves ? use.peak_where : rules.dynamic_words)));
   }
   Sheet<Num> s("rope", RopeCheckRequest::describe(), &request);
   rope::write_rope(s, use, rules);

@@ -9,6 +9,7 @@
 #include "taut/base/suggest.hpp"
 #include "taut/catalogue/construction.hpp"
 #include "taut/catalogue/rule.hpp"
+#include "taut/checks/described.hpp"
 
 namespace taut::checks {
 namespace {
@@ -132,18 +133,10 @@ void add_life_check(const rope::Life& life, const rope::LifeRules& rules, const 
                   .trust = rope::trust_with_rope(trust, use.rope)});
   c.part = use.name;
   r.checks.push_back(std::move(c));
-  r.values.push_back({name + "_damage",
-                      life.damage,
-                      si::one,
-                      name + "_damage",
-                      fmt::format("damage of {} in the wanted life, {}", use.name, life.constants->count),
-                      {}});
-  r.values.push_back({name + "_repeats",
-                      1 / life.damage,
-                      si::one,
-                      name + "_repeats",
-                      fmt::format("how often the duty of {} can run, {}", use.name, life.constants->count),
-                      {}});
+  r.values.push_back(make_value(named(value_kinds(), "ROPE.life_damage"), use.name, "", life.damage,
+                                fmt::format("damage of {} in the wanted life, {}", use.name, life.constants->count)));
+  r.values.push_back(make_value(named(value_kinds(), "ROPE.life_repeats"), use.name, "", 1 / life.damage,
+                                fmt::format("how often the duty of {} can run, {}", use.name, life.constants->count)));
 }
 
 void check_donandt(double force, const rope::RopeUse& use, const rope::RopeRules& rules, Result& r) {

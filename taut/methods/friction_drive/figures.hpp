@@ -19,6 +19,8 @@ Layout layout_of(const Input& in);
 
 /// Both sheaves, branches and forces.
 Drawing drive_drawing(const Input& in, const Output& out);
+/// The same without tensions, for a drive that has no answer.
+Drawing drive_without_answer(const Input& in);
 
 /// Tension along the working arc of the driving sheave, from the slack side, with what Euler allows.
 Plot arc_plot(const Input& in, const Output& out);

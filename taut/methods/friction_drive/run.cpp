@@ -104,6 +104,8 @@ Result run(const Input& in, Output& out) {
     }
     r.figures = {drive_drawing(in, out), arc_plot(in, out), friction_plot(in, out), pull_plot(in, out),
                  speed_plot(in, out)};
+  } else {
+    r.figures = {drive_without_answer(in)};
   }
   r.values = values_of(Output::describe(), &out);
   return r;

@@ -66,6 +66,13 @@ TEST(FrictionDriveRun, NoGripStillShowsItsSteps) {
   EXPECT_NE(r.find_value("e"), nullptr);
   EXPECT_EQ(r.find_value("P_M"), nullptr);
   EXPECT_FALSE(r.steps.empty());
+  ASSERT_EQ(r.figures.size(), 1U) << "the drive as described";
+  const auto& drive = std::get<Drawing>(r.figures.front());
+  EXPECT_NE(drive.title.find("as described"), std::string::npos);
+  for (const Shape& one : drive.shapes) {
+    const auto* force = std::get_if<ForceArrow>(&one);
+    EXPECT_TRUE(force == nullptr || force->label == "P_p") << "only what is given";
+  }
 }
 
 TEST(FrictionDriveRun, ReserveBeyondTheGripIsSaid) {

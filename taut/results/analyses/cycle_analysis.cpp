@@ -7,6 +7,7 @@
 #include "taut/calc/none.hpp"
 #include "taut/checks/checked_parts.hpp"
 #include "taut/results/analyses/analyses.hpp"
+#include "taut/results/described.hpp"
 #include "taut/study/deck/watch.hpp"
 
 namespace taut::results {
@@ -49,9 +50,10 @@ Table works_table(const study::CycleRun& run) {
 }
 
 void add_values(const study::CycleRun& run, const Display& display, Result& r) {
-  const auto add = [&](const std::string& name, double v, const Unit& unit, const std::string& words) {
-    r.values.push_back({name + run.ending, v, unit, name, words, {}});
+  const auto add = [&](const char* name, const std::string& winch, double v, const std::string& words) {
+    r.values.push_back(make_value(named(value_kinds(), name), winch, run.ending, v, words));
   };
+  const auto about = [](const char* name) { return named(value_kinds(), name).about.words; };
   double energy = 0, time = 0;
   std::vector<std::string> parts;
   for (std::size_t w = 0; w < run.winches.size(); ++w) {
@@ -63,16 +65,16 @@ void add_values(const study::CycleRun& run, const Display& display, Result& r) {
       if (!std::isnan(work.power_max) && (std::isnan(power) || work.power_max > power)) power = work.power_max;
     }
     const std::string& name = run.winches[w].name;
-    add(name + ".pull_max", most, si::N, fmt::format("largest pull of {} over the cycle", name));
-    add(name + ".energy", own, si::J, fmt::format("energy that {} gives in the cycle", name));
-    if (!std::isnan(power)) add(name + ".power_max", power, si::W, fmt::format("largest power of {}", name));
+    add("WINCH.pull_max", name, most, fmt::format("largest pull of {} over the cycle", name));
+    add("WINCH.energy", name, own, fmt::format("energy that {} gives in the cycle", name));
+    if (!std::isnan(power)) add("WINCH.power_max", name, power, fmt::format("largest power of {}", name));
     energy += own;
     const std::string at_power = std::isnan(power) ? "" : ", power up to " + display.quantity(power, si::W);
     parts.push_back(fmt::format("{} pull up to {}{}", name, display.quantity(most, si::N), at_power));
   }
   for (const study::PhaseAnswer& answer : run.answers) time += answer.time;
-  add("cycle_energy", energy, si::J, "energy of all winches in the cycle, what brakes take off it taken off");
-  if (!std::isnan(time)) add("cycle_time", time, si::s, "time of all phases at their speeds");
+  add("cycle_energy", "", energy, about("cycle_energy"));
+  if (!std::isnan(time)) add("cycle_time", "", time, about("cycle_time"));
   parts.push_back(fmt::format("cycle {}{}", display.quantity(energy, si::J),
                               std::isnan(time) ? "" : " in " + display.quantity(time, si::s)));
   add_answer_line(r, "Winches", parts);

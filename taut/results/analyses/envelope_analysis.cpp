@@ -5,6 +5,7 @@
 #include "taut/calc/answers.hpp"
 #include "taut/checks/checked_parts.hpp"
 #include "taut/results/analyses/analyses.hpp"
+#include "taut/results/described.hpp"
 #include "taut/study/deck/watch.hpp"
 
 namespace taut::results {
@@ -23,13 +24,13 @@ void add_tensions(const study::EnvelopeRun& run, const Display& display, Result&
   std::vector<std::string> parts;
   for (const study::EnvelopeExtreme& e : run.extremes) {
     if (e.what != "tension") continue;
-    const auto add = [&](const char* end, double value, const char* words) {
-      const std::string name = fmt::format("{}.T_{}_envelope{}", e.name, end, run.ending);
-      r.values.push_back(
-          {name, value, si::N, name, fmt::format("{} tension of {} over the envelope", words, e.name), {}});
+    const auto add = [&](const char* name, double value) {
+      const ValueKind& kind = named(value_kinds(), name);
+      r.values.push_back(make_value(kind, e.name, run.ending, value,
+                                    fmt::format("{} of {} over the envelope", kind.about.words, e.name)));
     };
-    add("min", e.least, "least");
-    add("max", e.most, "largest");
+    add("ROPE.T_min_envelope", e.least);
+    add("ROPE.T_max_envelope", e.most);
     parts.push_back(
         fmt::format("{} {} to {}", e.name, display.quantity(e.least, si::N), display.quantity(e.most, si::N)));
   }
@@ -55,13 +56,8 @@ void add_answer(const study::EnvelopeRun& asked, MachineRun& machine, Result& r)
   r.tables.push_back(envelope_table(run, "_lengths", si::m, false));
   r.tables.push_back(envelope_table(run, "_angles", si::rad, false));
   if (r.tables.back().rows.empty()) r.tables.pop_back();
-  r.values.push_back({"envelope_states" + run.ending,
-                      static_cast<double>(run.states),
-                      si::one,
-                      "n",
-                      "states of the envelope that were solved",
-                      {},
-                      true});
+  const ValueKind& states = named(value_kinds(), "envelope_states");
+  r.values.push_back(make_value(states, "", run.ending, static_cast<double>(run.states), states.about.words));
   add_tensions(run, machine.display, r);
   for (study::WorstState& one : run.worst) {
     machine.others.push_back({std::move(one.words), std::move(one.model), std::move(one.result)});

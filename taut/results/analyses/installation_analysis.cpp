@@ -7,6 +7,7 @@
 #include "taut/calc/none.hpp"
 #include "taut/checks/checked_parts.hpp"
 #include "taut/results/analyses/analyses.hpp"
+#include "taut/results/described.hpp"
 #include "taut/study/deck/missing.hpp"
 #include "taut/study/deck/temperature.hpp"
 
@@ -186,17 +187,14 @@ void add_results(const InstallationRun& run, bool judged, const Display& display
   missing.note(r, "installation" + run.ending, judged);
   const auto first = std::find_if(run.rows.begin(), run.rows.end(), [](const Row& row) { return row.at.outcome.ok(); });
   if (first == run.rows.end()) return;
-  const auto value = [&](const char* name, double v, const Unit& unit, const char* words) {
-    r.values.push_back({fmt::format("{}.{}{}", run.words, name, run.ending),
-                        v,
-                        unit,
-                        fmt::format("{}.{}", run.words, name),
-                        fmt::format("{}, {}", words, words_of(*first, run)),
-                        {}});
+  const auto value = [&](const char* name, double v) {
+    const ValueKind& kind = named(value_kinds(), name);
+    r.values.push_back(
+        make_value(kind, run.words, run.ending, v, fmt::format("{}, {}", kind.about.words, words_of(*first, run))));
   };
-  value("install_T_start", first->at.T_start, si::N, "tension at its start");
-  value("install_T_end", first->at.T_end, si::N, "tension at its end");
-  value("install_length", first->at.cut, si::m, "length as cut");
+  value("ROPE.install_T_start", first->at.T_start);
+  value("ROPE.install_T_end", first->at.T_end);
+  value("ROPE.install_length", first->at.cut);
   r.tables.push_back(installation_table(run, first->at));
   r.tables.push_back(lengths_table(run, *first));
   if (run.rows.size() > 1) add_plots(run, first->at.sag.size(), r);

@@ -3,6 +3,7 @@
 #include "taut/calc/answers.hpp"
 #include "taut/checks/checked_parts.hpp"
 #include "taut/results/analyses/analyses.hpp"
+#include "taut/results/described.hpp"
 #include "taut/study/deck/missing.hpp"
 
 namespace taut::results {
@@ -33,14 +34,15 @@ void add_least_tension(const study::LeastTensionRun& run, MachineRun& machine, R
   std::vector<std::string> parts;
   for (const study::LeastTension& one : result.ropes) {
     const std::string& name = result.models.front().reevings[one.reeving].name;
-    const auto add = [&](const char* what, double value, const Unit& unit, const char* words) {
-      const std::string full = fmt::format("{}.pretension_{}{}", name, what, run.ending);
-      r.values.push_back({full, value, unit, full, fmt::format("{} of {} ({})", words, name, run.words), {}});
+    const auto add = [&](const char* what, double value) {
+      const ValueKind& kind = named(value_kinds(), what);
+      r.values.push_back(
+          make_value(kind, name, run.ending, value, fmt::format("{} of {} ({})", kind.about.words, name, run.words)));
     };
-    add("length", one.unstretched, si::m, "unstretched length");
-    add("taken_out", one.taken_out, si::m, "rope taken out");
-    add("T", one.T_min.front(), si::N, "least tension as put up");
-    add("T_least", one.T_least, si::N, "least tension over all cases");
+    add("ROPE.pretension_length", one.unstretched);
+    add("ROPE.pretension_taken_out", one.taken_out);
+    add("ROPE.pretension_T", one.T_min.front());
+    add("ROPE.pretension_T_least", one.T_least);
     parts.push_back(fmt::format(
         "{} {} unstretched, {} as put up, never below {}", name, machine.display.quantity(one.unstretched, si::m),
         machine.display.quantity(one.T_min.front(), si::N), machine.display.quantity(one.T_least, si::N)));

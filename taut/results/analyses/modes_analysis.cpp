@@ -7,6 +7,7 @@
 #include "taut/calc/answers.hpp"
 #include "taut/checks/checked_parts.hpp"
 #include "taut/results/analyses/analyses.hpp"
+#include "taut/results/described.hpp"
 #include "taut/results/motion/transient_scene.hpp"
 #include "taut/solve/modes.hpp"
 #include "taut/study/deck/missing.hpp"
@@ -55,19 +56,11 @@ void add_mode_values(const study::ModesRun& run, Result& r) {
       const std::string end = fmt::format("{}{}{}", i + 1, mode_set_ending(set), run.ending);
       const std::string words =
           run.result.sets.size() == 1 ? "" : fmt::format(", sheaves {}", study::sheaves_words(run, set));
-      r.values.push_back({"frequency_" + end,
-                          mode.frequency,
-                          si::per_s,
-                          "f_" + end,
-                          fmt::format("undamped frequency of mode {}{}", i + 1, words),
-                          {}});
+      r.values.push_back(make_value(named(value_kinds(), "frequency_N"), end, "", mode.frequency,
+                                    fmt::format("undamped frequency of mode {}{}", i + 1, words)));
       if (mode.kind == solve::ModeKind::free) continue;
-      r.values.push_back({"damping_" + end,
-                          mode.damping,
-                          si::one,
-                          "zeta_" + end,
-                          fmt::format("damping of mode {} as a share of the critical one{}", i + 1, words),
-                          {}});
+      r.values.push_back(make_value(named(value_kinds(), "damping_N"), end, "", mode.damping,
+                                    fmt::format("damping of mode {} as a share of the critical one{}", i + 1, words)));
     }
   }
 }

@@ -13,6 +13,7 @@
 #include "taut/math/index.hpp"
 #include "taut/results/analyses/analyses.hpp"
 #include "taut/results/answers/line_profile.hpp"
+#include "taut/results/described.hpp"
 #include "taut/results/load_path_table.hpp"
 #include "taut/study/deck/missing.hpp"
 #include "taut/study/deck/watch.hpp"
@@ -270,15 +271,12 @@ void add_results(MachineRun& machine, const study::PayloadRun& run, Result& r) {
   if (least.of_all == nullptr) return;
   add_carried(machine, run, least, nothing, r);
   const study::Payload& worst = least.of_all->point.payload;
-  r.values.push_back({"payload_min" + run.ending,
-                      worst.mass,
-                      si::kg.in("t"),
-                      "m_min",
-                      fmt::format("least payload ({}); governs: {}", run.words, worst.governing),
-                      {}});
+  const ValueKind& carried = named(value_kinds(), "payload_min");
+  r.values.push_back(make_value(carried, "", run.ending, worst.mass,
+                                fmt::format("{} ({}); governs: {}", carried.about.words, run.words, worst.governing)));
   if (r.headline.empty()) r.headline = "carries " + payload_words(*least.of_all, machine.display);
-  r.values.push_back(
-      {"payload_min_x" + run.ending, least.of_all->point.x, si::m, "x", "where the payload is least", {}});
+  const ValueKind& place = named(value_kinds(), "payload_min_x");
+  r.values.push_back(make_value(place, "", run.ending, least.of_all->point.x, place.about.words));
   r.tables.push_back(payload_table(machine.model, run));
   add_limits(machine.model, run, r);
   if (machine.checked->judged) add_gaps(machine.model, run, r);

@@ -6,6 +6,7 @@
 #include "taut/calc/answers.hpp"
 #include "taut/checks/checked_parts.hpp"
 #include "taut/results/analyses/analyses.hpp"
+#include "taut/results/described.hpp"
 #include "taut/results/motion/transient_figures.hpp"
 #include "taut/results/motion/transient_scene.hpp"
 #include "taut/results/motion/transient_tables.hpp"
@@ -52,11 +53,6 @@ Table tensioning_table(const study::PretensionRun& run, const machine::Model& m)
   return t;
 }
 
-void add_pretension_value(Result& r, const std::string& name, double value, const Unit& unit, std::string words,
-                          bool detail = false) {
-  r.values.push_back({name, value, unit, name, std::move(words), {}, detail});
-}
-
 /// Measures by step, and of each rope what it has at the end: its tensions, its length, what was taken out.
 void add_pretension_values(const study::PretensionRun& run, const machine::Model& m, const Display& display,
                            Result& r) {
@@ -64,9 +60,11 @@ void add_pretension_values(const study::PretensionRun& run, const machine::Model
   for (std::size_t i = 0; run.answer.slowly && i < run.answer.ends.size(); ++i) {
     for (std::size_t k = 0; k < m.observed.size(); ++k) {
       if (m.observed[k].taken == machine::description::Taken::automatic) continue;
-      add_pretension_value(r, fmt::format("{}_{}{}", m.observed[k].name, i + 1, run.ending),
-                           run.answer.ends[i].observed[k], m.observed[k].unit,
-                           fmt::format("{} as pull {} ends ({})", m.observed[k].name, i + 1, of), true);
+      r.values.push_back(make_value(named(value_kinds(), "MEASURE"), fmt::format("{}_{}", m.observed[k].name, i + 1),
+                                    run.ending, run.answer.ends[i].observed[k],
+                                    fmt::format("{} as pull {} ends ({})", m.observed[k].name, i + 1, of)));
+      r.values.back().unit = m.observed[k].unit;
+      r.values.back().detail = true;
     }
   }
   std::vector<std::string> parts;
@@ -79,14 +77,15 @@ void add_pretension_values(const study::PretensionRun& run, const machine::Model
     for (std::size_t k = 0; k < run.answer.ends.size(); ++k) {
       if (run.pulls[k % run.pulls.size()].reeving == i) taken = run.answer.ends[k].taken_in_all;
     }
-    const auto add = [&](const char* what, double value, const Unit& unit, const char* words) {
-      add_pretension_value(r, fmt::format("{}.pretension_{}{}", name, what, run.ending), value, unit,
-                           fmt::format("{} of {} ({})", words, name, of));
+    const auto add = [&](const char* what, double value) {
+      const ValueKind& kind = named(value_kinds(), what);
+      r.values.push_back(
+          make_value(kind, name, run.ending, value, fmt::format("{} of {} ({})", kind.about.words, name, of)));
     };
-    add("T_start", last.T_start[i], si::N, "tension at the start");
-    add("T_end", last.T_end[i], si::N, "tension at the end");
-    add("length", last.unstretched[i], si::m, "unstretched length");
-    add("taken_out", taken, si::m, "rope taken out");
+    add("ROPE.pretension_T_start", last.T_start[i]);
+    add("ROPE.pretension_T_end", last.T_end[i]);
+    add("ROPE.pretension_length", last.unstretched[i]);
+    add("ROPE.pretension_taken_out", taken);
     parts.push_back(fmt::format("{} {} at its start, {} at its end, {} taken out", name,
                                 display.quantity(last.T_start[i], si::N), display.quantity(last.T_end[i], si::N),
                                 display.quantity(taken, si::m.in("mm"))));

@@ -6,6 +6,7 @@
 #include "taut/calc/none.hpp"
 #include "taut/checks/checked_parts.hpp"
 #include "taut/results/analyses/analyses.hpp"
+#include "taut/results/described.hpp"
 #include "taut/solve/quantities.hpp"
 #include "taut/study/deck/missing.hpp"
 #include "taut/study/deck/watch.hpp"
@@ -168,12 +169,9 @@ void add_results(MachineRun& machine, const study::SweepRun& run, const solve::S
   }
   r.tables.push_back(std::move(t));
   const std::string words = end_words(run, s);
-  r.values.push_back({"sweep_end" + run.ending,
-                      s.value,
-                      run.unit,
-                      "end",
-                      words.empty() ? fmt::format("last value of {}", run.parameter) : words,
-                      {}});
+  r.values.push_back(make_value(named(value_kinds(), "sweep_end"), "", run.ending, s.value,
+                                words.empty() ? fmt::format("last value of {}", run.parameter) : words));
+  r.values.back().unit = run.unit;
   if (!words.empty()) r.warnings.push_back(fmt::format("the sweep {}", words));
   add_swept(run, s, words, machine.display, r);
   if (machine.checked->judged) note_values_lost(run, s, r);

@@ -10,6 +10,7 @@
 #include <set>
 
 #include "taut/calc/none.hpp"
+#include "taut/results/machine_figures.hpp"
 #include "taut/results/motion/transient_scene.hpp"
 #include "taut/results/motion/transient_tables.hpp"
 
@@ -58,27 +59,12 @@ std::vector<PlaneView> views_of(const study::TransientRun& run) {
   return views;
 }
 
-/// Lines from the origin of each body to what sits on it.
-std::vector<std::array<Vector3, 2>> body_lines(const machine::Model& m, const solve::TransientFrame& frame) {
-  std::vector<std::array<Vector3, 2>> lines;
-  std::set<std::pair<int, std::string>> drawn;
-  for (const machine::Reeving& rope : m.reevings) {
-    for (const machine::Node& node : rope.nodes) {
-      if (node.at.body == machine::ground || node.at.at.norm() == 0) continue;
-      if (!drawn.insert({node.at.body, node.name}).second) continue;
-      const auto& body = frame.bodies[node.at.body];
-      lines.push_back({body.position, body.position + body.orientation * node.at.at});
-    }
-  }
-  for (const machine::Face& face : m.faces) {
-    const auto* body = face.body == machine::ground ? nullptr : &frame.bodies[face.body];
-    const auto place = [&](const Vector3& at) -> Vector3 {
-      return body == nullptr ? at : Vector3(body->position + body->orientation * at);
-    };
-    lines.push_back({place(face.from), place(face.to)});
-  }
-  for (const auto& actuator : frame.actuators) lines.push_back({actuator.from, actuator.to});
-  return lines;
+std::vector<std::array<Vector3, 2>> body_lines_at(const machine::Model& m, const solve::TransientFrame& frame) {
+  return body_lines(m, [&](const machine::Place& place) -> Vector3 {
+    if (place.body == machine::ground) return place.at;
+    const auto& body = frame.bodies[place.body];
+    return body.position + body.orientation * place.at;
+  });
 }
 
 Drawing drawing_of(const study::TransientRun& run, std::size_t index, const PlaneView& view, const std::string& title) {
@@ -93,7 +79,7 @@ Drawing drawing_of(const study::TransientRun& run, std::size_t index, const Plan
   d.legend = {{Role::rope, m.reevings.front().name},
               {Role::second_rope, m.reevings.size() == 2 ? m.reevings.back().name : "other ropes"},
               {Role::force, "ropes on what holds them"}};
-  for (const auto& [from, to] : body_lines(m, frame)) {
+  for (const auto& [from, to] : body_lines_at(m, frame)) {
     d.shapes.emplace_back(Polyline{
         .points = {view.point(from), view.point(to)}, .role = Role::structure, .closed = false, .filled = false});
   }
@@ -266,7 +252,7 @@ Animation animation_of(const study::TransientRun& run, const PlaneView& view) {
   a.t = times_of(run);
   a.events = main_events(run);
   for (const auto& frame : frames) {
-    const ShownFrame shown{.bodies = body_lines(run.model, frame),
+    const ShownFrame shown{.bodies = body_lines_at(run.model, frame),
                            .ropes = rope_parts(run.model, frame),
                            .held = held_parts(run.model, frame, frames.front())};
     if (a.lines.empty()) begin(a, shown, view);

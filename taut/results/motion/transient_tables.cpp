@@ -7,6 +7,8 @@
 
 #include "taut/base/expects.hpp"
 #include "taut/catalogue/rule.hpp"
+#include "taut/checks/described.hpp"
+#include "taut/results/described.hpp"
 
 namespace taut::results {
 namespace {
@@ -51,9 +53,10 @@ void add_measure(const study::TransientRun& run, const machine::Observable& o, c
                           : o.taken == Taken::min ? std::pair{e.min, "smallest value"}
                           : o.taken == Taken::max ? std::pair{e.max, "largest value"}
                                                   : std::pair{e.end, "value at the end"};
-  const std::string name = o.name + run.ending;
   if (std::isfinite(x)) {
-    r.values.push_back({name, x, o.unit, name, fmt::format("{} of {} ({})", words, o.name, words_of(run)), {}});
+    r.values.push_back(make_value(named(value_kinds(), "MEASURE"), o.name, run.ending, x,
+                                  fmt::format("{} of {} ({})", words, o.name, words_of(run))));
+    r.values.back().unit = o.unit;
   } else {
     r.warnings.push_back(
         fmt::format("{} has no mean: the motion never comes to where it is taken ({})", o.name, words_of(run)));
@@ -66,20 +69,17 @@ void add_envelope(const study::TransientRun& run, Result& r) {
     rows.push_back({run, i});
     const machine::Observable& o = run.model.observed[i];
     const solve::Extreme& e = run.result.extremes[i];
-    const auto value = [&](const char* ending, double x, const std::string& words) {
+    const auto value = [&](const char* name, double x, const char* when, double t) {
       if (!std::isfinite(x)) return;
-      const std::string name = fmt::format("{}_{}{}", o.name, ending, run.ending);
-      r.values.push_back({name,
-                          x,
-                          o.unit,
-                          name,
-                          fmt::format("{} of {} ({})", words, o.name, words_of(run)),
-                          {},
-                          true});  // the table of the envelope has them in one line
+      const ValueKind& kind = named(value_kinds(), name);  // a detail: the table of the envelope has them in one line
+      r.values.push_back(
+          make_value(kind, o.name, run.ending, x,
+                     fmt::format("{}, {} {:.6g} s, of {} ({})", kind.about.words, when, t, o.name, words_of(run))));
+      r.values.back().unit = o.unit;
     };
-    value("min", e.min, fmt::format("smallest value, at t = {:.6g} s,", e.t_min));
-    value("max", e.max, fmt::format("largest value, at t = {:.6g} s,", e.t_max));
-    value("end", e.end, fmt::format("value at the end, t = {:.6g} s,", run.result.t_end));
+    value("OBSERVED_min", e.min, "at t =", e.t_min);
+    value("OBSERVED_max", e.max, "at t =", e.t_max);
+    value("OBSERVED_end", e.end, "t =", run.result.t_end);
     add_measure(run, o, e, r);
   }
   r.tables.push_back(make_table(run.envelope + run.ending, "Envelope: smallest and largest over all steps (SI)",
@@ -114,15 +114,9 @@ void add_energy(const study::TransientRun& run, Result& r) {
   r.tables.push_back(make_table("energy" + run.ending,
                                 "Energy: what the machine holds, what was supplied and lost since the start",
                                 as_details(energy_quantities()), rows));
-  const std::string share = "energy_residual" + run.ending;
   if (last.turnover > 0) {
-    r.values.push_back({share,
-                        last.residual / last.turnover,
-                        si::one,
-                        share,
-                        "energy that the ledger can't account for, over the largest that was stored, supplied or lost",
-                        {},
-                        true});
+    const ValueKind& share = named(value_kinds(), "energy_residual");
+    r.values.push_back(make_value(share, "", run.ending, last.residual / last.turnover, share.about.words));
   }
 }
 
@@ -177,8 +171,9 @@ void add_ropes(const study::TransientRun& run, const std::vector<std::string>& s
   const auto known = std::find_if(r.values.begin(), r.values.end(), [](const Value& v) { return v.name == "T_max"; });
   if (known != r.values.end() && known->value >= worst) return;
   if (known != r.values.end()) r.values.erase(known);
-  r.values.insert(r.values.begin(),
-                  {"T_max", worst, si::N, "T_max", fmt::format("largest tension ({}; {})", where, words_of(run)), {}});
+  const ValueKind& largest = named(checks::value_kinds(), "T_max");
+  r.values.insert(r.values.begin(), make_value(largest, "", "", worst,
+                                               fmt::format("{} ({}; {})", largest.about.words, where, words_of(run))));
 }
 
 /// How much of the way of each driven rim its rope did not go along with, over all that was written down.
@@ -190,9 +185,9 @@ void add_slip_shares(const study::TransientRun& run, Result& r) {
     if (!node.motor) continue;
     const auto [slipped, rim] = slips[c];
     if (!(rim > 0)) continue;
-    const std::string name = fmt::format("{}.slip_share{}", node.name, run.ending);
     const std::string words = fmt::format("way that the rope slips on {}, as a share of the way of its rim", node.name);
-    r.values.push_back({name, slipped / rim, si::one, name, fmt::format("{} ({})", words, words_of(run)), {}});
+    r.values.push_back(make_value(named(value_kinds(), "SHEAVE.slip_share"), node.name, run.ending, slipped / rim,
+                                  fmt::format("{} ({})", words, words_of(run))));
   }
 }
 
