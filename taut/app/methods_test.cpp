@@ -63,8 +63,13 @@ TEST(Methods, EveryErratumNamesATestThatExistsAndStandsInTheDocs) {
     page << file.rdbuf();
     for (const Erratum& e : m.about->errata) {
       EXPECT_TRUE(tests.contains(e.test)) << m.about->name << " " << e.where << ": there is no test " << e.test;
-      EXPECT_NE(page.str().find(e.test), std::string::npos)
-          << "docs/methods/" << m.about->name << ".md lacks " << e.test;
+      // a page may name the suite once, above its table
+      const std::size_t dot = e.test.find('.');
+      const std::string suite = e.test.substr(0, dot), alone = "`" + e.test.substr(dot + 1) + "`";
+      const bool in_full = page.str().find(e.test) != std::string::npos;
+      const bool below_suite =
+          page.str().find(suite + ".NAME") < page.str().find(alone) && page.str().find(alone) != std::string::npos;
+      EXPECT_TRUE(in_full || below_suite) << "docs/methods/" << m.about->name << ".md lacks " << e.test;
     }
   }
 }

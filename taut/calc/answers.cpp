@@ -119,7 +119,7 @@ void finish_answers(Result& r) {
   std::vector<std::string> uses;
   for (const Check* c : worst_checks(r)) uses.push_back(use_words(*c));
   r.answers.resize(std::min(r.answers.size(), most_answers - (uses.empty() ? 0 : 1)));
-  add_answer_line(r, "Uses", uses);
+  add_answer_line(r, uses_label, uses);
 }
 
 }  // namespace taut

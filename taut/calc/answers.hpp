@@ -14,6 +14,7 @@ inline constexpr std::string_view build_label = "Build";      ///< found by the 
 inline constexpr std::string_view nearest_label = "Nearest";  ///< found, but it does not pass
 inline constexpr std::string_view given_label = "Given";      ///< not found: the deck gives it
 inline constexpr std::string_view needs_label = "Needs";      ///< asked for by the calculation, still to be chosen
+inline constexpr std::string_view uses_label = "Uses";        ///< utilisations by part, where no table shows them
 
 inline constexpr std::size_t most_answers = 8;
 inline constexpr std::size_t longest_answer = 200;  ///< characters

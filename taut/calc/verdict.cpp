@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include "taut/units/display.hpp"
@@ -23,15 +24,20 @@ std::string listed(const std::vector<std::string>& names) {
   return text;
 }
 
-std::string quantity(double value, const Unit& unit, const Result& r) {
-  if (std::isnan(value)) return "no number";
-  return Display(r.display).quantity(value, unit);
+/// Value and limit, with more digits where they would read the same.
+std::pair<std::string, std::string> value_and_limit(const Check& c, const Result& r) {
+  const Display display(r.display);
+  if (std::isnan(c.value)) return {"no number", display.brief(c.limit, c.unit)};
+  std::pair text{display.brief(c.value, c.unit), display.brief(c.limit, c.unit)};
+  if (text.first == text.second) text = {display.quantity(c.value, c.unit), display.quantity(c.limit, c.unit)};
+  return text;
 }
 
 /// "skyline.T_max 790.7 kN, limit at most 279.1 kN (sweep, loads[0].mass = 40 t): minimum breaking force of the rope".
 std::string sentence(const Check& c, const Result& r) {
-  std::string text = fmt::format("{} {}, limit {} {}", c.name, quantity(c.value, c.unit, r),
-                                 c.sense == Sense::at_most ? "at most" : "at least", quantity(c.limit, c.unit, r));
+  const auto [value, limit] = value_and_limit(c, r);
+  std::string text =
+      fmt::format("{} {}, limit {} {}", c.name, value, c.sense == Sense::at_most ? "at most" : "at least", limit);
   if (!c.where.empty()) text += fmt::format(" ({})", c.where);
   return text + ": " + c.rule;
 }

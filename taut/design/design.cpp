@@ -21,7 +21,7 @@ std::string values_in_words(const DesignSpace& space, const std::vector<double>&
   std::string all;
   for (std::size_t k = 0; k < values.size(); ++k) {
     const UnknownValues& one = space.unknowns[k];
-    all += fmt::format("{}{} = {}", k == 0 ? "" : ", ", one.name, display.quantity(values[k], one.unit));
+    all += fmt::format("{}{} = {}", k == 0 ? "" : ", ", one.name, display.brief(values[k], one.unit));
   }
   return all;
 }

@@ -64,7 +64,8 @@ std::string foot_text(const Result& r) {
 
 std::string to_html(const Result& r, const HtmlOptions& options) {
   const std::string title = clean(title_of(r));
-  const PageOne first = page_one(r);
+  constexpr PrintedSheet a4{}, a3{.width = 263, .height = 381};
+  const PageOne first = page_one(r, options.paper == Paper::a3 ? a3 : a4);
   mustache::data page;
   page.set("title", title);
   page.set("page_one", first.html);

@@ -240,7 +240,7 @@ std::string results(const PagePlan& plan, const Result& r) {
 
 std::string answers(const Result& r) {
   std::string out;
-  for (const Answer& a : r.answers) out += fmt::format("- **{}** {}\n", safe(a.label), safe(a.text));
+  for (const Answer& a : answers_beside_checks(r)) out += fmt::format("- **{}** {}\n", safe(a.label), safe(a.text));
   return out.empty() ? out : "\n" + out;
 }
 

@@ -3,10 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <vector>
 
 #include "taut/base/version.hpp"
+#include "taut/calc/answers.hpp"
 #include "taut/report/figure/any_figure.hpp"
 #include "taut/report/pictures.hpp"
 #include "taut/report/sections.hpp"
@@ -22,7 +24,7 @@ namespace taut::report {
 namespace {
 
 constexpr int longest_title = 150, longest_line = 110, longest_source = 230, longest_reason = 330, longest_scope = 220,
-              longest_answer = 190, longest_answer_label = 24, longest_caption = 240;
+              longest_answer_label = 24, longest_answer_text = taut::longest_answer, longest_caption = 240;
 constexpr std::size_t most_answers = 12;
 constexpr std::size_t most_errors = 8;
 constexpr std::size_t most_table_columns = 7;
@@ -64,14 +66,15 @@ std::string verdict_html(const Result& r) {
 
 std::string answers_html(const Result& r) {
   std::string out;
-  const std::size_t shown = std::min(r.answers.size(), most_answers);
+  const std::vector<Answer> all = answers_beside_checks(r);
+  const std::size_t shown = std::min(all.size(), most_answers);
   for (std::size_t i = 0; i < shown; ++i) {
-    const Answer& a = r.answers[i];
-    const bool again = i > 0 && r.answers[i - 1].label == a.label;
+    const Answer& a = all[i];
+    const bool again = i > 0 && all[i - 1].label == a.label;
     out += fmt::format("<dt>{}</dt><dd>{}</dd>\n", again ? std::string() : short_html(a.label, longest_answer_label),
-                       short_html(a.text, longest_answer));
+                       short_html(a.text, longest_answer_text));
   }
-  if (shown < r.answers.size()) out += fmt::format("<dt></dt><dd>{} more below</dd>\n", r.answers.size() - shown);
+  if (shown < all.size()) out += fmt::format("<dt></dt><dd>{} more below</dd>\n", all.size() - shown);
   return out.empty() ? out : fmt::format("<dl class=\"answers\">\n{}</dl>\n", out);
 }
 
@@ -138,38 +141,80 @@ std::string foot_html(const Result& r) {
   std::string deck;
   if (!r.deck_name.empty()) deck += fmt::format("deck {}, ", shortened(clean(r.deck_name), 60));
   if (!r.deck_hash.empty()) {
-    deck +=
-        fmt::format("hash {}, --set {}, ", shortened(clean(r.deck_hash), 64), shortened(clean(overrides_text(r)), 80));
+    deck += fmt::format("hash {}, --set {}, ", clean(r.deck_hash.substr(0, shown_hash)),
+                        shortened(clean(overrides_text(r)), 80));
   }
   return fmt::format("<div class=\"foot\"><span>{}taut {}</span>{}</div>\n", escape(deck), version, signature_html(r));
 }
 
-/// Lines of print that a text takes; `room`: characters of a line.
-int print_lines(std::string_view text, int most, int room) { return (std::min(length(text), most) + room - 1) / room; }
+// Sizes in print, mm, as assets/page.css sets them.
+constexpr double title_line = 6.8, text_line = 4.55, small_line = 4.05, table_line = 3.67, table_row = 4.75;
+constexpr double block_gap = 2.5, verdict_frame = 11, side_frame = 8.5, side_gap = 1.2, foot_height = 10,
+                 caption_height = 4.8;
+constexpr double text_character = 1.7, small_character = 1.55, table_character = 1.5;
+constexpr double side_share = 0.31;  ///< of the width, for warnings beside the table
+
+/// Lines that a text takes in a room of so many mm.
+double lines_in(std::string_view text, int most, double room, double character) {
+  if (text.empty()) return 0;
+  return std::ceil(std::min(length(text), most) / std::max(1.0, std::floor(room / character)));
+}
+
+double table_height(const Result& r) {
+  const std::size_t rows = r.checks.empty() ? most_summary_rows : std::min(worst_by_part(r).size(), most_summary_rows);
+  return table_row * static_cast<double>(rows + 1);
+}
+
+/// Height of the warnings in a column as wide as `room`.
+double warnings_height(const Result& r, double room) {
+  constexpr double frame_and_bullet = 10;
+  const std::vector<std::string> all = warnings_by_weight(r);
+  if (all.empty()) return 0;
+  double height = side_frame + (all.size() > most_summary_warnings ? table_line : 0);
+  for (std::size_t i = 0; i < std::min(all.size(), most_summary_warnings); ++i) {
+    height +=
+        side_gap + table_line * lines_in(all[i], longest_summary_warning, room - frame_and_bullet, table_character);
+  }
+  return height;
+}
+
+/// How the table and the warnings share the foot of the page.
+struct BelowPicture {
+  double height = 0;
+  bool stacked = false;  ///< the warnings below the table, over the full width
+};
+
+BelowPicture below_picture(const Result& r, const PrintedSheet& sheet) {
+  const double table = table_height(r), full = warnings_height(r, sheet.width);
+  if (full == 0) return {.height = table};
+  const double beside = std::max(table, warnings_height(r, side_share * sheet.width));
+  const double stacked = table + block_gap + full;
+  return stacked < beside ? BelowPicture{.height = stacked, .stacked = true} : BelowPicture{.height = beside};
+}
 
 /// Height that the texts of page 1 leave for its pictures, mm, estimated from below.
-double room_for_pictures(const Result& r) {
-  constexpr double height = 200, title_line = 8, line = 4.6, row = 4.8;
+double room_for_pictures(const Result& r, const PrintedSheet& sheet) {
+  constexpr double gaps = 6 * block_gap, reserve = 8, label_width = 26, headline_width = 50, title_character = 2.9;
   const Banner v = banner(r);
-  double used = title_line * print_lines(title_of(r), longest_title, 62) +
-                line * print_lines(v.detail, longest_reason, 100) + line * print_lines(v.scope, longest_scope, 110) +
-                line * print_lines(r.source, longest_source, 120);
-  for (std::size_t i = 0; i < std::min(r.answers.size(), most_answers); ++i) {
-    used += line * print_lines(r.answers[i].text, longest_answer, 88);
+  const double inner = sheet.width - 10;
+  const double small_lines = lines_in(r.source, longest_source, sheet.width, small_character) +
+                             lines_in(project_line(r.project), longest_line, sheet.width, small_character) +
+                             (title_of(r) != r.method_title ? 1 : 0) +
+                             lines_in(v.scope, longest_scope, inner, small_character);
+  const std::string headline(static_cast<std::size_t>(headline_width / text_character), ' ');
+  const double detail_lines = lines_in(headline + v.detail, longest_reason, inner, text_character);
+  double used = title_line * lines_in(title_of(r), longest_title, sheet.width, title_character) +
+                small_line * small_lines + verdict_frame + text_line * (detail_lines - 1);
+  const std::vector<Answer> answers = answers_beside_checks(r);
+  for (std::size_t i = 0; i < std::min(answers.size(), most_answers); ++i) {
+    used += 0.6 + text_line * lines_in(answers[i].text, longest_answer_text, sheet.width - label_width, text_character);
   }
-  const std::size_t rows = r.checks.empty() ? most_summary_rows : std::min(worst_by_part(r).size(), most_summary_rows);
-  double side = 0;
-  const std::vector<std::string> all = warnings_by_weight(r);
-  for (std::size_t i = 0; i < std::min(all.size(), most_summary_warnings); ++i) {
-    side += line * print_lines(all[i], longest_summary_warning, 34);
-  }
-  return height - used - std::max(row * static_cast<double>(rows), side);
+  return sheet.height - gaps - reserve - foot_height - used - below_picture(r, sheet).height;
 }
 
 /// Adds a figure to page 1, where nothing was found with its caption, so that nobody takes it for an answer; its height
 /// in print, mm, 0 when there is nothing to draw.
-double add_figure(const Figure& figure, const Result& r, PageOne& page) {
-  constexpr double page_width = 176;
+double add_figure(const Figure& figure, const Result& r, const PrintedSheet& sheet, PageOne& page) {
   const std::string picture = figure_svg(figure, display_of(r));
   if (!picture.starts_with("<svg")) return 0;
   const double aspect = aspect_of(picture);
@@ -178,18 +223,18 @@ double add_figure(const Figure& figure, const Result& r, PageOne& page) {
   const std::string words =
       r.status == Status::ok ? title : fmt::format("<b>{}.</b> {}", title, short_html(w.caption, longest_caption));
   page.html += fmt::format(
-      "<figure class=\"key\" style=\"flex-grow:{:.0f}\"><div class=\"frame\">{}</div><figcaption>{} {}</figcaption>"
-      "</figure>\n",
-      std::max(1.0, 100 * aspect), picture, words, escape(w.scale));
+      "<figure class=\"key\" style=\"flex-grow:{:.0f};--aspect:{:.3f}\"><div class=\"frame\">{}</div>"
+      "<figcaption>{} {}</figcaption></figure>\n",
+      std::max(1.0, 100 * aspect), aspect, picture, words, escape(w.scale));
   page.figures.push_back(&figure);
-  return page_width * aspect;
+  return sheet.width * aspect + caption_height + block_gap;
 }
 
-void add_pictures(const Result& r, PageOne& page) {
-  constexpr double least_height = 55, least_second = 75;  // mm
+void add_pictures(const Result& r, const PrintedSheet& sheet, PageOne& page) {
+  constexpr double least_height = 55, least_second = 58;  // mm
   const Figure* key = key_figure(r);
-  const double room = room_for_pictures(r);
-  const double height = key == nullptr || room < least_height ? 0 : add_figure(*key, r, page);
+  const double room = room_for_pictures(r, sheet);
+  const double height = key == nullptr || room < least_height ? 0 : add_figure(*key, r, sheet, page);
   if (height == 0) {
     page.html += "<div class=\"room\"></div>\n";
     return;
@@ -197,7 +242,7 @@ void add_pictures(const Result& r, PageOne& page) {
   if (room - height < least_second) return;
   const auto second = std::find_if(r.figures.begin(), r.figures.end(),
                                    [&](const Figure& f) { return &f != key && std::holds_alternative<Plot>(f); });
-  if (second != r.figures.end()) add_figure(*second, r, page);
+  if (second != r.figures.end()) add_figure(*second, r, sheet, page);
 }
 
 }  // namespace
@@ -220,8 +265,9 @@ std::string full_texts_html(const Result& r) {
   add("Verdict:", v.detail, longest_reason);
   add("Scope:", v.scope, longest_scope);
   if (!r.deck_hash.empty()) add("Set over the deck:", overrides_text(r), 80);
-  for (std::size_t i = 0; i < r.answers.size(); ++i) {
-    add(escape(r.answers[i].label) + ":", r.answers[i].text, i < most_answers ? longest_answer : 0);
+  const std::vector<Answer> answers = answers_beside_checks(r);
+  for (std::size_t i = 0; i < answers.size(); ++i) {
+    add(escape(answers[i].label) + ":", answers[i].text, i < most_answers ? longest_answer_text : 0);
   }
   return out;
 }
@@ -241,7 +287,7 @@ std::string errors_html(const Result& r, std::size_t most) {
   return out;
 }
 
-PageOne page_one(const Result& r) {
+PageOne page_one(const Result& r, const PrintedSheet& sheet) {
   PageOne page{.html = "<section class=\"sheet\" id=\"page-1\">\n" + head_html(r) + verdict_html(r), .figures = {}};
   if (!r.errors.empty()) {
     page.html += "<div class=\"mistakes\">\n" + errors_html(r, most_errors);
@@ -251,11 +297,12 @@ PageOne page_one(const Result& r) {
     return page;
   }
   page.html += answers_html(r);
-  add_pictures(r, page);
+  add_pictures(r, sheet, page);
   const std::string table = r.checks.empty() ? main_values_html(r) : worst_checks_html(r);
   const std::string warnings = warnings_html(r);
   if (!table.empty() || !warnings.empty()) {
-    page.html += fmt::format("<div class=\"below{}\">\n{}{}</div>\n", warnings.empty() ? " alone" : "",
+    const char* const kind = warnings.empty() || below_picture(r, sheet).stacked ? " alone" : "";
+    page.html += fmt::format("<div class=\"below{}\">\n{}{}</div>\n", kind,
                              table.empty() ? "" : fmt::format("<div class=\"wide\">{}</div>\n", table), warnings);
   }
   page.html += foot_html(r) + "</section>\n";

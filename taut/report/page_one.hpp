@@ -6,6 +6,11 @@
 
 namespace taut::report {
 
+/// What the margins leave of a page in print, mm; A4 by default.
+struct PrintedSheet {
+  double width = 176, height = 258;
+};
+
 struct PageOne {
   std::string html;
   std::vector<const Figure*> figures;  ///< those that it shows
@@ -15,7 +20,7 @@ struct PageOne {
 /// utilisations by part, the gravest warnings, and the line of the signature. Every text is bounded, so that all of it
 /// is one page in print; the key picture takes the room that is left, with a plot below it where that is much, and
 /// stands away where it is too little. A bad deck shows its mistakes.
-PageOne page_one(const Result& r);
+PageOne page_one(const Result& r, const PrintedSheet& sheet = {});
 
 /// Texts of page 1 that are shortened there, in full; empty when none is.
 std::string full_texts_html(const Result& r);

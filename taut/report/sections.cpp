@@ -53,21 +53,32 @@ std::string comparisons_html(const Result& r) {
       exact ? "<th class=\"num\">exact</th>" : "", rows);
 }
 
+/// A trace that rounding left of 0: beside values of the same unit nobody reads it.
+bool is_nothing(const Value& v, const std::vector<const Value*>& beside) {
+  constexpr double share = 1e-12;
+  return v.value != 0 && std::any_of(beside.begin(), beside.end(), [&](const Value* other) {
+           return other->unit.symbol == v.unit.symbol && std::isfinite(other->value) &&
+                  std::abs(v.value) < share * std::abs(other->value);
+         });
+}
+
 std::string values_html(const std::vector<const Value*>& values, std::string_view caption, const Result& r) {
   const Display display = display_of(r);
+  const bool sources = std::any_of(values.begin(), values.end(), [](const Value* v) { return !v->source.empty(); });
   std::string rows;
   for (const Value* value : values) {
     const Value& v = *value;
     const ShownUnit u = shown_unit(v.unit, display);
     rows += "<tr>" + cell(symbol_html(v.symbol)) + cell(prose_html(v.label.empty() ? v.name : v.label)) +
-            cell(escape(value_number(v.value, u)), "num") + cell(escape(unit_text(u)), "u") +
-            cell(prose_html(v.source), length(v.source) <= 24 ? "src short" : "src") + "</tr>\n";
+            cell(escape(value_number(is_nothing(v, values) ? 0 : v.value, u)), "num") +
+            cell(escape(unit_text(u)), "u") +
+            (sources ? cell(prose_html(v.source), length(v.source) <= 24 ? "src short" : "src") : "") + "</tr>\n";
   }
   if (rows.empty()) return {};
   return fmt::format(
       "<div class=\"wide\"><table>{}<thead><tr><th></th><th>result</th><th class=\"num\">value</th><th></th>"
-      "<th>from</th></tr></thead><tbody>\n{}</tbody></table></div>\n",
-      caption.empty() ? "" : fmt::format("<caption>{}</caption>", caption), rows);
+      "{}</tr></thead><tbody>\n{}</tbody></table></div>\n",
+      caption.empty() ? "" : fmt::format("<caption>{}</caption>", caption), sources ? "<th>from</th>" : "", rows);
 }
 
 /// The numbers of what is not shown here, and where it is.

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <string_view>
 
+#include "taut/calc/answers.hpp"
 #include "taut/calc/verdict.hpp"
+#include "taut/report/text/symbol.hpp"
 
 namespace taut::report {
 
@@ -14,18 +16,37 @@ bool is_worse(const Check& a, const Check& b) {
   return rank(a) != rank(b) ? rank(a) > rank(b) : severity(a) > severity(b);
 }
 
+void keep_worst(const Check& c, std::vector<const Check*>& of_parts) {
+  const auto same = std::find_if(of_parts.begin(), of_parts.end(),
+                                 [&](const Check* other) { return !c.part.empty() && other->part == c.part; });
+  if (same == of_parts.end()) {
+    of_parts.push_back(&c);
+  } else if (is_worse(c, **same)) {
+    *same = &c;
+  }
+}
+
+/// "payload_T_max" -> "payload T_max": what is a symbol stays one.
+std::string without_underscores(std::string word) {
+  for (std::size_t i = word.find('_'); i != std::string::npos; i = word.find('_', i)) {
+    if (looks_like_symbol(std::string_view(word).substr(word.rfind(' ', i) + 1))) break;
+    word[i] = ' ';
+  }
+  return word;
+}
+
 }  // namespace
 
 std::vector<const Check*> worst_by_part(const Result& r) {
-  std::vector<const Check*> worst;
+  std::vector<const Check*> worst, limits;
   for (const Check& c : r.checks) {
-    const auto same = std::find_if(worst.begin(), worst.end(),
-                                   [&](const Check* other) { return !c.part.empty() && other->part == c.part; });
-    if (same == worst.end()) {
-      worst.push_back(&c);
-    } else if (is_worse(c, **same)) {
-      *same = &c;
-    }
+    keep_worst(c, worst);
+    if (c.limits) keep_worst(c, limits);
+  }
+  for (const Check* c : limits) {
+    if (std::find(worst.begin(), worst.end(), c) != worst.end()) continue;
+    const auto shown = std::find_if(worst.begin(), worst.end(), [&](const Check* w) { return w->part == c->part; });
+    if (!(*shown)->limits && (*shown)->passes) worst.push_back(c);
   }
   std::stable_sort(worst.begin(), worst.end(), [](const Check* a, const Check* b) { return is_worse(*a, *b); });
   return worst;
@@ -42,6 +63,23 @@ std::string name_below_part(const Check& c) {
     if (c.name.starts_with(before)) return c.name.substr(before.size());
   }
   return c.name;
+}
+
+std::string words_below_part(const Check& c) {
+  const std::string name = name_below_part(c);
+  std::string words;
+  for (std::size_t i = 0; i <= name.size();) {
+    const std::size_t end = std::min(name.find(' ', i), name.size());
+    words += (i > 0 ? " " : "") + without_underscores(name.substr(i, end - i));
+    i = end + 1;
+  }
+  return words;
+}
+
+std::vector<Answer> answers_beside_checks(const Result& r) {
+  std::vector<Answer> shown = r.answers;
+  if (!r.checks.empty()) std::erase_if(shown, [](const Answer& a) { return a.label == uses_label; });
+  return shown;
 }
 
 std::vector<std::string> warnings_by_weight(const Result& r) {

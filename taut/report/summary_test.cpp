@@ -36,6 +36,31 @@ TEST(Summary, ARefusedCheckIsNotHiddenByOneThatPasses) {
   EXPECT_THAT(names, ElementsAre("drop.T_max", "hoist.groove"));
 }
 
+TEST(Summary, HasTheWorstLimitBesideAWorseFact) {
+  Result r;
+  r.checks = {check("hoist.safety_factor", 0.7, "hoist"), check("hoist.sheave_ratio", 0.9, "hoist"),
+              check("drop.T_max", 0.8, "drop")};
+  r.checks[1].limits = false;
+  std::vector<std::string> names;
+  for (const Check* c : worst_by_part(r)) names.push_back(c->name);
+  EXPECT_THAT(names, ElementsAre("hoist.sheave_ratio", "drop.T_max", "hoist.safety_factor"));
+}
+
+TEST(Summary, SaysTheNameOfACheckInWords) {
+  EXPECT_EQ(words_below_part(check("skyline.safety_factor", 1, "skyline")), "safety factor");
+  EXPECT_EQ(words_below_part(check("skyline.payload_T_max", 1, "skyline")), "payload T_max");
+  EXPECT_EQ(words_below_part(check("skyline.T_max", 1, "skyline")), "T_max");
+  EXPECT_EQ(words_below_part(check("guy1.guy_safety [loaded]", 1, "guy1")), "guy safety [loaded]");
+}
+
+TEST(Summary, LeavesUsesToTheTable) {
+  Result r;
+  r.answers = {{.label = "Build", .text = "a rope"}, {.label = "Uses", .text = "rope.T_max 0.5"}};
+  EXPECT_EQ(answers_beside_checks(r).size(), 2U);
+  r.checks = {check("rope.T_max", 0.5, "rope")};
+  EXPECT_EQ(answers_beside_checks(r).size(), 1U);
+}
+
 TEST(Summary, NamesACheckWithoutItsPart) {
   EXPECT_EQ(name_below_part(check("skyline.T_max", 1, "skyline")), "T_max");
   EXPECT_EQ(name_below_part(check("skyline: D/d", 1, "skyline")), "D/d");

@@ -17,9 +17,9 @@ namespace {
 
 using Row = std::vector<std::string>;
 constexpr int longest_words = 60;
-constexpr std::size_t shown_hash = 16;
 constexpr int most_lines = 38;  ///< of a summary: with the names of the written files 40
 constexpr std::size_t most_comparisons = 8;
+constexpr int summary_digits = 4, all_digits = 6;
 constexpr std::size_t few_answers = 4;  ///< so many have two lines each in a summary
 
 std::string padded(const std::string& text, int width, bool right) {
@@ -72,9 +72,10 @@ std::string head(const Result& r, const TerminalOptions& o) {
                        clean(overrides_text(r)));
   }
   int widest = 0;
-  for (const Answer& a : r.answers) widest = std::max(widest, length(clean(a.label)));
-  const int lines_each = r.answers.size() <= few_answers ? 2 : 1;
-  for (const Answer& a : r.answers) {
+  const std::vector<Answer> answers = answers_beside_checks(r);
+  for (const Answer& a : answers) widest = std::max(widest, length(clean(a.label)));
+  const int lines_each = answers.size() <= few_answers ? 2 : 1;
+  for (const Answer& a : answers) {
     const std::string label = clean(a.label);
     const auto gap = static_cast<std::size_t>(widest - length(label) + 2);
     const int room = lines_each * (o.width - widest - 2) - 12 * (lines_each - 1);  // words are not cut at a line's end
@@ -120,12 +121,13 @@ std::string outcome_word(const Check& c, const Result& r, const TerminalOptions&
 
 std::string check_lines(const std::vector<const Check*>& checks, const Result& r, const TerminalOptions& o) {
   const Display display = display_of(r);
+  const int digits = o.all ? all_digits : summary_digits;
   std::vector<Row> rows;
   rows.reserve(checks.size());
   for (const Check* check : checks) {
     const Check& c = *check;
-    rows.push_back({outcome_word(c, r, o), words(c.name), quantity_plain(c.value, c.unit, display),
-                    c.sense == Sense::at_most ? "<=" : ">=", quantity_plain(c.limit, c.unit, display),
+    rows.push_back({outcome_word(c, r, o), words(c.name), quantity_plain(c.value, c.unit, display, digits),
+                    c.sense == Sense::at_most ? "<=" : ">=", quantity_plain(c.limit, c.unit, display, digits),
                     utilisation_text(c.utilisation), is_unverified(c.trust) ? "limit unverified" : ""});
   }
   std::string text = aligned(rows, {false, false, true, false, true, true, false});
@@ -177,15 +179,16 @@ std::string comparison_lines(const Result& r, std::size_t most) {
 }
 
 std::string value_lines(const Result& r, std::size_t most, const TerminalOptions& o) {
-  if (r.values.empty() || most == 0) return {};
+  if (most == 0) return {};
   const Display display = display_of(r);
   std::vector<Row> rows;
   for (const Value& v : r.values) {
     if (rows.size() == most) break;
+    if (v.detail && !o.all) continue;
     const ShownUnit u = shown_unit(v.unit, display);
     const std::string label = clean(v.label);
-    rows.push_back(
-        {words(v.name), number_plain(u.of(v.value), 6), u.name, o.all ? label : shortened(label, longest_words)});
+    rows.push_back({words(v.name), number_plain(u.of(v.value), o.all ? all_digits : summary_digits), u.name,
+                    o.all ? label : shortened(label, longest_words)});
   }
   return "\nResults\n" + aligned(rows, {false, true, false, false});
 }
@@ -261,7 +264,7 @@ int lines_of(const std::string& text) { return static_cast<int>(std::count(text.
 std::string hint(const Result& r, std::size_t shown_values, std::size_t shown_comparisons) {
   std::vector<std::string> more;
   const std::size_t comparisons = r.comparisons.size() - std::min(shown_comparisons, r.comparisons.size());
-  if (comparisons > 0) more.push_back(fmt::format("{} more comparisons", comparisons));
+  if (comparisons > 0) more.push_back(fmt::format("{} more comparison{}", comparisons, comparisons == 1 ? "" : "s"));
   if (r.values.size() > shown_values) more.push_back(fmt::format("{} more values", r.values.size() - shown_values));
   if (!r.tables.empty()) more.push_back(fmt::format("{} table{}", r.tables.size(), r.tables.size() == 1 ? "" : "s"));
   if (more.empty()) return {};
@@ -284,7 +287,8 @@ std::string to_terminal(const Result& r, const TerminalOptions& o) {
   };
   const std::size_t compared = std::min(most_comparisons, room());
   if (compared > 0) out += comparison_lines(r, compared);
-  const std::size_t shown = std::min(r.values.size(), room());
+  const auto main_values = std::count_if(r.values.begin(), r.values.end(), [](const Value& v) { return !v.detail; });
+  const std::size_t shown = std::min(static_cast<std::size_t>(main_values), room());
   out += value_lines(r, shown, o) + hint(r, shown, compared);
   return out + end;
 }

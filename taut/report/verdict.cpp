@@ -64,7 +64,9 @@ Banner banner(const Result& r) {
 
 std::string utilisation_text(double u) {
   if (u > 0 && u < 0.001) return "< 0.001";
-  return number_plain(u, 3);
+  constexpr double first_whole = 99.95;
+  if (!(u >= 0.001 && u < first_whole)) return number_plain(u, 3);
+  return fmt::format("{:#.3g}", u);  // with its zeros: numbers below each other are compared
 }
 
 std::string_view outcome_text(const Check& c) { return c.refused ? "refused" : c.passes ? "passes" : "fails"; }

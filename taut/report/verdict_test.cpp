@@ -46,6 +46,9 @@ TEST(Banner, SaysWhatTheVerdictLeavesOut) {
 
 TEST(Banner, Utilisation) {
   EXPECT_EQ(utilisation_text(0.8234), "0.823");
+  EXPECT_EQ(utilisation_text(0.96), "0.960");
+  EXPECT_EQ(utilisation_text(1), "1.00");
+  EXPECT_EQ(utilisation_text(250), "250");
   EXPECT_EQ(utilisation_text(1e-5), "< 0.001");
   EXPECT_EQ(utilisation_text(0), "0");
   EXPECT_EQ(utilisation_text(std::nan("")), "-");

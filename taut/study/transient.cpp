@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
 
 #include "taut/study/deck/motion_checks.hpp"
+#include "taut/units/display.hpp"
 
 namespace taut::study {
 namespace {
@@ -358,6 +360,13 @@ std::string branch_words(const machine::Reeving& rope, int branch) {
   return fmt::format("{} to {}", rope.nodes[k].name, rope.nodes[(k + 1) % rope.nodes.size()].name);
 }
 
+/// The SI unit of a number of an event, with a space before it; empty: a plain number.
+std::string_view unit_of_event(std::string_view symbol) {
+  if (symbol == "T" || symbol == "N") return " N";
+  if (symbol == "v") return " m/s";
+  return symbol == "way" || symbol == "L" || symbol == "R" ? " m" : "";
+}
+
 const Quantities<solve::TransientEvent>& event_quantities() {
   using Row = solve::TransientEvent;
   static const Quantities<Row> all = {
@@ -367,7 +376,8 @@ const Quantities<solve::TransientEvent>& event_quantities() {
       {"values", "", si::one, "numbers that tell more of it, as text", [](const Row& e) {
          std::string values;
          for (const auto& [symbol, value] : e.values) {
-           values += fmt::format("{}{} = {:.6g}", values.empty() ? "" : ", ", symbol, value);
+           values += fmt::format("{}{} = {}{}", values.empty() ? "" : ", ", symbol, short_number(value, 4),
+                                 unit_of_event(symbol));
          }
          return values;
        }}};

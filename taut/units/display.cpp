@@ -20,7 +20,6 @@ bool is_slope(const Unit& unit, std::string_view shown) { return unit.is_angle &
 bool is_celsius(const Unit& unit, std::string_view shown) { return unit.symbol == "K" && shown == "degC"; }
 constexpr double zero_celsius = 273.15;  // K
 
-constexpr double first_large = 1e5;   // from here on five digits would round whole ones away
 constexpr double first_huge = 1e7;    // from here on an exponent reads better
 constexpr double first_small = 1e-4;  // below here too
 
@@ -88,13 +87,14 @@ double Display::from_si(double si, const Unit& unit) const {
   return si / factor(unit, shown);
 }
 
-std::string short_number(double x) {
+std::string short_number(double x, int digits) {
   if (std::isnan(x)) return "-";
   if (std::isinf(x)) return x < 0 ? "-infinite" : "infinite";
   const double size = std::abs(x);
   if (size == 0) return "0";
+  const double first_large = std::pow(10.0, digits);  // from here on the digits would round whole ones away
   if (size >= first_large && size < first_huge) return fmt::format("{:.0f}", x);
-  std::string text = fmt::format("{:.5g}", x);
+  std::string text = fmt::format("{:.{}g}", x, digits);
   if (size >= first_small && size < first_large && text.find('e') == std::string::npos) return text;
   // "1.2e-07" reads as "1.2e-7"; 99999.7 becomes "1e+05" above, and is better whole
   if (size < first_large && size >= first_small) return fmt::format("{:.0f}", x);
@@ -109,6 +109,28 @@ std::string Display::number(double si, const Unit& unit) const { return short_nu
 std::string Display::quantity(double si, const Unit& unit) const {
   const std::string shown = this->unit(unit);
   const std::string text = number(si, unit);
+  return shown.empty() || !std::isfinite(si) ? text : fmt::format("{} {}", text, shown);
+}
+
+namespace {
+
+/// A length to the centimetre, without zeros at its end: "382.42", "170".
+std::string to_the_centimetre(double metres) {
+  std::string text = fmt::format("{:.2f}", metres);
+  text.erase(text.find_last_not_of('0') + 1);
+  if (text.back() == '.') text.pop_back();
+  return text;
+}
+
+}  // namespace
+
+std::string Display::brief(double si, const Unit& unit) const {
+  constexpr int digits = 4;
+  constexpr double long_way = 100, longest_way = 1e5;  // m
+  const std::string shown = this->unit(unit);
+  const double x = from_si(si, unit), size = std::abs(x);
+  const bool is_way = shown == "m" && size >= long_way && size < longest_way;
+  const std::string text = is_way ? to_the_centimetre(x) : short_number(x, digits);
   return shown.empty() || !std::isfinite(si) ? text : fmt::format("{} {}", text, shown);
 }
 

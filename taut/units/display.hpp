@@ -43,6 +43,9 @@ class Display {
   std::string number(double si, const Unit& unit) const;
   /// Number and unit, "63 kN"; the unit stands away for a plain number, for NaN and for an infinity.
   std::string quantity(double si, const Unit& unit) const;
+  /// The same as an engineer writes a result, "138.9 kN": four significant digits, whole digits kept up to 10 million;
+  /// a length of 100 m and more to the centimetre, "382.42 m".
+  std::string brief(double si, const Unit& unit) const;
 
   const std::map<std::string, std::string>& units() const { return units_; }
 
@@ -54,7 +57,8 @@ class Display {
   std::shared_ptr<Factors> factors_;
 };
 
-/// Five significant digits without trailing zeros, whole digits kept up to 10 million; see Display::number.
-std::string short_number(double x);
+/// `digits` significant ones, up to five, without trailing zeros, whole digits kept up to 10 million; see
+/// Display::number.
+std::string short_number(double x, int digits = 5);
 
 }  // namespace taut

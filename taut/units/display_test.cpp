@@ -46,6 +46,18 @@ TEST(Display, KeepsFiveSignificantDigits) {
   EXPECT_EQ(short_number(-0.0), "0");
 }
 
+TEST(Display, ABriefQuantityHasFourDigits) {
+  const Display d;
+  EXPECT_EQ(d.brief(138860.6, si::N), "138.9 kN");
+  EXPECT_EQ(d.brief(12345.6, si::one), "12346") << "whole digits stay";
+  EXPECT_EQ(d.brief(9999.9, si::one), "10000");
+  EXPECT_EQ(d.brief(0.88563, si::m), "0.8856 m");
+  EXPECT_EQ(d.brief(382.4199, si::m), "382.42 m") << "a rope is cut to the centimetre";
+  EXPECT_EQ(d.brief(170, si::m), "170 m");
+  EXPECT_EQ(d.brief(std::nan(""), si::m), "-");
+  EXPECT_EQ(d.brief(0, si::N), "0 kN");
+}
+
 TEST(Display, SaysWhatIsNoNumber) {
   const Display d;
   EXPECT_EQ(d.quantity(std::nan(""), si::N), "-");

@@ -1,4 +1,4 @@
-"""The house style of what people read: lines of guides and README are short, links lead somewhere, pictures are small."""
+"""The house style of what people read: lines of pages are short, links lead somewhere, pictures are small."""
 import os
 import pathlib
 import re
@@ -7,6 +7,7 @@ import sys
 ROOT = pathlib.Path(os.environ["TAUT_SOURCE_DIR"])
 LONGEST = 120  # characters of a line
 LARGEST = 200_000  # bytes of a picture
+GENERATED = "docs/guide/reference.md"  # made from the descriptions, with one key a line
 LINK = re.compile(r"\[[^\]]*\]\(([^)\s]+)\)")
 
 
@@ -32,14 +33,15 @@ def wrong_links(page):
 
 def main():
     wrong = []
-    guides = [p for p in sorted((ROOT / "docs/guide").glob("*.md")) if p.name != "reference.md"]
-    for page in guides + [ROOT / "README.md"]:
-        for number, line in enumerate(page.read_text("utf-8").splitlines(), 1):
-            if len(line) > LONGEST:
-                wrong.append(f"{page.name}:{number}: {len(line)} characters")
     pages = [ROOT / "README.md", ROOT / "CONTRIBUTING.md", *sorted((ROOT / "docs").rglob("*.md"))]
     for page in pages:
-        wrong += [f"{page.relative_to(ROOT)}: {text}" for text in wrong_links(page)]
+        name = page.relative_to(ROOT)
+        wrong += [f"{name}: {text}" for text in wrong_links(page)]
+        if name.as_posix() == GENERATED:
+            continue
+        for number, line in enumerate(page.read_text("utf-8").splitlines(), 1):
+            if len(line) > LONGEST:
+                wrong.append(f"{name}:{number}: {len(line)} characters")
     tasks = ("skyline", "tackle", "boom", "mast", "motion", "design", "report", "first-deck")
     for task in tasks:
         page = ROOT / f"docs/guide/{task}.md"

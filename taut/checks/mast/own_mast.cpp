@@ -193,6 +193,8 @@ MastReport own_mast(const MastCheckRequest& request, const std::vector<MastLoadR
   report.refused = solved.refused;
   report.loaded = {.mast = std::move(solved.mast), .cases = std::move(solved.cases)};
   use_length(request, report.loaded);
+  constexpr double no_way = 1e-9;  // m: what rounding leaves of a top that is held
+  const double top = std::abs(solved.top_displacement) < no_way ? 0 : solved.top_displacement;
   report.words.push_back(fmt::format(
       "{}: a column in its bent shape, {} below, its top {}; as built leaning by {:.4g}{}; largest displacement of its "
       "top {:.4g} mm, critical over present load {:.4g}. Members by moments of first order.",
@@ -203,7 +205,7 @@ MastReport own_mast(const MastCheckRequest& request, const std::vector<MastLoadR
       solved.sway,
       solved.bow > 0 ? fmt::format(", with a bow of {:.4g} mm", solved.bow * 1e3)
                      : std::string(", no bow needed by (5.8)"),
-      solved.top_displacement * 1e3, solved.critical_factor));
+      top * 1e3, solved.critical_factor));
   if (request.pieces.empty()) {
     report.in_section = [request, column](const catalogue::SectionRow& row) -> std::optional<structure::LoadedMast> {
       const auto m = mast_material(request, row, *request.steel);

@@ -31,14 +31,14 @@ void add_comparisons(const Output& o, Result& r) {
 std::string build_by(const Input& in, const Output& o) {
   const std::string with_loss =
       std::isfinite(o.takeup_with_idler_loss)
-          ? fmt::format("with the idler loss {:.3g} on the slack branch it is {:.1f} N", in.idler_loss,
-                        o.takeup_with_idler_loss)
+          ? fmt::format("with the idler loss {:.3g} on the slack branch it is {:.0f} N", in.idler_loss,
+                        std::ceil(o.takeup_with_idler_loss))
           : fmt::format("with the idler loss {:.3g} and this reserve no pull is enough: raise friction, wrap or fill",
                         in.idler_loss);
   return fmt::format(
-      "build by the pull without slip: the take-up has to hold at least takeup_no_slip = {:.1f} N; that leaves out the "
+      "build by the pull without slip: the take-up has to hold at least {:.0f} N; that leaves out the "
       "idler loss, {}",
-      o.takeup_no_slip, with_loss);
+      std::ceil(o.takeup_no_slip), with_loss);
 }
 
 void add_warnings(const Input& in, const Output& o, Result& r) {

@@ -46,7 +46,7 @@ TEST(FrictionDriveRun, HasAllAReportNeeds) {
 TEST(FrictionDriveRun, SaysWhichToBuildBy) {
   const Result r = run(saw());
   EXPECT_TRUE(warns(r, "is not safe"));
-  EXPECT_TRUE(warns(r, "at least takeup_no_slip = 4678"));
+  EXPECT_TRUE(warns(r, "at least 4679 N"));
   EXPECT_TRUE(warns(r, "leaves out the idler loss"));
   EXPECT_TRUE(warns(r, "friction 0.8 is far above"));
 }

@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <numeric>
+#include <optional>
 
 #include "taut/report/figure/text_width.hpp"
 
@@ -14,6 +16,57 @@ namespace {
 constexpr double lane_gap = 8;
 constexpr int most_word_rows = 2;
 constexpr double number_gap = 4;
+
+/// "slack skyline (39)" without its number, and the number; none: the words end otherwise.
+struct Counted {
+  Runs words;
+  std::optional<int> number;
+};
+
+Counted counted(const Runs& runs) {
+  Counted c{.words = runs, .number = {}};
+  if (runs.empty()) return c;
+  std::string& last = c.words.back().text;
+  const std::size_t open = last.rfind(" (");
+  if (open == std::string::npos || !last.ends_with(')')) return c;
+  int number = 0;
+  const char* const end = last.data() + last.size() - 1;
+  const auto read = std::from_chars(last.data() + open + 2, end, number);
+  if (read.ec != std::errc() || read.ptr != end) return c;
+  last.erase(open);
+  c.number = number;
+  return c;
+}
+
+bool are_same(const Runs& a, const Runs& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                    [](const Run& x, const Run& y) { return x.text == y.text && x.style == y.style; });
+}
+
+/// What happens at one moment: "a, b"; of parts that follow each other by number the first and the last, "a (31 to
+/// 39)".
+Runs together(const std::vector<Runs>& all) {
+  Runs out;
+  for (std::size_t i = 0; i < all.size();) {
+    const Counted first = counted(all[i]);
+    std::size_t next = i + 1;
+    int low = first.number.value_or(0), high = low;
+    while (first.number && next < all.size()) {
+      const Counted other = counted(all[next]);
+      if (!other.number || !are_same(other.words, first.words)) break;
+      if (*other.number != low - 1 && *other.number != high + 1) break;
+      low = std::min(low, *other.number);
+      high = std::max(high, *other.number);
+      ++next;
+    }
+    if (!out.empty()) out.push_back({.text = ", ", .style = Run::Style::plain});
+    const bool many = next > i + 1;
+    out.insert(out.end(), (many ? first.words : all[i]).begin(), (many ? first.words : all[i]).end());
+    if (many) out.push_back({.text = fmt::format(" ({} to {})", low, high), .style = Run::Style::plain});
+    i = next;
+  }
+  return out;
+}
 
 /// Words in rows, each centered on its mark or moved to the edge; false when there is no room.
 bool put_words(Lane& lane, const std::vector<LaneMark>& marks, double low, double high, double font_size) {
@@ -41,18 +94,22 @@ bool put_words(Lane& lane, const std::vector<LaneMark>& marks, double low, doubl
 
 void put_numbers(Lane& lane, const std::vector<LaneMark>& marks, double low, double high, double font_size) {
   std::vector<double> at, wide;
+  std::vector<std::vector<Runs>> at_once;
   for (const LaneMark& m : marks) {
-    Runs words = {{.text = m.when.empty() ? "" : m.when + ": ", .style = Run::Style::plain}};
-    words.insert(words.end(), m.runs.begin(), m.runs.end());
     if (!at.empty() && m.at - at.back() < 1) {
-      Runs& before = lane.list.back().runs;
-      before.push_back({.text = ", ", .style = Run::Style::plain});
-      before.insert(before.end(), m.runs.begin(), m.runs.end());
+      at_once.back().push_back(m.runs);
       continue;
     }
-    lane.list.push_back({.number = static_cast<int>(lane.list.size()) + 1, .runs = std::move(words)});
+    const std::string when = m.when.empty() ? "" : m.when + ": ";
+    lane.list.push_back(
+        {.number = static_cast<int>(lane.list.size()) + 1, .runs = {{.text = when, .style = Run::Style::plain}}});
+    at_once.push_back({m.runs});
     at.push_back(m.at);
     wide.push_back(text_width(fmt::format("{}", lane.list.size()), font_size) + 7);
+  }
+  for (std::size_t i = 0; i < at_once.size(); ++i) {
+    const Runs words = together(at_once[i]);
+    lane.list[i].runs.insert(lane.list[i].runs.end(), words.begin(), words.end());
   }
   const double all = std::accumulate(wide.begin(), wide.end(), 0.0) + number_gap * static_cast<double>(wide.size());
   lane.rows = std::max(1, static_cast<int>(std::ceil(all / (high - low))));

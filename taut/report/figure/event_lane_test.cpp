@@ -1,5 +1,6 @@
 #include "taut/report/figure/event_lane.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 namespace event_lane_test {
@@ -32,6 +33,18 @@ TEST(EventLane, WordsAtTheEdgeStayInside) {
   const Lane lane = lane_of({mark(2, "a long name"), mark(599, "another one")}, 0, 600, 12);
   EXPECT_GE(lane.names[0].center - lane.names[0].wide / 2, 0);
   EXPECT_LE(lane.names[1].center + lane.names[1].wide / 2, 600);
+}
+
+TEST(EventLane, PartsOfOneMomentAreNamedByTheirFirstAndLast) {
+  std::vector<LaneMark> marks = {mark(100, "break line (40)")};
+  for (int i = 39; i > 30; --i) marks.push_back(mark(100, fmt::format("slack line ({})", i)));
+  marks.push_back(mark(100, "slack line (20)"));
+  for (int i = 0; i < 30; ++i) marks.push_back(mark(110 + 10 * i, "slack of the rope"));
+  const Lane lane = lane_of(marks, 0, 600, 12);
+  ASSERT_FALSE(lane.list.empty());
+  std::string text;
+  for (const auto& run : lane.list[0].runs) text += run.text;
+  EXPECT_EQ(text, "t = 1 s: break line (40), slack line (31 to 39), slack line (20)");
 }
 
 TEST(EventLane, ManyBecomeNumbersWithAList) {

@@ -332,10 +332,15 @@ struct FootRow {
   }
 };
 
-/// The rows below: scale bars and legend. `with_bar`: no ruler shows the lengths.
-void draw_foot(Canvas& c, const Drawing& d, bool with_bar) {
-  const double left = c.box.left;
-  const double right = std::max(c.box.right, left + paper_width - 2 * drawing_margin);
+/// The rows below a drawing: scale bars and legend.
+struct DrawnFoot {
+  std::string svg;
+  double right = 0, bottom = 0;
+};
+
+/// The rows from `left` on. `with_bar`: no ruler shows the lengths.
+DrawnFoot foot_from(const Canvas& c, const Drawing& d, bool with_bar, double left) {
+  const double right = left + std::max(c.box.width(), paper_width - 2 * drawing_margin);
   FootRow row{.at = {.x = left, .y = c.box.bottom + 22}, .left = left, .right = right};
   std::string out;
   double widest = left;
@@ -367,9 +372,21 @@ void draw_foot(Canvas& c, const Drawing& d, bool with_bar) {
                        escape(words));
     next(needed);
   }
-  if (out.empty()) return;
-  c.box.add(Pixel{.x = widest, .y = row.at.y + 10});
-  c.front += out;
+  return {.svg = std::move(out), .right = widest, .bottom = row.at.y + 10};
+}
+
+/// Puts the rows below the drawing, in its middle where they are wider.
+void draw_foot(Canvas& c, const Drawing& d, bool with_bar) {
+  double left = c.box.left;
+  DrawnFoot foot = foot_from(c, d, with_bar, left);
+  if (foot.svg.empty()) return;
+  if (foot.right > c.box.right) {
+    left -= (foot.right - c.box.right) / 2;
+    foot = foot_from(c, d, with_bar, left);
+  }
+  c.box.add(Pixel{.x = left, .y = foot.bottom});
+  c.box.add(Pixel{.x = foot.right, .y = foot.bottom});
+  c.front += foot.svg;
 }
 
 /// Rulers along the sides that have room for two ticks; true: the lower one is there.

@@ -430,15 +430,21 @@ void draw_limit_of_band(ProfileSheet& s) {
   s.svg += fmt::format("<path class=\"limit\" d=\"M{:.1f} {:.1f}H{:.1f}\"/>\n", s.l.band.left, y, s.l.band.right);
 }
 
+/// The line of the decisive place through one of the two pictures; the legend between them stays free.
+void mark_decisive(ProfileSheet& s, const Box& frame) {
+  if (s.p.decisive >= s.p.places.size() || std::isnan(s.p.places[s.p.decisive].value)) return;
+  const double x = s.l.x(s.p.places[s.p.decisive].x);
+  s.svg += fmt::format("<path class=\"event\" d=\"M{:.1f} {:.1f}V{:.1f}\"/>\n", x, frame.top, frame.bottom);
+  s.obstacles.push_back({{.x = x, .y = frame.top}, {.x = x, .y = frame.bottom}, 2});
+}
+
 void draw_decisive(ProfileSheet& s) {
   if (s.p.decisive >= s.p.places.size()) return;
   const Profile::Place& place = s.p.places[s.p.decisive];
   if (std::isnan(place.value)) return;
   const Pixel at{.x = s.l.x(place.x), .y = s.l.y(place.value)};
-  s.svg += fmt::format(
-      "<path class=\"event\" d=\"M{0:.1f} {1:.1f}V{2:.1f}\"/><circle class=\"mark\" cx=\"{0:.1f}\" cy=\"{3:.1f}\" "
-      "r=\"4.2\"/>\n",
-      at.x, s.l.line.top, s.l.band.bottom, at.y);
+  mark_decisive(s, s.l.band);
+  s.svg += fmt::format("<circle class=\"mark\" cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"4.2\"/>\n", at.x, at.y);
   s.obstacles.push_back({{.x = at.x - 5, .y = at.y}, {.x = at.x + 5, .y = at.y}, 3});
   s.say(at, fmt::format("{} at x = {}", quantity_shown(place.value, s.p.value.unit, s.display, 3), s.length(place.x)),
         {.x = 0, .y = -1});
@@ -485,6 +491,7 @@ std::string profile_svg(const Profile& p, const Display& display, double wide) {
   draw_profile_supports(s);
   draw_profile_way(s);
   draw_profile_ropes(s);
+  mark_decisive(s, l.line);
   draw_profile_carriage(s);
   std::vector<Listed> list;
   std::string body = placed_words(s, l.line, list);

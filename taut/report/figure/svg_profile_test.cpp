@@ -46,6 +46,22 @@ TEST(SvgProfile, ShowsTheLineAndWhatItCarries) {
   EXPECT_FALSE(has(svg, "nan"));
 }
 
+TEST(SvgProfile, TheLineOfTheDecisivePlaceLeavesTheLegendFree) {
+  const std::string svg = profile_svg(profile_of_a_line(), Display());
+  const std::regex line("class=\"event\" d=\"M([0-9.]+) ([0-9.]+)V([0-9.]+)\""),
+      sample("class=\"sample [^>]* y=\"([0-9.]+)\"");
+  std::vector<std::pair<double, double>> lines;
+  for (std::sregex_iterator at(svg.begin(), svg.end(), line), end; at != end; ++at)
+    lines.emplace_back(std::stod((*at)[2]), std::stod((*at)[3]));
+  ASSERT_EQ(lines.size(), 2U) << "one in each picture";
+  std::size_t samples = 0;
+  for (std::sregex_iterator at(svg.begin(), svg.end(), sample), end; at != end; ++at, ++samples) {
+    const double y = std::stod((*at)[1]);
+    for (const auto& [top, bottom] : lines) EXPECT_TRUE(y > bottom || y < top) << y;
+  }
+  EXPECT_GT(samples, 0U);
+}
+
 TEST(SvgProfile, UnitsAreTheReaders) {
   const Display feet(std::map<std::string, std::string>{{"length", "ft"}, {"mass", "kg"}});
   const std::string svg = profile_svg(profile_of_a_line(), feet);

@@ -70,7 +70,7 @@ std::string rules_html(const Rules& rules) {
 
 std::string check_row(const Check& c, std::size_t rule, const Display& display) {
   const std::string where = c.where.empty() ? "" : fmt::format(" <span class=\"where\">{}</span>", prose_html(c.where));
-  return fmt::format("<tr class=\"{}\">", c.passes ? "good" : "bad") + cell(prose_html(name_below_part(c)) + where) +
+  return fmt::format("<tr class=\"{}\">", c.passes ? "good" : "bad") + cell(prose_html(words_below_part(c)) + where) +
          cell(escape(value_text(c, display)), "num") + cell(escape(limit_text(c, display)), "num") +
          cell(fmt::format("{} {}", bar_html(c), escape(utilisation_text(c.utilisation))), "util") +
          cell(fmt::format("<b>{}</b>", outcome_text(c)), "out") + cell(trust_html(c.trust)) +
@@ -127,7 +127,7 @@ std::string worst_checks_html(const Result& r) {
     const Check& c = *check;
     rows += fmt::format("<tr class=\"{}\">", c.passes ? "good" : "bad") +
             cell(escape(shortened(clean(c.part), longest_part))) +
-            cell(prose_html(shortened(clean(name_below_part(c)), longest_name)), "name") +
+            cell(prose_html(shortened(clean(words_below_part(c)), longest_name)), "name") +
             cell(escape(value_text(c, display)), "num") + cell(escape(limit_text(c, display)), "num") +
             cell(escape(utilisation_text(c.utilisation)) + outcome_html(c, r), "use") + "</tr>\n";
   }

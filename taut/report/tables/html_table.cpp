@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -19,7 +21,7 @@ bool is_number_column(const Table& t, std::size_t k) {
                      [&](const auto& row) { return k < row.size() && std::holds_alternative<double>(row[k]); });
 }
 
-constexpr int own_digits = 5;
+constexpr int own_digits = 4;
 constexpr int column_digits = 4;  ///< of the largest number of a column; all digits are in the CSV file
 constexpr std::size_t most_without_headings = 40;
 constexpr std::size_t most_of_quantity = 12;  ///< characters of a number with its unit, which stay in one line
@@ -190,8 +192,63 @@ std::string part_html(const Table& t, const std::vector<std::size_t>& part, cons
 
 std::string csv_link(std::string_view name) { return fmt::format("<a href=\"{0}.csv\">{0}.csv</a>", escape(name)); }
 
-std::string table_html(const Table& t, const Display& display, const TableLimits& limits) {
-  if (t.rows.empty() || t.columns.empty()) return {};
+namespace {
+
+/// The unit of this SI symbol; null: none that a person chooses another for.
+const Unit* unit_of_symbol(std::string_view symbol) {
+  const auto& all = display_kinds();
+  const auto at = std::find_if(all.begin(), all.end(), [&](const Unit& u) { return u.symbol == symbol; });
+  return at == all.end() ? nullptr : &*at;
+}
+
+/// Numbers that rounding left of 0 beside those of rows with the same unit, in column `unit`.
+void drop_traces(Table& t, std::size_t unit) {
+  constexpr double trace = 1e-12;
+  std::map<std::string, double> largest;
+  const auto each = [&](auto&& use) {
+    for (auto& row : t.rows) {
+      const auto* const name = unit < row.size() ? std::get_if<std::string>(&row[unit]) : nullptr;
+      if (name == nullptr) continue;
+      for (std::size_t k = 0; k < row.size() && k < t.columns.size(); ++k) {
+        auto* const number = std::get_if<double>(&row[k]);
+        if (number != nullptr && t.columns[k].unit.symbol == si::one.symbol) use(*number, largest[*name]);
+      }
+    }
+  };
+  each([](double x, double& most) {
+    if (std::isfinite(x)) most = std::max(most, std::abs(x));
+  });
+  each([](double& x, double most) {
+    if (std::abs(x) < trace * most) x = 0;
+  });
+}
+
+/// Rows that name their own SI unit, in the units of print.
+Table in_units_of_print(Table t, const Display& display) {
+  const auto unit = std::find_if(t.columns.begin(), t.columns.end(), [](const Column& c) { return c.name == "unit"; });
+  if (unit == t.columns.end()) return t;
+  const auto at = static_cast<std::size_t>(unit - t.columns.begin());
+  for (auto& row : t.rows) {
+    auto* const name = at < row.size() ? std::get_if<std::string>(&row[at]) : nullptr;
+    const Unit* const own = name == nullptr ? nullptr : unit_of_symbol(*name);
+    if (own == nullptr) continue;
+    const ShownUnit shown = shown_unit(*own, display);
+    *name = unit_text(shown);
+    for (std::size_t k = 0; k < row.size() && k < t.columns.size(); ++k) {
+      auto* const number = std::get_if<double>(&row[k]);
+      if (number != nullptr && t.columns[k].unit.symbol == si::one.symbol) *number = shown.of(*number);
+    }
+  }
+  drop_traces(t, at);
+  if (const std::size_t si_words = t.title.rfind(" (SI)"); si_words != std::string::npos) t.title.erase(si_words, 5);
+  return t;
+}
+
+}  // namespace
+
+std::string table_html(const Table& stored, const Display& display, const TableLimits& limits) {
+  if (stored.rows.empty() || stored.columns.empty()) return {};
+  const Table t = in_units_of_print(stored, display);
   const auto rows = rows_that_matter(t, limits.rows);
   const auto parts = parts_of(t);
   const std::size_t shown_parts = std::min(parts.size(), limits.parts);

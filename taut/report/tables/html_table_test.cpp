@@ -48,16 +48,21 @@ TEST(HtmlTable, AColumnInWhichNothingStandsIsLeftOut) {
   EXPECT_EQ(times(html, "<td class=\"num\">"), 2U);
 }
 
-TEST(HtmlTable, RowsWithUnitsOfTheirOwnKeepTheirDigits) {
+TEST(HtmlTable, RowsWithUnitsOfTheirOwnAreInUnitsOfPrint) {
   const Table t{.name = "envelope",
-                .title = "Envelope",
+                .title = "Envelope (SI)",
                 .columns = {{.name = "quantity", .unit = si::one},
                             {.name = "unit", .unit = si::one},
                             {.name = "max", .unit = si::one}},
-                .rows = {{std::string("T"), std::string("N"), 22078.4}, {std::string("z"), std::string("m"), 3.56648}}};
+                .rows = {{std::string("T"), std::string("N"), 22078.4},
+                         {std::string("z"), std::string("m"), 3.56648},
+                         {std::string("slip"), std::string("m"), 2.8e-13}}};
   const std::string html = table_html(t, {});
-  EXPECT_EQ(times(html, ">3.5665<"), 1U);
-  EXPECT_EQ(times(html, ">22078<"), 1U);
+  EXPECT_EQ(times(html, ">3.566<"), 1U);
+  EXPECT_EQ(times(html, ">22.08<"), 1U);
+  EXPECT_EQ(times(html, ">kN<"), 1U);
+  EXPECT_EQ(times(html, "(SI)"), 0U);
+  EXPECT_EQ(times(html, ">0<"), 1U) << "what rounding leaves";
 }
 
 TEST(HtmlTable, WithoutRowsIsNotShown) {

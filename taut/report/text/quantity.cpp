@@ -142,13 +142,15 @@ std::size_t zeros_at_end(const std::string& number, std::size_t most) {
 }  // namespace
 
 std::vector<std::string> column_shown(const std::vector<double>& numbers, int digits) {
+  constexpr double trace = 1e-12;  // what rounding leaves of 0, as a share of the largest
   const double largest = largest_of(numbers);
   const bool fixed = largest == 0 || (largest >= 1e-4 && largest < 1e7);
   const int before = largest > 0 ? static_cast<int>(std::floor(std::log10(largest))) + 1 : 1;
   const int decimals = std::clamp(digits - before, 0, 8);
   std::vector<std::string> all;
   auto spare = static_cast<std::size_t>(decimals);
-  for (const double x : numbers) {
+  for (const double number : numbers) {
+    const double x = std::abs(number) < trace * largest ? 0 : number;
     const double least = 0.5 * std::pow(10, -decimals);
     const bool plain = fixed && std::isfinite(x) && (x == 0 || std::abs(x) >= least);
     all.push_back(plain ? pretty(fmt::format("{:.{}f}", x == 0 ? 0.0 : x, decimals)) : number_shown(x, digits));

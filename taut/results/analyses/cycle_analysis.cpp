@@ -69,14 +69,14 @@ void add_values(const study::CycleRun& run, const Display& display, Result& r) {
     add("WINCH.energy", name, own, fmt::format("energy that {} gives in the cycle", name));
     if (!std::isnan(power)) add("WINCH.power_max", name, power, fmt::format("largest power of {}", name));
     energy += own;
-    const std::string at_power = std::isnan(power) ? "" : ", power up to " + display.quantity(power, si::W);
-    parts.push_back(fmt::format("{} pull up to {}{}", name, display.quantity(most, si::N), at_power));
+    const std::string at_power = std::isnan(power) ? "" : ", power up to " + display.brief(power, si::W);
+    parts.push_back(fmt::format("{} pull up to {}{}", name, display.brief(most, si::N), at_power));
   }
   for (const study::PhaseAnswer& answer : run.answers) time += answer.time;
   add("cycle_energy", "", energy, about("cycle_energy"));
   if (!std::isnan(time)) add("cycle_time", "", time, about("cycle_time"));
-  parts.push_back(fmt::format("cycle {}{}", display.quantity(energy, si::J),
-                              std::isnan(time) ? "" : " in " + display.quantity(time, si::s)));
+  parts.push_back(fmt::format("cycle {}{}", display.brief(energy, si::J),
+                              std::isnan(time) ? "" : " in " + display.brief(time, si::s)));
   add_answer_line(r, "Winches", parts);
 }
 

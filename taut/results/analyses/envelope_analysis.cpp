@@ -31,8 +31,7 @@ void add_tensions(const study::EnvelopeRun& run, const Display& display, Result&
     };
     add("ROPE.T_min_envelope", e.least);
     add("ROPE.T_max_envelope", e.most);
-    parts.push_back(
-        fmt::format("{} {} to {}", e.name, display.quantity(e.least, si::N), display.quantity(e.most, si::N)));
+    parts.push_back(fmt::format("{} {} to {}", e.name, display.brief(e.least, si::N), display.brief(e.most, si::N)));
   }
   if (!parts.empty()) parts.push_back(fmt::format("over {} states", run.states));
   add_answer_line(r, "Envelope", parts);

@@ -166,8 +166,8 @@ void add_base_tension(const InstallationRun& run, const Display& display, Result
     const std::string at = std::isnan(row.temperature) ? "" : " at " + study::celsius(row.temperature);
     const std::string name = parts.empty() ? run.words + " " : "";
     parts.push_back(fmt::format("{}{} at its start, {} at its end, cut {}{}", name,
-                                display.quantity(row.at.T_start, si::N), display.quantity(row.at.T_end, si::N),
-                                display.quantity(row.at.cut, si::m), at));
+                                display.brief(row.at.T_start, si::N), display.brief(row.at.T_end, si::N),
+                                display.brief(row.at.cut, si::m), at));
   };
   std::vector<const Row*> rows;
   for (const Row& row : run.rows) {

@@ -44,8 +44,8 @@ void add_least_tension(const study::LeastTensionRun& run, MachineRun& machine, R
     add("ROPE.pretension_T", one.T_min.front());
     add("ROPE.pretension_T_least", one.T_least);
     parts.push_back(fmt::format(
-        "{} {} unstretched, {} as put up, never below {}", name, machine.display.quantity(one.unstretched, si::m),
-        machine.display.quantity(one.T_min.front(), si::N), machine.display.quantity(one.T_least, si::N)));
+        "{} {} unstretched, {} as put up, never below {}", name, machine.display.brief(one.unstretched, si::m),
+        machine.display.brief(one.T_min.front(), si::N), machine.display.brief(one.T_least, si::N)));
   }
   add_answer_line(r, "Lengths", parts);
   for (std::size_t c = 0; c < result.at.size(); ++c) {

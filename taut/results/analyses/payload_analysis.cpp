@@ -55,8 +55,8 @@ Profile payload_profile(const MachineRun& machine, const study::PayloadRun& run,
   p.name = "payload_profile" + run.ending;
   p.title = fmt::format("The line and what it carries (motion: {})", run.words);
   p.caption =
-      fmt::format("Drawn where the payload is least, {} at x = {}.",
-                  machine.display.quantity(worst.mass, si::kg.in("t")), machine.display.quantity(least.point.x, si::m));
+      fmt::format("Drawn where the payload is least, {} at x = {}.", machine.display.brief(worst.mass, si::kg.in("t")),
+                  machine.display.brief(least.point.x, si::m));
   if (std::isfinite(run.limits.clearance)) p.clearance = run.limits.clearance;
   p.value = {.label = "payload", .unit = si::kg.in("t")};
   for (const study::PayloadPosition& one : run.positions) {
@@ -103,7 +103,7 @@ LeastPayload least_payload(const study::PayloadRun& run) {
 /// "2.96 t or more, least at x = 169 m; governed by tension of 'skyline'".
 std::string payload_words(const study::PayloadPosition& least, const Display& display) {
   return fmt::format("{} or more, least at x = {}; governed by {}",
-                     display.quantity(least.point.payload.mass, si::kg.in("t")), display.quantity(least.point.x, si::m),
+                     display.brief(least.point.payload.mass, si::kg.in("t")), display.brief(least.point.x, si::m),
                      least.point.payload.governing);
 }
 
@@ -113,7 +113,7 @@ std::string load_besides(const machine::Model& model, const study::PayloadRun& r
   for (const machine::Load& load : model.loads) {
     if (load.at.body == model.carriages[run.way.carriage].body) weight -= load.force.z();
   }
-  return weight > 0 ? display.quantity(weight / model.gravity, si::kg.in("t")) : std::string();
+  return weight > 0 ? display.brief(weight / model.gravity, si::kg.in("t")) : std::string();
 }
 
 void add_carried(const MachineRun& machine, const study::PayloadRun& run, const LeastPayload& least,
@@ -230,7 +230,7 @@ std::vector<NothingCarried> add_nothing(const MachineRun& machine, const study::
   std::vector<NothingCarried> all;
   for (const auto& [limit, places] : by_limit) {
     const auto [low, high] = std::minmax_element(places.begin(), places.end());
-    const auto at = [&](double x) { return machine.display.quantity(x, si::m); };
+    const auto at = [&](double x) { return machine.display.brief(x, si::m); };
     all.push_back({.limit = limit,
                    .where = places.size() == 1 ? fmt::format("at x = {}", at(*low))
                                                : fmt::format("from x = {} to {}", at(*low), at(*high)),

@@ -87,8 +87,8 @@ void add_pretension_values(const study::PretensionRun& run, const machine::Model
     add("ROPE.pretension_length", last.unstretched[i]);
     add("ROPE.pretension_taken_out", taken);
     parts.push_back(fmt::format("{} {} at its start, {} at its end, {} taken out", name,
-                                display.quantity(last.T_start[i], si::N), display.quantity(last.T_end[i], si::N),
-                                display.quantity(taken, si::m.in("mm"))));
+                                display.brief(last.T_start[i], si::N), display.brief(last.T_end[i], si::N),
+                                display.brief(taken, si::m.in("mm"))));
   }
   if (!run.ending.empty() && !parts.empty()) parts.front() = fmt::format("{}: {}", run.ending.substr(1), parts.front());
   add_answer_line(r, "Pretension", parts);

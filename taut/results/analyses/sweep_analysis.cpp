@@ -134,7 +134,7 @@ void note_values_lost(const study::SweepRun& run, const solve::Sweep& s, Result&
 /// How far the parameter goes, and the largest tension of each rope on the way.
 void add_swept(const study::SweepRun& run, const solve::Sweep& s, const std::string& end, const Display& display,
                Result& r) {
-  const auto shown = [&](double value) { return display.quantity(value, run.unit); };
+  const auto shown = [&](double value) { return display.brief(value, run.unit); };
   std::vector<std::string> parts = {
       end.empty() ? fmt::format("{} from {} to {}", run.parameter, shown(s.points.front().value), shown(s.value))
                   : end};
@@ -143,8 +143,8 @@ void add_swept(const study::SweepRun& run, const solve::Sweep& s, const std::str
     const auto most = std::max_element(s.points.begin(), s.points.end(), [&](const auto& a, const auto& b) {
       return a.at.ropes[i].T_max < b.at.ropes[i].T_max;
     });
-    parts.push_back(fmt::format("{} up to {} at {}", m.reevings[i].name,
-                                display.quantity(most->at.ropes[i].T_max, si::N), shown(most->value)));
+    parts.push_back(fmt::format("{} up to {} at {}", m.reevings[i].name, display.brief(most->at.ropes[i].T_max, si::N),
+                                shown(most->value)));
   }
   add_answer_line(r, "Sweep", parts);
 }

@@ -1,8 +1,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <map>
 #include <numeric>
+#include <string_view>
 
 #include "taut/calc/answers.hpp"
 #include "taut/checks/checked_parts.hpp"
@@ -14,7 +17,7 @@
 namespace taut::results {
 namespace {
 
-constexpr double of_extremes = 1e-6;  ///< what is smaller than this share of its own extremes reads 0
+constexpr double of_extremes = 1e-6;  ///< what is smaller than this share of the extremes of its unit reads 0
 
 /// The saved state that the motion goes on from; the outcome says why it can't.
 std::optional<solve::DynamicState> saved_state(study::TransientRun& run) {
@@ -41,6 +44,46 @@ void solve(study::TransientRun& run, MachineRun& machine) {
   study::solve(run, from, watchers);
 }
 
+/// What a reader looks for first: forces, then places, turns and speeds; energies last.
+int importance_of(const Unit& unit) {
+  const std::array<const Unit*, 4> first = {&si::N, &si::m, &si::rad, &si::m_per_s};
+  for (std::size_t i = 0; i < first.size(); ++i) {
+    if (unit.symbol == first[i]->symbol) return static_cast<int>(i);
+  }
+  constexpr int others = 4, energies = 5;
+  return unit.symbol == si::J.symbol ? energies : others;
+}
+
+/// The number of one observed quantity when the motion ends.
+struct EndValue {
+  const machine::Observable* what = nullptr;
+  double value = 0;
+};
+
+/// The most important first, and of one kind what is 0 last.
+std::vector<EndValue> end_values(const study::TransientRun& run) {
+  std::map<std::string_view, double> largest;  // of each unit
+  const auto each = [&](auto&& use) {
+    for (std::size_t i = 0; i < run.result.extremes.size(); ++i) use(run.model.observed[i], run.result.extremes[i]);
+  };
+  each([&](const machine::Observable& o, const solve::Extreme& e) {
+    double& most = largest[o.unit.symbol];
+    for (const double x : {e.min, e.max}) {
+      if (std::isfinite(x)) most = std::max(most, std::abs(x));
+    }
+  });
+  std::vector<EndValue> all;
+  each([&](const machine::Observable& o, const solve::Extreme& e) {
+    const bool nothing = std::abs(e.end) < of_extremes * largest[o.unit.symbol];
+    if (std::isfinite(e.end)) all.push_back({.what = &o, .value = nothing ? 0 : e.end});
+  });
+  const auto rank = [](const EndValue& one) {
+    return std::pair(importance_of(one.what->unit), one.value == 0 ? 1 : 0);
+  };
+  std::stable_sort(all.begin(), all.end(), [&](const auto& a, const auto& b) { return rank(a) < rank(b); });
+  return all;
+}
+
 /// The largest tensions with their times, and what is observed at the end.
 void add_motion(const study::TransientRun& run, const Display& display, Result& r) {
   const solve::TransientResult& result = run.result;
@@ -54,18 +97,13 @@ void add_motion(const study::TransientRun& run, const Display& display, Result& 
     const double times = rope.T_static > 0 ? rope.T.max / rope.T_static : 1;
     const std::string still = times > 1.005 ? fmt::format(", {:.3g} times that at the start", times) : std::string();
     parts.push_back(fmt::format("{} up to {} at t = {:.4g} s{}", run.model.reevings[i].name,
-                                display.quantity(rope.T.max, si::N), rope.T.t_max, still));
+                                display.brief(rope.T.max, si::N), rope.T.t_max, still));
   }
   if (!run.ending.empty() && !parts.empty()) parts.front() = fmt::format("{}: {}", run.ending.substr(1), parts.front());
   add_answer_line(r, "Motion", parts);
   std::vector<std::string> end = {fmt::format("t = {:.4g} s", result.t_end)};
-  for (std::size_t i = 0; i < result.extremes.size(); ++i) {
-    const machine::Observable& o = run.model.observed[i];
-    const solve::Extreme& e = result.extremes[i];
-    if (!std::isfinite(e.end)) continue;
-    const bool nothing = std::abs(e.end) < of_extremes * std::max(std::abs(e.min), std::abs(e.max));
-    end.push_back(fmt::format("{} {}", o.name, display.quantity(nothing ? 0 : e.end, o.unit)));
-  }
+  for (const EndValue& one : end_values(run))
+    end.push_back(fmt::format("{} {}", one.what->name, display.brief(one.value, one.what->unit)));
   add_answer_line(r, "At the end", end);
 }
 

@@ -185,7 +185,7 @@ Profile load_path_profile(const MachineRun& run, const study::LoadPathRun& path)
   p.title = fmt::format("The line and what its ropes bear (motion: {})", path.words);
   p.caption =
       fmt::format("Drawn where the {} is largest, carriage at x = {}.",
-                  as_share ? "tension over breaking force" : "tension", run.display.quantity(worst->point->x, si::m));
+                  as_share ? "tension over breaking force" : "tension", run.display.brief(worst->point->x, si::m));
   p.value = as_share ? Axis{.label = "tension over breaking force", .unit = si::one}
                      : Axis{.label = "largest tension", .unit = si::N};
   p.places = std::move(shown);

@@ -59,21 +59,21 @@ const RopeSeen* seen_of(const std::vector<RopeSeen>& seen, const std::string& na
 /// "cut 382 m", "102 m to 148 m between its ends"; empty where no state tells.
 std::string length_words(double shortest, double longest, const Display& display) {
   if (std::isnan(longest)) return {};
-  const std::string to = display.quantity(longest, si::m);
+  const std::string to = display.brief(longest, si::m);
   if (longest - shortest <= same_length * longest) return "cut " + to;
-  return fmt::format("{} to {} between its ends", display.quantity(shortest, si::m), to);
+  return fmt::format("{} to {} between its ends", display.brief(shortest, si::m), to);
 }
 
 std::string rope_line(const Rove& one, const RopeSeen* seen, const Result& r, const Display& display) {
   std::vector<std::string> parts;
   if (!one.designation.empty()) parts.push_back(one.designation);
   const double cut = number_of(r, one.name + ".cut_length");
-  const std::string length = !std::isnan(cut)  ? "cut " + display.quantity(cut, si::m)
+  const std::string length = !std::isnan(cut)  ? "cut " + display.brief(cut, si::m)
                              : seen == nullptr ? std::string()
                                                : length_words(seen->shortest, seen->longest, display);
   if (!length.empty()) parts.push_back(length);
   const double base = number_of(r, one.name + ".base_tension");
-  if (!std::isnan(base)) parts.push_back("base tension " + display.quantity(base, si::N));
+  if (!std::isnan(base)) parts.push_back("base tension " + display.brief(base, si::N));
   return parts.empty() ? std::string() : fmt::format("{} {}", one.name, fmt::join(parts, ", "));
 }
 
@@ -92,8 +92,8 @@ std::string guys_line(const std::vector<const Rove*>& guys, const std::vector<Ro
   if (!guys.front()->designation.empty()) text += ": " + guys.front()->designation;
   if (std::isnan(longest)) return text;
   const bool same = longest - shortest <= same_length * longest;
-  return text + fmt::format(", {}{} unstretched", same ? "" : display.quantity(shortest, si::m) + " to ",
-                            display.quantity(longest, si::m));
+  return text + fmt::format(", {}{} unstretched", same ? "" : display.brief(shortest, si::m) + " to ",
+                            display.brief(longest, si::m));
 }
 
 /// A line of the answer before it is known how many there are.
@@ -162,7 +162,7 @@ void add_tensions(const std::vector<RopeSeen>& seen, const Display& display, Res
   std::stable_sort(order.begin(), order.end(), [](const RopeSeen& a, const RopeSeen& b) { return a.T > b.T; });
   std::vector<std::string> parts;
   for (const RopeSeen& one : order) {
-    parts.push_back(fmt::format("{} {} ({})", one.name, display.quantity(one.T, si::N), one.where));
+    parts.push_back(fmt::format("{} {} ({})", one.name, display.brief(one.T, si::N), one.where));
   }
   add_answer_line(r, "Tension", parts);
 }
@@ -179,12 +179,11 @@ void add_beams(const machine::Machine& machine, const MachineRun& run, Result& r
     if (given->section) text += " " + *given->section;
     if (given->steel) text += ", steel " + *given->steel;
     if (!std::isnan(worst[i].stress.value)) {
-      text +=
-          fmt::format(", stress {} ({})", run.display.quantity(worst[i].stress.value, si::Pa), worst[i].stress.when);
+      text += fmt::format(", stress {} ({})", run.display.brief(worst[i].stress.value, si::Pa), worst[i].stress.when);
     }
     if (!std::isnan(worst[i].top_displacement.value)) {
       const Unit& unit = named(solve::beam_quantities(), "top_displacement").about.unit;
-      text += fmt::format(", top moves {}", run.display.quantity(worst[i].top_displacement.value, unit));
+      text += fmt::format(", top moves {}", run.display.brief(worst[i].top_displacement.value, unit));
     }
     parts.push_back(std::move(text));
   }
@@ -196,7 +195,7 @@ void add_clearance(const Display& display, Result& r) {
   for (const auto& [name, what] : {std::pair{"clearance_min", "least height over the ground: carriage"},
                                    std::pair{"rope_clearance_min", "lowest rope"}}) {
     const Value* v = r.find_value(name);
-    if (v != nullptr) parts.push_back(fmt::format("{} {}", what, display.quantity(v->value, v->unit)));
+    if (v != nullptr) parts.push_back(fmt::format("{} {}", what, display.brief(v->value, v->unit)));
   }
   add_answer_line(r, "Clearance", parts);
 }
@@ -209,9 +208,9 @@ std::string designation_of(const machine::description::Rope& rope, const Display
     return row ? catalogue::words_of_rope(*row) : *rope.rope;
   }
   std::vector<std::string> parts;
-  if (rope.diameter) parts.push_back(display.quantity(*rope.diameter, si::m.in("mm")));
-  if (rope.breaking_force) parts.push_back("breaking force " + display.quantity(*rope.breaking_force, si::N));
-  if (rope.mass.value_or(0) > 0) parts.push_back(display.quantity(*rope.mass, si::kg_per_m));
+  if (rope.diameter) parts.push_back(display.brief(*rope.diameter, si::m.in("mm")));
+  if (rope.breaking_force) parts.push_back("breaking force " + display.brief(*rope.breaking_force, si::N));
+  if (rope.mass.value_or(0) > 0) parts.push_back(display.brief(*rope.mass, si::kg_per_m));
   return fmt::format("{}", fmt::join(parts, ", "));
 }
 

@@ -102,6 +102,26 @@ analyses:
   EXPECT_TRUE(has(r.answers.front().text, "at 2 of 4 places; the others have no answer")) << r.answers.front().text;
 }
 
+TEST(MachineAnswers, AMotionEndsWithForcesFirst) {
+  const Result r = run_text(R"(taut: 1
+machine:
+  points: {top: [0 m, 0 m, 10 m], hook: {at: [0 m, 0 m, 0 m], body: log}}
+  ropes: {line: {mass: 0 kg/m, stiffness: 1 MN, breaking_force: 100 kN, damping_ratio: 0.05}}
+  bodies: {log: {mass: 100 kg, at: [0 m, 0 m, 0 m], free: [z]}}
+  reevings:
+    - {rope: line, path: [{anchor: top}, {anchor: hook}], length: 10 m}
+  observe: [log.vz, log.z, line.T_max]
+analyses:
+  - transient: {duration: 0.1 s, output_step: 0.05 s}
+)");
+  ASSERT_EQ(r.status, Status::ok) << r.message << to_text(r.errors);
+  const std::string end = lines_of(r, "At the end");
+  const std::size_t force = end.find("line.T_max"), place = end.find("log.z"), speed = end.find("log.vz");
+  ASSERT_NE(speed, std::string::npos) << end;
+  EXPECT_LT(force, place) << end;
+  EXPECT_LT(place, speed) << end;
+}
+
 TEST(MachineAnswers, SeveralAnalysesHaveTheirHeadings) {
   const Result r =
       run_text(skyline_deck("  - equilibrium: {motion: at_rest}\n  - equilibrium: {motion: in, name: haul}\n"

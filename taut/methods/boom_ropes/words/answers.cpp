@@ -13,13 +13,13 @@ std::vector<Answer> answers(const Input& in, const Result& r, const Display& dis
   Result lines;
   const auto shown = [&](const char* value) {
     const Value* v = r.find_value(value);
-    return v == nullptr ? std::string() : display.quantity(v->value, v->unit);
+    return v == nullptr ? std::string() : display.brief(v->value, v->unit);
   };
   const auto has = [&](const char* value) { return r.find_value(value) != nullptr; };
   if (has("S10_set") && has("S20_set")) {
     const auto given = [&](const std::optional<double>& tension, const char* set) {
       if (!tension) return shown(set);
-      const std::string own = display.quantity(*tension, si::N.in("kN"));
+      const std::string own = display.brief(*tension, si::N.in("kN"));
       return own == shown(set) ? own : fmt::format("{}, settles at {}", own, shown(set));
     };
     add_answer_line(lines, in.S10 ? given_label : needs_label,

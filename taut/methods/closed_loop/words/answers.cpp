@@ -31,7 +31,7 @@ const Value* largest(const Result& r, std::initializer_list<const char*> names) 
 
 std::vector<Answer> answers(const Input& in, const Result& r, const Display& display) {
   Result lines;
-  const auto shown = [&](const Value& v) { return display.quantity(v.value, v.unit); };
+  const auto shown = [&](const Value& v) { return display.brief(v.value, v.unit); };
   if (const Table* ropes = r.find_table("ropes")) {
     std::vector<std::string> parts, loads;
     for (std::size_t i = 0; i < ropes->rows.size(); ++i) {
@@ -39,9 +39,9 @@ std::vector<Answer> answers(const Input& in, const Result& r, const Display& dis
       const Value* length = r.find_value(role + "_length_exact");
       parts.push_back(fmt::format("{} rope {}{}", role, designation_words(text_in(*ropes, i, "designation")),
                                   length == nullptr ? "" : fmt::format(", {} unstretched", shown(*length))));
-      loads.push_back(fmt::format(
-          "{} rope {} ({}), factor {}", role, display.quantity(number_in(*ropes, i, "largest_tension"), si::N),
-          text_in(*ropes, i, "where"), display.number(number_in(*ropes, i, "safety_factor"), si::one)));
+      loads.push_back(
+          fmt::format("{} rope {} ({}), factor {}", role, display.brief(number_in(*ropes, i, "largest_tension"), si::N),
+                      text_in(*ropes, i, "where"), display.brief(number_in(*ropes, i, "safety_factor"), si::one)));
     }
     add_answer_line(lines, in.choose_ropes ? build_label : given_label, parts);
     add_answer_line(lines, "Load", loads);

@@ -12,7 +12,7 @@ std::vector<Answer> answers(const Input& in, const Result& r, const Display& dis
   Result lines;
   const auto shown = [&](const char* value) {
     const Value* v = r.find_value(value);
-    return v == nullptr ? std::string() : display.quantity(v->value, v->unit);
+    return v == nullptr ? std::string() : display.brief(v->value, v->unit);
   };
   const auto has = [&](const char* value) { return r.find_value(value) != nullptr; };
   std::vector<std::string> pull = {fmt::format("pull on the idler of at least {}", shown("takeup_no_slip"))};

@@ -26,8 +26,8 @@ std::size_t row_in_use(const Table& sections, const Result& r) {
 std::string section_words(const Input& in, const Table& sections, std::size_t row, const Display& display) {
   std::string text = fmt::format("mast {} ({})", text_in(sections, row, "name"), text_in(sections, row, "standard"));
   if (in.steel) text += fmt::format(", steel {}", *in.steel);
-  return text + fmt::format(", {} high, {}", display.quantity(height_of(in), si::m),
-                            display.quantity(number_in(sections, row, "mass"), si::kg_per_m));
+  return text + fmt::format(", {} high, {}", display.brief(height_of(in), si::m),
+                            display.brief(number_in(sections, row, "mass"), si::kg_per_m));
 }
 
 /// The check of the mast with the largest utilisation.
@@ -45,7 +45,7 @@ std::vector<Answer> answers(const Input& in, const Result& r, const Display& dis
   Result lines;
   const auto shown = [&](const char* value) {
     const Value* v = r.find_value(value);
-    return v == nullptr ? std::string() : display.quantity(v->value, v->unit);
+    return v == nullptr ? std::string() : display.brief(v->value, v->unit);
   };
   const Table* sections = r.find_table("sections");
   const std::size_t row = sections == nullptr ? 0 : row_in_use(*sections, r);
@@ -57,8 +57,8 @@ std::vector<Answer> answers(const Input& in, const Result& r, const Display& dis
   if (const Check* c = worst_of_mast(r)) {
     add_answer_line(
         lines, "Stress",
-        {fmt::format("{} of {} allowed", std::isnan(c->value) ? "no equilibrium" : display.quantity(c->value, c->unit),
-                     display.quantity(c->limit, c->unit)),
+        {fmt::format("{} of {} allowed", std::isnan(c->value) ? "no equilibrium" : display.brief(c->value, c->unit),
+                     display.brief(c->limit, c->unit)),
          c->name, c->where});
   }
   add_answer_line(lines, "Foot",
@@ -68,8 +68,8 @@ std::vector<Answer> answers(const Input& in, const Result& r, const Display& dis
   if (std::isfinite(tube)) {
     const Unit mm = si::m.in("mm");
     add_answer_line(lines, has_section ? std::string_view("Ideal tube") : needs_label,
-                    {fmt::format("outer diameter {}, wall {}", display.quantity(tube, mm),
-                                 display.quantity(tube * (1 - in.tube_ratio) / 2, mm)),
+                    {fmt::format("outer diameter {}, wall {}", display.brief(tube, mm),
+                                 display.brief(tube * (1 - in.tube_ratio) / 2, mm)),
                      fmt::format("by the paper's coefficients {}", shown("D_tube_printed"))});
   }
   if (r.find_value("guy_tension_max_exact") != nullptr) {
