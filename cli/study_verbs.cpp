@@ -12,12 +12,12 @@
 #include "cli/progress.hpp"
 #include "cli/report_files.hpp"
 #include "cli/say.hpp"
-#include "taut/app/cases/calibrate.hpp"
-#include "taut/app/cases/slurm.hpp"
-#include "taut/app/cases/study.hpp"
-#include "taut/app/cases/study_folder.hpp"
-#include "taut/app/cases/study_result.hpp"
-#include "taut/app/cases/study_run.hpp"
+#include "taut/app/cases/study/calibrate.hpp"
+#include "taut/app/cases/study/slurm.hpp"
+#include "taut/app/cases/study/study.hpp"
+#include "taut/app/cases/study/study_folder.hpp"
+#include "taut/app/cases/study/study_result.hpp"
+#include "taut/app/cases/study/study_run.hpp"
 
 namespace taut::cli {
 namespace {

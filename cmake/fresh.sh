@@ -90,7 +90,7 @@ empty_debian() {
 # mount_system ROOT: what programs in it expect of a running system.
 mount_system() {
   local place
-  for place in /proc /sys /dev /dev/pts /dev/shm; do
+  for place in /proc /sys /sys/fs/cgroup /dev /dev/pts /dev/shm; do
     [[ -d $1$place ]] || mkdir -p "$1$place"
     if mount --bind "$place" "$1$place" 2>/dev/null; then mounted=("$1$place" "${mounted[@]}"); fi
   done
@@ -151,6 +151,9 @@ else
   begin=$SECONDS
   inside "$builder" 'cd /taut && ./dev test' || status=1
   test_time=$((SECONDS - begin))
+
+  say "./dev slurm"
+  inside "$builder" 'cd /taut && ./dev slurm' || status=1
 
   say "./dev package"
   if inside "$builder" 'cd /taut && ./dev package'; then

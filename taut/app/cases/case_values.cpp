@@ -65,6 +65,21 @@ void add_input(const FoundParameter& parameter, const CaseName& name, CaseModel&
   if (parameter->unit.is_angle && !parameter->field->unit.is_angle) made.inputs.back().range = {};
 }
 
+void add_input(tl::expected<CaseInput, std::string> parameter, const CaseName& name, CaseModel& made, NoCases& wrong) {
+  if (parameter) {
+    made.inputs.push_back(std::move(*parameter));
+  } else {
+    wrong.complaints.push_back({name.place, parameter.error()});
+  }
+}
+
+bool is_parameter(const std::string& path) { return path.starts_with("parameters."); }
+
+std::string assignment(const CaseInput& input, double value) {
+  return fmt::format("{}={:.17g}{}{}", input.path, value, input.unit.needs_text() ? " " : "",
+                     input.unit.needs_text() ? input.unit.symbol : "");
+}
+
 void add_outputs(const Result& r, const std::vector<WantedValue>& wanted, CaseModel& made, NoCases& wrong) {
   if (r.status != Status::ok) {
     wrong.outcome = {.status = r.status, .message = "the deck as it is has no answer: " + r.message};

@@ -1,4 +1,5 @@
 #pragma once
+#include <functional>
 #include <string>
 #include <tl/expected.hpp>
 #include <vector>
@@ -18,10 +19,28 @@ struct WantedValue {
   std::string place;   ///< in the deck
 };
 
+/// Numbers of a deck's `parameters`, "parameters.travel": they stand in its expressions, so that it is read again for
+/// other values.
+template <class Deck>
+struct DeckParameters {
+  /// Describes one, or says why it can't change.
+  std::function<tl::expected<CaseInput, std::string>(const std::string& path)> describe;
+  /// The deck with these over its own, as `--set` has them: "parameters.travel=3 m".
+  std::function<tl::expected<Deck, Outcome>(const std::vector<std::string>& set)> read;
+};
+
+bool is_parameter(const std::string& path);
+
+/// "parameters.travel=3 m", with every digit.
+std::string assignment(const CaseInput& input, double value);
+
 using FoundParameter = tl::expected<study::Parameter, std::string>;
 
 /// Describes a number of the deck that changes, or complains of it.
 void add_input(const FoundParameter& parameter, const CaseName& name, CaseModel& made, NoCases& wrong);
+
+/// The same of one of its parameters.
+void add_input(tl::expected<CaseInput, std::string> parameter, const CaseName& name, CaseModel& made, NoCases& wrong);
 
 /// Describes the outputs by the result of the deck as it is, or complains of those that it does not have.
 void add_outputs(const Result& r, const std::vector<WantedValue>& wanted, CaseModel& made, NoCases& wrong);

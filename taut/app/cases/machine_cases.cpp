@@ -61,7 +61,8 @@ struct DeckPart {
 struct MachineModel {
   MachineDeck deck;
   design::DesignSpace space;
-  std::vector<std::string> paths;
+  std::vector<CaseInput> inputs;
+  DeckParameters<MachineDeck> parameters;
   std::vector<DeckPart> parts;
   std::size_t outputs = 0;
 };
@@ -88,23 +89,31 @@ Result run_part(const MachineModel& model, const DeckPart& part, MachineDeck dec
                                          {.run = run, .picture = no_picture}, {}));
 }
 
-Outcome put(const MachineModel& model, std::span<const double> values, MachineDeck& deck) {
+/// The deck with these numbers.
+tl::expected<MachineDeck, Outcome> deck_with(const MachineModel& model, std::span<const double> values) {
+  std::vector<std::string> set;
   for (std::size_t i = 0; i < values.size(); ++i) {
-    const auto parameter = study::parameter_at(MachineDeck::describe(), &deck, model.paths[i]);
-    if (Outcome outcome = put_number(parameter, model.paths[i], values[i]); !outcome.ok()) return outcome;
+    if (is_parameter(model.inputs[i].path)) set.push_back(assignment(model.inputs[i], values[i]));
   }
-  return {};
+  tl::expected<MachineDeck, Outcome> deck = set.empty() ? model.deck : model.parameters.read(set);
+  for (std::size_t i = 0; i < values.size() && deck; ++i) {
+    const std::string& path = model.inputs[i].path;
+    if (is_parameter(path)) continue;
+    Outcome outcome = put_number(study::parameter_at(MachineDeck::describe(), &*deck, path), path, values[i]);
+    if (!outcome.ok()) return tl::unexpected(std::move(outcome));
+  }
+  return deck;
 }
 
 CaseAnswer answer_of(const MachineModel& model, std::span<const double> values) {
   CaseAnswer answer{.outputs = std::vector<double>(model.outputs, std::nan("")), .outcome = {}};
-  MachineDeck deck = model.deck;
-  answer.outcome = put(model, values, deck);
+  const auto deck = deck_with(model, values);
+  if (!deck) answer.outcome = deck.error();
   std::vector<double> found = answer.outputs;
   for (const DeckPart& part : model.parts) {
     if (!answer.outcome.ok()) return answer;
     States near = part.states;
-    const Result r = run_part(model, part, deck, near.empty() ? nullptr : &near);
+    const Result r = run_part(model, part, *deck, near.empty() ? nullptr : &near);
     answer.outcome = take_values(r, part.wanted, found);
   }
   if (answer.outcome.ok()) answer.outputs = std::move(found);
@@ -149,7 +158,8 @@ void sort_outputs(const std::vector<CaseName>& outputs, MachineModel& model, NoC
 
 }  // namespace
 
-MadeCases machine_cases(const ReadMachine& read, const CaseQuestion& question) {
+MadeCases machine_cases(const ReadMachine& read, const CaseQuestion& question,
+                        const DeckParameters<MachineDeck>& parameters) {
   auto model = std::make_shared<MachineModel>();
   model->deck = *read.deck;
   model->space = read.space;
@@ -157,9 +167,14 @@ MadeCases machine_cases(const ReadMachine& read, const CaseQuestion& question) {
   CaseModel made;
   NoCases wrong;
   for (const CaseName& one : question.inputs) {
-    add_input(study::parameter_at(MachineDeck::describe(), &model->deck, one.name), one, made, wrong);
-    model->paths.push_back(one.name);
+    if (is_parameter(one.name)) {
+      add_input(parameters.describe(one.name), one, made, wrong);
+    } else {
+      add_input(study::parameter_at(MachineDeck::describe(), &model->deck, one.name), one, made, wrong);
+    }
   }
+  model->inputs = made.inputs;
+  model->parameters = parameters;
   sort_outputs(question.outputs, *model, wrong);
   if (!wrong.complaints.empty()) return tl::unexpected(std::move(wrong));
   for (const CaseName& one : question.outputs) made.outputs.push_back({.name = one.name, .unit = {}, .label = {}});

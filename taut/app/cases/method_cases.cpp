@@ -10,39 +10,62 @@ namespace {
 
 struct MethodModel {
   MethodDeck deck;
-  std::vector<std::string> paths;
+  std::vector<CaseInput> inputs;
+  DeckParameters<MethodDeck> parameters;
   std::vector<WantedValue> wanted;
 };
 
+/// The deck with these numbers.
+tl::expected<MethodDeck, Outcome> deck_with(const MethodModel& model, std::span<const double> values) {
+  std::vector<std::string> set;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (is_parameter(model.inputs[i].path)) set.push_back(assignment(model.inputs[i], values[i]));
+  }
+  tl::expected<MethodDeck, Outcome> deck = set.empty() ? model.deck : model.parameters.read(set);
+  for (std::size_t i = 0; i < values.size() && deck; ++i) {
+    const std::string& path = model.inputs[i].path;
+    if (is_parameter(path)) continue;
+    Outcome outcome = put_number(deck->parameter(path), path, values[i]);
+    if (!outcome.ok()) return tl::unexpected(std::move(outcome));
+  }
+  return deck;
+}
+
 CaseAnswer answer_of(const MethodModel& model, std::span<const double> values) {
   CaseAnswer answer{.outputs = std::vector<double>(model.wanted.size(), std::nan("")), .outcome = {}};
-  MethodDeck deck = model.deck;
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    answer.outcome = put_number(deck.parameter(model.paths[i]), model.paths[i], values[i]);
-    if (!answer.outcome.ok()) return answer;
+  auto deck = deck_with(model, values);
+  if (!deck) {
+    answer.outcome = deck.error();
+    return answer;
   }
-  const std::vector<Complaint> complaints = deck.method->complaints(deck.input);
+  const std::vector<Complaint> complaints = deck->method->complaints(deck->input);
   if (!complaints.empty()) {
     answer.outcome = infeasible(complaints.front().message);
     return answer;
   }
   std::vector<double> found = answer.outputs;
-  answer.outcome = take_values(deck.calculate(), model.wanted, found);
+  answer.outcome = take_values(deck->calculate(), model.wanted, found);
   if (answer.outcome.ok()) answer.outputs = std::move(found);
   return answer;
 }
 
 }  // namespace
 
-MadeCases method_cases(const MethodDeck& deck, const CaseQuestion& question) {
+MadeCases method_cases(const MethodDeck& deck, const CaseQuestion& question,
+                       const DeckParameters<MethodDeck>& parameters) {
   auto model = std::make_shared<MethodModel>();
   model->deck = deck;
   CaseModel made;
   NoCases wrong;
   for (const CaseName& one : question.inputs) {
-    add_input(model->deck.parameter(one.name), one, made, wrong);
-    model->paths.push_back(one.name);
+    if (is_parameter(one.name)) {
+      add_input(parameters.describe(one.name), one, made, wrong);
+    } else {
+      add_input(model->deck.parameter(one.name), one, made, wrong);
+    }
   }
+  model->inputs = made.inputs;
+  model->parameters = parameters;
   for (const CaseName& one : question.outputs) {
     const std::string name = one.name.starts_with("checks.") ? one.name.substr(7) : one.name;
     model->wanted.push_back({.output = model->wanted.size(), .name = name, .ending = {}, .place = one.place});

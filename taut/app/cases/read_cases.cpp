@@ -6,6 +6,7 @@
 #include "taut/app/cases/method_cases.hpp"
 #include "taut/app/fingerprint.hpp"
 #include "taut/io/deck/read.hpp"
+#include "taut/units/any_quantity.hpp"
 
 namespace taut::app {
 namespace {
@@ -33,13 +34,48 @@ bool read_as_method(ReadCases& read, Diagnostics& mistakes) {
   return true;
 }
 
+/// A parameter by its quantity in the deck.
+tl::expected<CaseInput, std::string> described_parameter(const io::Node& parameters, const std::string& path) {
+  const io::Node* node = parameters.find(path.substr(path.find('.') + 1));
+  if (node == nullptr) return tl::unexpected(fmt::format("the deck has no '{}'", path));
+  const auto quantity = parse_any_quantity(node->text);
+  if (node->kind != io::Node::Kind::scalar || !quantity) {
+    return tl::unexpected(fmt::format("'{}' is not a quantity in the deck", path));
+  }
+  return CaseInput{.path = path, .unit = quantity->unit, .range = {}, .base = quantity->value};
+}
+
+/// The deck with more values set over it.
+tl::expected<ReadCases, Outcome> read_with(Job job, const std::vector<std::string>& set) {
+  job.set.insert(job.set.end(), set.begin(), set.end());
+  auto read = read_cases(job);
+  if (read) return std::move(*read);
+  const Result& no = read.error();
+  return tl::unexpected(infeasible(no.errors.empty() ? no.message : no.errors.front().message));
+}
+
 }  // namespace
 
 const io::Node& ReadCases::blocks() const { return deck.is_machine || !deck.others ? deck.input : *deck.others; }
 
 MadeCases ReadCases::cases(const CaseQuestion& question) const {
-  if (const auto* machine = std::get_if<ReadMachine>(&of)) return machine_cases(*machine, question);
-  return method_cases(std::get<MethodDeck>(of), question);
+  const auto describe = [parameters = deck.parameters](const std::string& path) {
+    return described_parameter(parameters, path);
+  };
+  if (const auto* machine = std::get_if<ReadMachine>(&of)) {
+    const auto again = [job = job](const std::vector<std::string>& set) -> tl::expected<MachineDeck, Outcome> {
+      const auto read = read_with(job, set);
+      if (!read) return tl::unexpected(read.error());
+      return *std::get<ReadMachine>(read->of).deck;
+    };
+    return machine_cases(*machine, question, {.describe = describe, .read = again});
+  }
+  const auto again = [job = job](const std::vector<std::string>& set) -> tl::expected<MethodDeck, Outcome> {
+    auto read = read_with(job, set);
+    if (!read) return tl::unexpected(read.error());
+    return std::get<MethodDeck>(std::move(read->of));
+  };
+  return method_cases(std::get<MethodDeck>(of), question, {.describe = describe, .read = again});
 }
 
 Result bad_deck(Diagnostics mistakes) {
@@ -69,6 +105,7 @@ tl::expected<ReadCases, Result> read_cases(const Job& job) {
   auto deck = io::read_deck(job.text, job.name, job.set, method_names(), mistakes);
   if (!deck) return tl::unexpected(bad_deck(std::move(mistakes)));
   read.deck = std::move(*deck);
+  read.job = job;
   const bool good = read.deck.is_machine ? read_as_machine(read, mistakes) : read_as_method(read, mistakes);
   if (!good || !mistakes.empty()) return tl::unexpected(bad_deck(std::move(mistakes)));
   const auto texts = read.deck.reading ? read.deck.reading->texts : std::vector<std::string>{};

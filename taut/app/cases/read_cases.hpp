@@ -20,6 +20,7 @@ struct ReadCases {
   std::optional<StudyRequest> study;
   std::optional<CalibrateRequest> calibrate;
   std::string method_title;
+  Job job;           ///< that it was read from
   std::string hash;  ///< of the deck, all that it names, and what was set over it
 
   /// The map with the blocks `study` and `calibrate`; paths of complaints begin there.

@@ -91,6 +91,12 @@ void write(const Node& n, std::size_t indent, std::string& out) {
     }
   } else if (n.kind == Node::Kind::sequence) {
     for (const Node& item : n.items) {
+      if (item.kind == Node::Kind::map && !item.entries.empty()) {
+        std::string map;
+        write(item, indent + 2, map);
+        out += margin + "- " + map.substr(indent + 2);
+        continue;
+      }
       out += margin + '-';
       write_value(item, indent + 2, out);
     }

@@ -2,8 +2,8 @@
 
 #include <type_traits>
 
-#include "taut/report/figure/animation.hpp"
-#include "taut/report/figure/motion_strip.hpp"
+#include "taut/report/figure/motion/animation.hpp"
+#include "taut/report/figure/motion/motion_strip.hpp"
 #include "taut/report/figure/svg_bars.hpp"
 #include "taut/report/figure/svg_drawing.hpp"
 #include "taut/report/figure/svg_plot.hpp"

@@ -1,0 +1,269 @@
+#include "taut/app/cases/study/calibrate.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "taut/app/cases/read_cases.hpp"
+#include "taut/app/cases/study/calibrated_deck.hpp"
+#include "taut/app/cases/study/measured.hpp"
+#include "taut/app/cases/study/study_run.hpp"
+#include "taut/chance/calibration.hpp"
+#include "taut/io/deck/source.hpp"
+#include "taut/io/file.hpp"
+#include "taut/units/parse.hpp"
+
+namespace taut::app {
+namespace {
+
+/// A calibration, read.
+struct Calibrating {
+  ReadCases read;
+  MeasuredTable table;
+  CaseModel model;  ///< inputs: the free ones, then the settings
+  Measurements measured;
+  std::vector<chance::FreeParameter> free;
+};
+
+/// The bounds of each free number, and the deck's own value as the first start.
+std::vector<chance::FreeParameter> free_parameters(const CalibrateRequest& request, const CaseModel& model,
+                                                   std::vector<Complaint>& complaints) {
+  std::vector<chance::FreeParameter> free;
+  for (std::size_t i = 0; i < request.free.size(); ++i) {
+    const FreeRequest& one = request.free[i];
+    const std::string path = "calibrate.free." + one.name;
+    chance::FreeParameter p{.name = one.name, .low = 0, .high = 1};
+    if (one.range.size() != 2) {
+      complaints.push_back({path, "two values are expected, [least, largest]"});
+      continue;
+    }
+    for (std::size_t k = 0; k < 2; ++k) {
+      const auto x = parse_quantity(one.range[k], model.inputs[i].unit);
+      if (!x) complaints.push_back({fmt::format("{}[{}]", path, k), x.error().message});
+      (k == 0 ? p.low : p.high) = x.value_or(static_cast<double>(k));
+    }
+    if (model.inputs[i].base > p.low && model.inputs[i].base < p.high) p.start = model.inputs[i].base;
+    free.push_back(std::move(p));
+  }
+  return free;
+}
+
+CaseQuestion question_of(const CalibrateRequest& request, const MeasuredTable& table) {
+  CaseQuestion q;
+  for (const FreeRequest& one : request.free) q.inputs.push_back({one.name, "calibrate.free." + one.name});
+  for (const std::string& path : table.paths) q.inputs.push_back({path, "calibrate.measured.file"});
+  for (const std::string& name : table.outputs) q.outputs.push_back({name, "calibrate.measured.file"});
+  return q;
+}
+
+tl::expected<Calibrating, Result> read_calibration(const Job& job) {
+  auto read = read_cases(job);
+  if (!read) return tl::unexpected(std::move(read.error()));
+  Calibrating c{.read = std::move(*read), .table = {}, .model = {}, .measured = {}, .free = {}};
+  const io::Node& blocks = c.read.blocks();
+  Diagnostics mistakes;
+  if (!c.read.calibrate) {
+    io::add(mistakes, c.read.deck.input.spot,
+            "the deck has no 'calibrate': a map that says which numbers are sought ('free') and what was 'measured'");
+    return tl::unexpected(bad_deck(std::move(mistakes)));
+  }
+  const CalibrateRequest& request = *c.read.calibrate;
+  const io::Found at = io::follow(blocks, "calibrate.measured.file");
+  const auto file = io::read_named(*at.node, request.measured.file, mistakes);
+  if (file) c.table = read_measured(file->text, file->path, mistakes);
+  if (!mistakes.empty()) return tl::unexpected(bad_deck(std::move(mistakes)));
+  auto model = c.read.cases(question_of(request, c.table));
+  if (!model) return tl::unexpected(refusal(model.error(), blocks));
+  c.model = std::move(*model);
+  c.measured = in_si(c.table, c.model, request.free.size(), mistakes);
+  if (!mistakes.empty()) return tl::unexpected(bad_deck(std::move(mistakes)));
+  NoCases wrong;
+  c.free = free_parameters(request, c.model, wrong.complaints);
+  if (wrong.complaints.empty()) {
+    const std::string why = chance::mistake(c.free, {.values = c.measured.values, .sd = c.measured.sd});
+    if (!why.empty()) wrong.complaints.push_back({"calibrate", why});
+  }
+  if (!wrong.complaints.empty()) return tl::unexpected(refusal(wrong, blocks));
+  return c;
+}
+
+/// Each point of the free numbers gives one row: the measured outputs, each in its own state.
+chance::Evaluate measured_outputs(const Calibrating& c, int threads) {
+  return [&c, run = parallel(c.model, threads)](std::span<const chance::Point> points) {
+    std::vector<chance::Point> cases;
+    for (const chance::Point& p : points) {
+      for (const auto& state : c.measured.states) {
+        cases.push_back(p);
+        cases.back().insert(cases.back().end(), state.begin(), state.end());
+      }
+    }
+    const auto outputs = run(cases);
+    std::vector<std::vector<double>> rows(points.size());
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      for (std::size_t m = 0; m < c.measured.values.size(); ++m) {
+        rows[i].push_back(outputs[i * c.measured.states.size() + c.measured.state[m]][c.measured.output[m]]);
+      }
+    }
+    return rows;
+  };
+}
+
+const char* words_of(chance::ParameterState state) {
+  switch (state) {
+    case chance::ParameterState::estimated:
+      return "estimated";
+    case chance::ParameterState::at_low:
+      return "at its lower bound";
+    case chance::ParameterState::at_high:
+      return "at its upper bound";
+    case chance::ParameterState::not_identifiable:
+      return "not identifiable";
+  }
+  return "";
+}
+
+void add_parameters(const Calibrating& c, const chance::Calibration& found, Result& r) {
+  const Display& display = c.read.deck.display;
+  Table t{.name = "calibrated", .title = "The numbers found", .columns = {}, .rows = {}};
+  for (const char* name : {"number", "in the deck", "found", "low", "high", "state", "note"}) {
+    t.columns.push_back({.name = name, .unit = si::one});
+  }
+  std::string built;
+  for (std::size_t i = 0; i < found.parameters.size(); ++i) {
+    const chance::CalibratedParameter& p = found.parameters[i];
+    const CaseInput& input = c.model.inputs[i];
+    const auto shown = [&](double x) { return display.quantity(x, input.unit); };
+    t.rows.push_back({input.path, shown(input.base), shown(p.value), shown(p.interval.low), shown(p.interval.high),
+                      std::string(words_of(p.state)), p.note});
+    r.values.push_back({input.path, p.value, input.unit, "", fmt::format("{}, {}", input.path, words_of(p.state)), {}});
+    if (std::isfinite(p.standard_error)) {
+      r.values.push_back({input.path + ".standard_error",
+                          p.standard_error,
+                          input.unit,
+                          "",
+                          "standard error of " + input.path,
+                          {},
+                          true});
+    }
+    if (p.state != chance::ParameterState::estimated) {
+      warn_unsafe(r, fmt::format("{}: {}{}{}", input.path, words_of(p.state), p.note.empty() ? "" : ": ", p.note));
+    }
+    r.answers.push_back({"Found", fmt::format("{} {} ({} to {})", input.path, shown(p.value), shown(p.interval.low),
+                                              shown(p.interval.high))});
+  }
+  r.tables.push_back(std::move(t));
+}
+
+void add_residuals(const Calibrating& c, const chance::Calibration& found, Result& r) {
+  const Display& display = c.read.deck.display;
+  Table t{.name = "residuals",
+          .title = "What was measured, and the deck with the numbers found",
+          .columns = {},
+          .rows = {}};
+  for (const char* name : {"measurement", "output", "state", "measured", "calculated", "difference", "difference/sd"}) {
+    t.columns.push_back({.name = name, .unit = si::one});
+  }
+  Plot plot{.name = "residuals_plot",
+            .title = "Residuals",
+            .caption = "measured less calculated, over the standard deviation; about 95 % lie within 2",
+            .x = {.label = "measurement", .unit = si::one},
+            .y = {.label = "difference/sd", .unit = si::one},
+            .curves = {{.label = "difference/sd", .x = {}, .y = {}, .dashed = false, .points_only = true}},
+            .marks = {{.x = 0, .y = 2, .label = "", .whole_line = true, .upright = false},
+                      {.x = 0, .y = -2, .label = "", .whole_line = true, .upright = false}}};
+  for (std::size_t m = 0; m < c.measured.values.size(); ++m) {
+    const CaseOutput& output = c.model.outputs[c.measured.output[m]];
+    const double sd = c.measured.sd.empty() ? found.sd : c.measured.sd[m];
+    std::string state;
+    const auto& settings = c.measured.states[c.measured.state[m]];
+    for (std::size_t k = 0; k < settings.size(); ++k) {
+      const CaseInput& input = c.model.inputs[c.free.size() + k];
+      state += fmt::format("{}{} {}", k > 0 ? ", " : "", input.path, display.quantity(settings[k], input.unit));
+    }
+    t.rows.push_back({static_cast<double>(m + 1), output.name, state,
+                      display.quantity(c.measured.values[m], output.unit),
+                      display.quantity(found.model[m], output.unit), display.quantity(found.residuals[m], output.unit),
+                      found.residuals[m] / sd});
+    plot.curves[0].x.push_back(static_cast<double>(m + 1));
+    plot.curves[0].y.push_back(found.residuals[m] / sd);
+  }
+  r.tables.push_back(std::move(t));
+  r.figures.emplace_back(std::move(plot));
+}
+
+void add_fit(const Calibrating& c, const chance::Calibration& found, Result& r) {
+  for (const chance::Inseparable& one : found.inseparable) {
+    std::vector<std::string> names;
+    for (const std::size_t i : one.parameters) names.push_back(c.model.inputs[i].path);
+    warn_unsafe(r, fmt::format("the measurements can't tell these apart: {} (correlation {:.4g})",
+                               fmt::join(names, ", "), one.correlation));
+  }
+  constexpr double doubtful = 0.01;
+  if (std::isfinite(found.p_value) && found.p_value < doubtful) {
+    warn_unsafe(r,
+                fmt::format("the deck does not fit the measurements within their standard deviations (chance {:.2g})",
+                            found.p_value));
+  }
+  if (!found.other_fits.empty()) {
+    warn_unsafe(r, fmt::format("{} clearly different fits are as good: the measurements do not choose among them",
+                               found.other_fits.size()));
+  }
+  r.assumptions.push_back(c.measured.sd.empty()
+                              ? fmt::format("one standard deviation for all measurements, estimated from {} residuals",
+                                            found.residuals.size())
+                              : std::string("standard deviations as given, errors independent and normal"));
+  r.assumptions.emplace_back("intervals of the model linearised at the fit");
+  r.values.push_back({"chi_squared", found.chi_squared, si::one, "chi^2", "sum of squares of difference/sd", {}, true});
+  r.values.push_back(
+      {"freedom", static_cast<double>(found.freedom), si::one, "", "measurements less numbers told", {}, true});
+  Table t{.name = "covariance",
+          .title = "Covariance of the numbers found, SI",
+          .columns = {},
+          .rows = {},
+          .long_rows = nullptr,
+          .detail = true};
+  t.columns.push_back({.name = "number", .unit = si::one});
+  const std::size_t n = found.parameters.size();
+  for (std::size_t i = 0; i < n; ++i) t.columns.push_back({.name = c.model.inputs[i].path, .unit = si::one});
+  for (std::size_t i = 0; i < n; ++i) {
+    std::vector<Cell> row = {c.model.inputs[i].path};
+    for (std::size_t k = 0; k < n; ++k) row.emplace_back(found.covariance[i * n + k]);
+    t.rows.push_back(std::move(row));
+  }
+  r.tables.push_back(std::move(t));
+}
+
+}  // namespace
+
+Result calibrate(const Job& job, int threads) {
+  const auto c = read_calibration(job);
+  if (!c) return c.error();
+  const CalibrateRequest& request = *c->read.calibrate;
+  Result r;
+  r.title = c->read.deck.title.empty() ? "Calibration" : c->read.deck.title;
+  r.method = c->read.deck.is_machine ? "machine" : c->read.deck.method;
+  r.method_title = "Calibration against measurements";
+  r.project = c->read.deck.project;
+  r.display = c->read.deck.display.units();
+  r.deck_name = job.name;
+  r.deck_hash = c->read.hash;
+  r.overrides = job.set;
+  chance::CalibrationOptions options;
+  options.confidence = request.confidence;
+  options.seed = static_cast<std::uint64_t>(request.seed);
+  const chance::Calibration found = chance::calibrate(measured_outputs(*c, threads), c->free,
+                                                      {.values = c->measured.values, .sd = c->measured.sd}, options);
+  if (found.status != chance::CalibrationStatus::found) {
+    r.status = Status::not_converged;
+    r.message = found.reason;
+    return r;
+  }
+  add_parameters(*c, found, r);
+  add_residuals(*c, found, r);
+  add_fit(*c, found, r);
+  r.attachments.push_back({"calibrated.yaml", calibrated_deck(job, c->model, c->free, found)});
+  return r;
+}
+
+}  // namespace taut::app

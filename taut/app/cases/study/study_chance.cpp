@@ -1,0 +1,241 @@
+#include "taut/app/cases/study/study_chance.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "taut/app/cases/study/study_run.hpp"
+#include "taut/app/cases/study/study_words.hpp"
+#include "taut/chance/reliability/importance.hpp"
+#include "taut/chance/standard_laws.hpp"
+
+namespace taut::app {
+namespace {
+
+using chance::Estimate;
+
+std::span<const double> part_of(const std::vector<double>& all, const CaseBlock& block) {
+  return std::span(all).subspan(block.first, block.count);
+}
+
+/// How probable it is that one limit is not kept, from all that was asked.
+struct LimitAnswer {
+  chance::LimitProbability sampled;
+  std::optional<chance::Form> form;
+  std::optional<chance::ImportanceSampling> importance;
+
+  /// The one that decides, failed cases counted as beyond: of importance sampling where there is one.
+  Estimate decisive(double confidence) const {
+    if (!importance) return sampled.counted;
+    const chance::Weighted& w = importance->counted;
+    const double q = chance::normal_score((1 + confidence) / 2);
+    return {.value = w.value,
+            .interval = {std::max(0.0, w.value - q * w.standard_error), std::min(1.0, w.value + q * w.standard_error)}};
+  }
+};
+
+/// FORM, and what goes on from its design points. Not ok: the limit state has no answer.
+Outcome add_reliability(const Study& study, const StudyLimit& limit, int threads, LimitAnswer& answer) {
+  const chance::LimitState state(study.inputs, parallel(study.model, threads), limit.output, limit.limit);
+  const auto seed = static_cast<std::uint64_t>(study.request.seed);
+  chance::FormOptions options;
+  options.seed = seed;
+  answer.form = chance::form(state, options);
+  if (answer.form->status != chance::FormStatus::found) {
+    return not_converged(fmt::format("FORM of '{}': {}", beyond_in_words(study, limit), answer.form->reason));
+  }
+  // Breitung's and FORM's numbers are asymptotic: a sample around the design points always stands beside them
+  chance::ImportanceOptions sampling;
+  sampling.seed = seed;
+  answer.importance = chance::importance_sampling(state, *answer.form, sampling, answer.sampled);
+  if (answer.importance->status != chance::ImportanceStatus::found) {
+    return not_converged(
+        fmt::format("importance sampling of '{}': {}", beyond_in_words(study, limit), answer.importance->reason));
+  }
+  return {};
+}
+
+void add_design_points(const Study& study, std::size_t k, const chance::Form& form, Result& r) {
+  const std::string end = name_ending(k, study.limits.size());
+  const std::string words = beyond_in_words(study, study.limits[k]);
+  Table t{.name = "design_points" + end,
+          .title = "Most likely failures: " + words,
+          .columns = {{.name = "beta", .unit = si::one},
+                      {.name = "p_FORM", .unit = si::one},
+                      {.name = "p_SORM", .unit = si::one}},
+          .rows = {}};
+  const std::vector<CaseInput>& inputs = study.model.inputs;
+  for (std::size_t i = 0; i < inputs.size(); ++i) {
+    t.columns.push_back({.name = short_name(study, i), .unit = inputs[i].unit});
+    t.columns.push_back({.name = "importance of " + short_name(study, i), .unit = si::one});
+  }
+  for (const chance::DesignPoint& one : form.points) {
+    std::vector<Cell> row = {one.beta, one.probability, one.breitung};
+    for (std::size_t i = 0; i < inputs.size(); ++i) {
+      row.emplace_back(one.values[i]);
+      row.emplace_back(one.importance[i]);
+    }
+    t.rows.push_back(std::move(row));
+  }
+  r.tables.push_back(std::move(t));
+  const chance::DesignPoint& first = form.points.front();
+  r.values.push_back({"beta" + end, first.beta, si::one, "beta", "reliability index of " + words, {}});
+  r.values.push_back({"p_form" + end, first.probability, si::one, "p_FORM", "FORM: probability of " + words, {}});
+  if (study.asks("sorm")) {
+    r.values.push_back(
+        {"p_sorm" + end, first.breitung, si::one, "p_SORM", "SORM (Breitung): probability of " + words, {}});
+  }
+  r.answers.push_back({"Most likely failure",
+                       fmt::format("{}: {} (beta {:.4g})", words, values_in_words(study, first.values), first.beta)});
+}
+
+/// The allowed probability against the confidence interval of the one found.
+void judge(const Study& study, std::size_t k, const LimitAnswer& answer, Result& r) {
+  const StudyLimit& limit = study.limits[k];
+  const std::string words = beyond_in_words(study, limit);
+  const Estimate p = answer.decisive(study.request.confidence);
+  if (!limit.allowed) {
+    r.unjudged.push_back(fmt::format("the probability of {}", words));
+    return;
+  }
+  if (chance::judged(p, *limit.allowed) != chance::Allowed::not_judged) {
+    r.checks.push_back(make_check(
+        fmt::format("probability of {}", words), p.interval.high, si::one,
+        {.sense = Sense::at_most,
+         .limit = *limit.allowed,
+         .rule = fmt::format("allowed probability of the deck, against the upper end of the {:.3g} % interval",
+                             100 * study.request.confidence),
+         .trust = "user"}));
+    return;
+  }
+  const auto needed = answer.importance ? std::nullopt : chance::cases_needed(answer.sampled, *limit.allowed);
+  r.unmade.push_back(fmt::format("the probability of {} is {} to {}, which holds the allowed {}{}", words,
+                                 probability_in_words(p.interval.low), probability_in_words(p.interval.high),
+                                 probability_in_words(*limit.allowed),
+                                 needed ? fmt::format(": about {} samples would tell", *needed) : std::string{}));
+}
+
+void add_limits(const Study& study, const StudyData& data, int threads, ChanceSummary& summary, Result& r) {
+  if (study.limits.empty()) return;
+  Table t{.name = "probabilities",
+          .title = "How probable it is that a limit is not kept; cases without an answer count as beyond it",
+          .columns = {{.name = "event", .unit = si::one},
+                      {.name = "probability", .unit = si::one},
+                      {.name = "low", .unit = si::one},
+                      {.name = "high", .unit = si::one},
+                      {.name = "failed_left_out", .unit = si::one},
+                      {.name = "allowed", .unit = si::one},
+                      {.name = "from", .unit = si::one}},
+          .rows = {}};
+  const bool reliability = study.asks("form") || study.asks("sorm") || study.asks("importance");
+  for (std::size_t k = 0; k < study.limits.size(); ++k) {
+    const StudyLimit& limit = study.limits[k];
+    const std::string words = beyond_in_words(study, limit), end = name_ending(k, study.limits.size());
+    LimitAnswer answer{.sampled = chance::limit_probability(sample_of(study, data, limit.output), limit.limit),
+                       .form = {},
+                       .importance = {}};
+    summary.probabilities.push_back(answer.sampled);
+    if (reliability) {
+      if (const Outcome outcome = add_reliability(study, limit, threads, answer); !outcome.ok()) {
+        r.status = outcome.status;
+        r.message = outcome.message;
+        continue;
+      }
+      add_design_points(study, k, *answer.form, r);
+    }
+    const Estimate p = answer.decisive(study.request.confidence);
+    const double left_out = answer.importance ? answer.importance->left_out.value : answer.sampled.left_out.value;
+    const std::string from = answer.importance
+                                 ? fmt::format("importance sampling, {} samples", answer.importance->samples)
+                                 : fmt::format("{} cases, {} beyond, {} without an answer", answer.sampled.cases,
+                                               answer.sampled.beyond, answer.sampled.failed);
+    t.rows.push_back({words, p.value, p.interval.low, p.interval.high, left_out,
+                      limit.allowed ? *limit.allowed : std::nan(""), from});
+    r.values.push_back({"p" + end, p.value, si::one, "p", "probability of " + words, {}});
+    summary.lines.push_back({words, "probability", si::one, p});
+    r.answers.push_back(
+        {"Probability", fmt::format("{}: {} ({} to {})", words, probability_in_words(p.value),
+                                    probability_in_words(p.interval.low), probability_in_words(p.interval.high))});
+    if (answer.importance && !answer.importance->rests_on.empty()) r.warnings.push_back(answer.importance->rests_on);
+    judge(study, k, answer, r);
+  }
+  r.tables.insert(r.tables.begin(), std::move(t));
+}
+
+void add_indices(const Study& study, const StudyData& data, ChanceSummary& summary, Result& r) {
+  if (!study.indices) return;
+  const std::size_t outputs = study.model.outputs.size();
+  for (std::size_t k = 0; k < outputs; ++k) {
+    const CaseOutput& output = study.model.outputs[k];
+    const auto found =
+        chance::sensitivity(*study.indices, part_of(data.outputs[k], study.saltelli), study.request.confidence);
+    Table t{.name = "sensitivity" + name_ending(k, outputs),
+            .title = fmt::format("Sobol indices of {}: the share of its variance from each input", output.name),
+            .columns = {},
+            .rows = {}};
+    for (const char* name : {"input", "first", "first_low", "first_high", "total", "total_low", "total_high"}) {
+      t.columns.push_back({.name = name, .unit = si::one});
+    }
+    std::size_t most = 0;
+    for (std::size_t i = 0; i < found.of.size(); ++i) {
+      const auto& [first, total] = found.of[i];
+      t.rows.push_back({short_name(study, i), first.value, first.interval.low, first.interval.high, total.value,
+                        total.interval.low, total.interval.high});
+      summary.lines.push_back({output.name, "first order index of " + study.model.inputs[i].path, si::one, first});
+      summary.lines.push_back({output.name, "total index of " + study.model.inputs[i].path, si::one, total});
+      if (total.value > found.of[most].total.value) most = i;
+    }
+    if (!found.of.empty() && !std::isnan(found.of[most].total.value)) {
+      r.answers.push_back({"Matters most", fmt::format("{}: {}, total Sobol index {:.2g}", output.name,
+                                                       short_name(study, most), found.of[most].total.value)});
+    }
+    summary.indices.push_back(found);
+    r.tables.push_back(std::move(t));
+  }
+}
+
+void add_tornado(const Study& study, const StudyData& data, Result& r) {
+  if (study.tornado.empty()) return;
+  const std::size_t outputs = study.model.outputs.size();
+  for (std::size_t k = 0; k < outputs; ++k) {
+    const CaseOutput& output = study.model.outputs[k];
+    const std::span<const double> bars = part_of(data.outputs[k], study.bars);
+    Table t{.name = "tornado" + name_ending(k, outputs),
+            .title = fmt::format(
+                "{} while one input goes from its 5 % to its 95 % quantile, all others at their medians", output.name),
+            .columns = {{.name = "input", .unit = si::one},
+                        {.name = "from", .unit = si::one},
+                        {.name = "to", .unit = si::one},
+                        {.name = "at_from", .unit = output.unit},
+                        {.name = "at_to", .unit = output.unit},
+                        {.name = "change", .unit = output.unit}},
+            .rows = {}};
+    for (std::size_t i = 0; i < study.model.inputs.size(); ++i) {
+      const Unit& unit = study.model.inputs[i].unit;
+      const double low = bars[1 + 2 * i], high = bars[2 + 2 * i];
+      t.rows.push_back({short_name(study, i), study.display.quantity(study.tornado[1 + 2 * i][i], unit),
+                        study.display.quantity(study.tornado[2 + 2 * i][i], unit), low, high, high - low});
+    }
+    std::stable_sort(t.rows.begin(), t.rows.end(), [](const auto& a, const auto& b) {
+      return std::abs(std::get<double>(a.back())) > std::abs(std::get<double>(b.back()));
+    });
+    r.tables.push_back(std::move(t));
+  }
+}
+
+}  // namespace
+
+chance::Sample sample_of(const Study& study, const StudyData& data, std::size_t output) {
+  return {.values = part_of(data.outputs[output], study.sample),
+          .replicates = study.points->replicates(),
+          .confidence = study.request.confidence};
+}
+
+void add_chance(const Study& study, const StudyData& data, int threads, ChanceSummary& summary, Result& r) {
+  add_limits(study, data, threads, summary, r);
+  add_indices(study, data, summary, r);
+  add_tornado(study, data, r);
+}
+
+}  // namespace taut::app

@@ -1,0 +1,225 @@
+#include "taut/app/cases/study/study_folder.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cmath>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <mutex>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "taut/base/version.hpp"
+#include "taut/io/file.hpp"
+#include "taut/io/hdf5.hpp"
+
+namespace taut::app {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+constexpr std::uint64_t least_per_part = 64;
+constexpr std::uint64_t most_parts = 256;
+constexpr const char* manifest_name = "study.json";
+constexpr const char* unfinished = ".unfinished-";  ///< in the name of a file that is being written
+
+/// The HDF5 library of a distribution is not made for threads.
+std::mutex& hdf5_turn() {
+  static std::mutex one;
+  return one;
+}
+
+FileError no(const std::string& path, const std::string& why) {
+  return {.message = fmt::format("'{}': {}", path, why)};
+}
+
+/// Writes a text beside and renames it.
+tl::expected<void, FileError> write_whole(const fs::path& path, const std::string& text) {
+  const fs::path beside = path.string() + unfinished + std::to_string(::getpid());
+  errno = 0;
+  std::ofstream file(beside, std::ios::binary | std::ios::trunc);
+  file.write(text.data(), static_cast<std::streamsize>(text.size()));
+  file.close();
+  if (!file) return tl::unexpected(no(path.string(), fmt::format("can't be written: {}", std::strerror(errno))));
+  std::error_code failed;
+  fs::rename(beside, path, failed);
+  if (failed) return tl::unexpected(no(path.string(), "can't be written: " + failed.message()));
+  return {};
+}
+
+Json manifest_of(const Job& job, const Study& study, const StudyParts& parts) {
+  std::error_code failed;
+  const bool file = job.name != "<stdin>";
+  const std::string name = file ? fs::absolute(job.name, failed).string() : job.name;
+  return {{"taut", std::string(version)},
+          {"study", study.hash},
+          {"cases", parts.cases},
+          {"per_part", parts.per_part},
+          {"deck", name},
+          {"set", job.set},
+          {"text", job.text}};
+}
+
+tl::expected<Json, FileError> read_manifest(const fs::path& folder) {
+  const fs::path path = folder / manifest_name;
+  const auto text = io::read_file(path.string());
+  if (!text) return tl::unexpected(FileError{text.error().message});
+  Json manifest = Json::parse(*text, nullptr, false);
+  if (!manifest.is_object() || !manifest.contains("study") || !manifest.contains("text")) {
+    return tl::unexpected(no(path.string(), "is not the file of a study"));
+  }
+  return manifest;
+}
+
+/// The parts' rows as one table of numbers and reasons.
+Table table_of(const Study& study, const std::vector<KeptCase>& rows) {
+  Table t;
+  t.name = "cases";
+  t.title = "Cases";
+  t.columns.push_back({.name = "case", .unit = si::one});
+  for (const CaseInput& one : study.model.inputs) t.columns.push_back({.name = one.path, .unit = one.unit});
+  for (const CaseOutput& one : study.model.outputs) t.columns.push_back({.name = one.name, .unit = one.unit});
+  t.columns.push_back({.name = "status", .unit = si::one});
+  t.columns.push_back({.name = "reason", .unit = si::one});
+  for (const KeptCase& row : rows) {
+    std::vector<Cell>& cells = t.rows.emplace_back();
+    cells.emplace_back(static_cast<double>(row.index));
+    for (const double x : row.values) cells.emplace_back(x);
+    for (const double x : row.answer.outputs) cells.emplace_back(x);
+    cells.emplace_back(std::string(to_text(row.answer.outcome.status)));
+    cells.emplace_back(row.answer.outcome.message);
+  }
+  return t;
+}
+
+Status status_of(const std::string& text) {
+  for (const Status s : {Status::ok, Status::infeasible, Status::not_converged}) {
+    if (text == to_text(s)) return s;
+  }
+  return Status::not_converged;
+}
+
+}  // namespace
+
+CaseBlock StudyParts::of(std::uint64_t part) const {
+  const std::uint64_t first = part * per_part;
+  return {.first = first, .count = std::min(per_part, cases - first)};
+}
+
+StudyParts parts_of(std::uint64_t cases) {
+  const std::uint64_t grain = least_per_part * most_parts;
+  return {.cases = cases, .per_part = least_per_part * std::max<std::uint64_t>(1, (cases + grain - 1) / grain)};
+}
+
+tl::expected<StudyFolder, FileError> StudyFolder::make(const std::string& folder, const Job& job, const Study& study) {
+  StudyFolder made(folder, parts_of(study.size()));
+  std::error_code failed;
+  const fs::path manifest = fs::path(folder) / manifest_name;
+  if (fs::exists(manifest, failed)) {
+    const auto there = read_manifest(folder);
+    if (!there) return tl::unexpected(there.error());
+    if (there->value("study", "") != study.hash) {
+      return tl::unexpected(no(folder,
+                               "holds another study, or one whose deck has changed since; choose another "
+                               "folder"));
+    }
+    if (there->value("taut", "") != version) {
+      return tl::unexpected(no(folder, fmt::format("holds a study of taut {}; this is {}: choose another folder",
+                                                   there->value("taut", ""), version)));
+    }
+  }
+  fs::create_directories(fs::path(folder) / "parts", failed);
+  if (failed) return tl::unexpected(no(folder, "can't be made: " + failed.message()));
+  if (!fs::exists(manifest, failed)) {
+    const auto written = write_whole(manifest, manifest_of(job, study, made.parts_).dump(1) + "\n");
+    if (!written) return tl::unexpected(written.error());
+  }
+  return made;
+}
+
+tl::expected<Job, FileError> StudyFolder::job_in(const std::string& folder) {
+  const auto manifest = read_manifest(folder);
+  if (!manifest) return tl::unexpected(manifest.error());
+  Job job;
+  job.text = manifest->value("text", "");
+  job.name = manifest->value("deck", "");
+  job.set = manifest->value("set", std::vector<std::string>{});
+  return job;
+}
+
+std::string StudyFolder::path_of(std::uint64_t part) const {
+  return (fs::path(folder_) / "parts" / fmt::format("{:05}.h5", part)).string();
+}
+
+std::vector<bool> StudyFolder::done() const {
+  std::set<std::string> there;
+  std::error_code failed;
+  for (const auto& entry : fs::directory_iterator(fs::path(folder_) / "parts", failed)) {
+    there.insert(entry.path().string());
+  }
+  std::vector<bool> all;
+  for (std::uint64_t part = 0; part < parts_.count(); ++part) all.push_back(there.contains(path_of(part)));
+  return all;
+}
+
+tl::expected<void, FileError> StudyFolder::write(std::uint64_t part, const Study& study,
+                                                 const std::vector<KeptCase>& rows) const {
+  const std::string path = path_of(part), beside = path + unfinished + std::to_string(::getpid());
+  const Table table = table_of(study, rows);
+  const std::lock_guard turn(hdf5_turn());
+  if (const auto done = io::write_hdf5({table}, beside); !done) return tl::unexpected(no(beside, done.error()));
+  std::error_code failed;
+  fs::rename(beside, path, failed);
+  if (failed) return tl::unexpected(no(path, "can't be written: " + failed.message()));
+  return {};
+}
+
+tl::expected<std::vector<KeptCase>, FileError> StudyFolder::read(std::uint64_t part, const Study& study) const {
+  const std::string path = path_of(part);
+  const auto tables = [&] {
+    const std::lock_guard turn(hdf5_turn());
+    return io::read_hdf5(path);
+  }();
+  if (!tables) return tl::unexpected(no(path, tables.error()));
+  const std::size_t inputs = study.model.inputs.size(), outputs = study.model.outputs.size();
+  const CaseBlock block = parts_.of(part);
+  std::vector<KeptCase> rows;
+  for (const Table& t : *tables) {
+    if (t.columns.size() != inputs + outputs + 3 || t.rows.size() != block.count) break;
+    for (const std::vector<Cell>& cells : t.rows) {
+      KeptCase& row = rows.emplace_back();
+      const auto number = [&](std::size_t i) {
+        const auto* x = std::get_if<double>(&cells[i]);
+        return x != nullptr ? *x : std::nan("");
+      };
+      const auto text = [&](std::size_t i) {
+        const auto* x = std::get_if<std::string>(&cells[i]);
+        return x != nullptr ? *x : std::string{};
+      };
+      row.index = static_cast<std::uint64_t>(number(0));
+      for (std::size_t i = 0; i < inputs; ++i) row.values.push_back(number(1 + i));
+      for (std::size_t i = 0; i < outputs; ++i) row.answer.outputs.push_back(number(1 + inputs + i));
+      row.answer.outcome.status = status_of(text(1 + inputs + outputs));
+      row.answer.outcome.message = text(2 + inputs + outputs);
+    }
+  }
+  if (rows.size() != block.count || rows.front().index != block.first) {
+    return tl::unexpected(no(path, "is not a part of this study; delete it and run 'taut study resume'"));
+  }
+  return rows;
+}
+
+void StudyFolder::tidy() const {
+  std::error_code failed;
+  for (const auto& entry : fs::directory_iterator(fs::path(folder_) / "parts", failed)) {
+    std::error_code gone;
+    if (entry.path().filename().string().find(unfinished) != std::string::npos) fs::remove(entry.path(), gone);
+  }
+}
+
+}  // namespace taut::app

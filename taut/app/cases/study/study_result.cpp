@@ -1,0 +1,211 @@
+#include "taut/app/cases/study/study_result.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+
+#include "taut/app/cases/study/study_chance.hpp"
+#include "taut/app/cases/study/study_figures.hpp"
+#include "taut/app/cases/study/study_words.hpp"
+
+namespace taut::app {
+namespace {
+
+/// Probabilities of the quantiles that are told, with their names.
+constexpr std::array<double, 7> told = {0.01, 0.05, 0.25, 0.5, 0.75, 0.95, 0.99};
+constexpr std::size_t most_rows = 1000;  ///< of failed cases in the result; all are in cases.h5
+constexpr std::size_t most_reasons = 20;
+
+/// Mean, standard deviation and quantiles of an output.
+struct Statistic {
+  std::string name;   ///< "mean", "q05"
+  std::string words;  ///< "mean", "5 % quantile"
+  chance::Estimate estimate;
+};
+
+std::vector<Statistic> statistics_of(const chance::Sample& sample) {
+  std::vector<Statistic> all = {{.name = "mean", .words = "mean", .estimate = chance::sample_mean(sample)},
+                                {.name = "sd", .words = "standard deviation", .estimate = chance::sample_sd(sample)}};
+  const std::vector<chance::Estimate> found = chance::quantiles(sample, told);
+  for (std::size_t i = 0; i < told.size(); ++i) {
+    const double percent = 100 * told[i];
+    const std::string words = told[i] == 0.5 ? "median" : fmt::format("{:.0f} % quantile", percent);
+    all.push_back({.name = fmt::format("q{:02.0f}", percent), .words = words, .estimate = found[i]});
+  }
+  return all;
+}
+
+/// All numbers of the result in one table for other programs, SI.
+class Summary {
+ public:
+  Summary() {
+    table_.name = "summary";
+    table_.title = "All estimates with their confidence intervals, SI";
+    table_.detail = true;
+    for (const char* text : {"of", "what", "unit"}) table_.columns.push_back({.name = text, .unit = si::one});
+    for (const char* number : {"value", "low", "high"}) table_.columns.push_back({.name = number, .unit = si::one});
+  }
+  void add(const std::string& of, const std::string& what, const Unit& unit, const chance::Estimate& e) {
+    table_.rows.push_back({of, what, std::string(unit.symbol), e.value, e.interval.low, e.interval.high});
+  }
+  Table table() && { return std::move(table_); }
+
+ private:
+  Table table_;
+};
+
+void add_statistics(const Study& study, const StudyData& data, Summary& summary, Result& r) {
+  for (std::size_t k = 0; k < study.model.outputs.size(); ++k) {
+    const CaseOutput& output = study.model.outputs[k];
+    Table t{.name = "quantiles" + name_ending(k, study.model.outputs.size()),
+            .title = fmt::format("{}: {}", output.name, output.label),
+            .columns = {{.name = "statistic", .unit = si::one},
+                        {.name = "value", .unit = output.unit},
+                        {.name = "low", .unit = output.unit},
+                        {.name = "high", .unit = output.unit}},
+            .rows = {{std::string("the deck as it is"), output.base, std::nan(""), std::nan("")}}};
+    for (const Statistic& one : statistics_of(sample_of(study, data, k))) {
+      const chance::Estimate& e = one.estimate;
+      t.rows.push_back({one.words, e.value, e.interval.low, e.interval.high});
+      summary.add(output.name, one.name, output.unit, e);
+      r.values.push_back({fmt::format("{}.{}", output.name, one.name),
+                          e.value,
+                          output.unit,
+                          one.name,
+                          fmt::format("{} of {}", one.words, output.name),
+                          {},
+                          true});
+    }
+    r.tables.push_back(std::move(t));
+  }
+}
+
+/// Of a grid: the least and the largest value, and where.
+void add_extremes(const Study& study, const StudyData& data, Summary& summary, Result& r) {
+  Table t{.name = "extremes",
+          .title = "Least and largest values of the grid",
+          .columns = {{.name = "value", .unit = si::one},
+                      {.name = "least", .unit = si::one},
+                      {.name = "at", .unit = si::one},
+                      {.name = "largest", .unit = si::one},
+                      {.name = "at", .unit = si::one}},
+          .rows = {}};
+  for (std::size_t k = 0; k < data.outputs.size(); ++k) {
+    const CaseOutput& output = study.model.outputs[k];
+    const std::vector<double>& all = data.outputs[k];
+    const auto less = [](double a, double b) { return !std::isnan(a) && (std::isnan(b) || a < b); };
+    const auto least = std::min_element(all.begin(), all.end(), less);
+    const auto largest = std::min_element(
+        all.begin(), all.end(), [](double a, double b) { return !std::isnan(a) && (std::isnan(b) || a > b); });
+    if (least == all.end() || std::isnan(*least)) continue;
+    const auto place = [&](auto at) {
+      return values_in_words(study, study.values_at(static_cast<std::uint64_t>(at - all.begin())));
+    };
+    t.rows.push_back({output.name, study.display.quantity(*least, output.unit), place(least),
+                      study.display.quantity(*largest, output.unit), place(largest)});
+    summary.add(output.name, "least", output.unit, {.value = *least, .interval = {*least, *least}});
+    summary.add(output.name, "largest", output.unit, {.value = *largest, .interval = {*largest, *largest}});
+    r.values.push_back({output.name + ".least", *least, output.unit, "least", "least value of " + output.name, {}});
+    r.values.push_back(
+        {output.name + ".largest", *largest, output.unit, "largest", "largest value of " + output.name, {}});
+  }
+  r.tables.push_back(std::move(t));
+}
+
+void add_failed(const Study& study, const StudyData& data, Result& r) {
+  if (data.failed.empty()) return;
+  const double share = static_cast<double>(data.failed.size()) / static_cast<double>(study.size());
+  r.preface = fmt::format("{} of {} cases have no answer ({:.2g} %)", data.failed.size(), study.size(), 100 * share);
+  std::map<std::string, std::size_t> reasons;
+  for (const FailedCase& one : data.failed) ++reasons[one.reason];
+  std::vector<std::pair<std::string, std::size_t>> sorted(reasons.begin(), reasons.end());
+  std::stable_sort(sorted.begin(), sorted.end(), [](const auto& a, const auto& b) { return a.second > b.second; });
+  Table counted{.name = "reasons",
+                .title = "Why cases have no answer",
+                .columns = {{.name = "cases", .unit = si::one}, {.name = "reason", .unit = si::one}},
+                .rows = {}};
+  for (const auto& [reason, count] : sorted) {
+    if (counted.rows.size() == most_reasons) break;
+    counted.rows.push_back({static_cast<double>(count), reason});
+  }
+  Table each{
+      .name = "failed",
+      .title = fmt::format("Cases without an answer{}", data.failed.size() > most_rows ? ", the first ones" : ""),
+      .columns = {{.name = "case", .unit = si::one},
+                  {.name = "numbers", .unit = si::one},
+                  {.name = "reason", .unit = si::one}},
+      .rows = {},
+      .long_rows = nullptr,
+      .detail = true};
+  for (const FailedCase& one : data.failed) {
+    if (each.rows.size() == most_rows) break;
+    each.rows.push_back(
+        {static_cast<double>(one.index), values_in_words(study, study.values_at(one.index)), one.reason});
+  }
+  r.tables.push_back(std::move(counted));
+  r.tables.push_back(std::move(each));
+}
+
+void add_given(const Study& study, Result& r) {
+  Table t{.name = "inputs",
+          .title = "What varies",
+          .columns = {{.name = "input", .unit = si::one},
+                      {.name = "law", .unit = si::one},
+                      {.name = "in the deck", .unit = si::one}},
+          .rows = {}};
+  for (std::size_t i = 0; i < study.model.inputs.size(); ++i) {
+    const CaseInput& input = study.model.inputs[i];
+    t.rows.push_back({input.path, law_in_words(study, i), study.display.quantity(input.base, input.unit)});
+  }
+  r.tables.push_back(std::move(t));
+  const StudyRequest& request = study.request;
+  static const std::map<StudyPoints, const char*> words = {{StudyPoints::random, "independent random numbers"},
+                                                           {StudyPoints::latin, "Latin hypercubes"},
+                                                           {StudyPoints::sobol, "scrambled Sobol points"},
+                                                           {StudyPoints::grid, "a grid"}};
+  std::string cases = fmt::format("{} cases on {}", study.size(), words.at(request.points));
+  if (study.points) cases += fmt::format(", {} of them the sample, seed {}", study.sample.count, request.seed);
+  r.assumptions.push_back(cases);
+  if (study.points) {
+    r.assumptions.push_back(
+        fmt::format("intervals hold the true value with a confidence of {:.3g} %", 100 * request.confidence));
+  }
+  for (const CorrelateRequest& one : request.correlate) {
+    r.assumptions.push_back(
+        fmt::format("{} and {}: their Gaussian scores have the correlation {}", one.pair[0], one.pair[1], one.pair[2]));
+  }
+}
+
+}  // namespace
+
+Result study_result(const Study& study, const StudyData& data, int threads) {
+  Result r;
+  r.title = study.title.empty() ? "Study" : study.title;
+  r.method = study.method;
+  r.method_title = "Study of many cases";
+  r.project = study.project;
+  r.display = study.display.units();
+  r.deck_name = study.deck_name;
+  r.deck_hash = study.hash;
+  r.overrides = study.overrides;
+  add_given(study, r);
+  Summary summary;
+  if (study.points) {
+    add_statistics(study, data, summary, r);
+  } else {
+    add_extremes(study, data, summary, r);
+  }
+  ChanceSummary rest;
+  if (study.points) add_chance(study, data, threads, rest, r);
+  for (const ChanceSummary::Line& line : rest.lines) summary.add(line.of, line.what, line.unit, line.estimate);
+  add_failed(study, data, r);
+  r.tables.push_back(std::move(summary).table());
+  r.series.push_back(data.rows);
+  add_study_figures(study, data, rest, r);
+  return r;
+}
+
+}  // namespace taut::app

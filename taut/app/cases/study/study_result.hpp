@@ -1,0 +1,31 @@
+#pragma once
+#include <tl/expected.hpp>
+
+#include "taut/app/cases/study/study.hpp"
+#include "taut/app/cases/study/study_folder.hpp"
+#include "taut/base/long_rows.hpp"
+#include "taut/calc/result.hpp"
+
+namespace taut::app {
+
+/// A case without an answer.
+struct FailedCase {
+  std::uint64_t index = 0;
+  std::string reason;
+};
+
+/// All cases of a study.
+struct StudyData {
+  Table rows;                                ///< `cases`: long rows of number, inputs, outputs, status (0: ok), SI
+  std::vector<std::vector<double>> outputs;  ///< by output, in the order of the cases; NaN where one failed
+  std::vector<FailedCase> failed;
+};
+
+/// Reads the parts in their order; the error: one is missing or broken.
+tl::expected<StudyData, FileError> read_cases(const Study& study, const StudyFolder& folder);
+
+/// What the cases say: tables, figures, checks of the allowed probabilities, answers. FORM and importance sampling
+/// calculate cases of their own, on `threads`; where they have no answer the result has none.
+Result study_result(const Study& study, const StudyData& data, int threads);
+
+}  // namespace taut::app

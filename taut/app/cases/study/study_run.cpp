@@ -1,0 +1,112 @@
+#include "taut/app/cases/study/study_run.hpp"
+
+#include <fmt/format.h>
+#include <oneapi/tbb/parallel_for.h>
+#include <oneapi/tbb/partitioner.h>
+#include <oneapi/tbb/task_arena.h>
+
+#include <atomic>
+#include <mutex>
+#include <optional>
+
+namespace taut::app {
+namespace {
+
+int threads_of(int asked) { return asked > 0 ? asked : tbb::task_arena::automatic; }
+
+/// Tells how many cases are done, one thread at a time, and remembers that it shall end.
+class CaseCounter {
+ public:
+  CaseCounter(std::uint64_t cases, const std::function<bool(const Progress&)>& ask) : cases_(cases), ask_(ask) {}
+
+  /// After each case; false: it is to end.
+  bool go_on() {
+    const std::uint64_t done = ++done_;
+    if (ended_) return false;
+    if (!ask_) return true;
+    const std::unique_lock turn(turn_, std::try_to_lock);
+    if (!turn.owns_lock()) return true;
+    const double share = static_cast<double>(done) / static_cast<double>(cases_);
+    if (!ask_({.what = "study", .done = share, .words = fmt::format("{} of {} cases", done, cases_)})) ended_ = true;
+    return !ended_;
+  }
+  bool ended() const { return ended_; }
+
+ private:
+  std::uint64_t cases_;
+  const std::function<bool(const Progress&)>& ask_;
+  std::atomic<std::uint64_t> done_ = 0;
+  std::atomic<bool> ended_ = false;
+  std::mutex turn_;
+};
+
+/// The rows of a part; empty where it was ended.
+std::vector<KeptCase> rows_of(const Study& study, const CaseBlock& block, CaseCounter& counter) {
+  std::vector<KeptCase> rows;
+  rows.reserve(block.count);
+  for (std::uint64_t i = block.first; i < block.end(); ++i) {
+    if (counter.ended()) return {};
+    KeptCase row{.index = i, .values = study.values_at(i), .answer = {}};
+    row.answer = study.model.answer(row.values);
+    rows.push_back(std::move(row));
+    if (!counter.go_on()) return {};
+  }
+  return rows;
+}
+
+}  // namespace
+
+StudyState state_of(const StudyFolder& folder) {
+  const StudyParts& parts = folder.parts();
+  StudyState state{.cases = parts.cases, .cases_done = 0, .parts = parts.count(), .parts_done = 0};
+  const std::vector<bool> done = folder.done();
+  for (std::uint64_t p = 0; p < done.size(); ++p) {
+    if (!done[p]) continue;
+    ++state.parts_done;
+    state.cases_done += parts.of(p).count;
+  }
+  return state;
+}
+
+tl::expected<StudyState, FileError> run_cases(const Study& study, const StudyFolder& folder,
+                                              const StudyOptions& options) {
+  const std::vector<bool> done = folder.done();
+  std::vector<std::uint64_t> open;
+  std::uint64_t cases = 0;
+  for (std::uint64_t p = 0; p < done.size(); ++p) {
+    if (done[p] || p % options.of != options.shard - 1) continue;
+    open.push_back(p);
+    cases += folder.parts().of(p).count;
+  }
+  CaseCounter counter(cases, options.progress);
+  std::mutex turn;
+  std::optional<FileError> trouble;
+  const auto calculate = [&](std::size_t k) {
+    const std::vector<KeptCase> rows = rows_of(study, folder.parts().of(open[k]), counter);
+    if (rows.empty()) return;
+    const auto written = folder.write(open[k], study, rows);
+    if (written) return;
+    const std::lock_guard lock(turn);
+    trouble = written.error();
+  };
+  tbb::task_arena arena(threads_of(options.threads));
+  arena.execute([&] { tbb::parallel_for(std::size_t{0}, open.size(), calculate, tbb::simple_partitioner()); });
+  if (trouble) return tl::unexpected(*trouble);
+  StudyState state = state_of(folder);
+  state.interrupted = counter.ended();
+  return state;
+}
+
+chance::Evaluate parallel(const CaseModel& model, int threads) {
+  return [&model, threads](std::span<const chance::Point> points) {
+    std::vector<std::vector<double>> rows(points.size());
+    tbb::task_arena arena(threads_of(threads));
+    arena.execute([&] {
+      tbb::parallel_for(std::size_t{0}, points.size(),
+                        [&](std::size_t i) { rows[i] = model.answer(points[i]).outputs; });
+    });
+    return rows;
+  };
+}
+
+}  // namespace taut::app

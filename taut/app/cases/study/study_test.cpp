@@ -1,0 +1,250 @@
+#include "taut/app/cases/study/study.hpp"
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <random>
+#include <string>
+
+#include "taut/app/cases/study/study_folder.hpp"
+#include "taut/app/cases/study/study_result.hpp"
+#include "taut/app/cases/study/study_run.hpp"
+#include "taut/app/methods.hpp"
+#include "taut/calc/verdict.hpp"
+#include "test/support/scratch_folder.hpp"
+
+namespace taut::app::study_test {
+
+using testing::HasSubstr;
+
+/// A skyline of one span with a clamped load, and a study of it.
+std::string deck_with(const std::string& study, const std::string& more = "") {
+  return "taut: 1\n"
+         "machine:\n"
+         "  points: {tail: [0 m, 0 m, 0 m], head: [200 m, 0 m, 30 m]}\n"
+         "  ropes: {sky: {mass: 1.5 kg/m, stiffness: 20 MN, breaking_force: 300 kN}}\n"
+         "  carriages: {car: {mass: 200 kg, rides: sky, hold: rolling}}\n"
+         "  reevings: [{rope: sky, path: [{anchor: tail}, {through: car}, {anchor: head}], length: 205 m}]\n"
+         "  loads: [{at: car, mass: 1 t}]\n"
+         "analyses: [{equilibrium: {motion: at_rest}}]\n" +
+         more + "study:\n" + study;
+}
+
+const char* const usual =
+    "  vary:\n"
+    "    machine.loads[0].mass: {normal: {mean: 1 t, cov: 10 %}}\n"
+    "    machine.ropes.sky.stiffness: {uniform: {low: 15 MN, high: 25 MN}}\n"
+    "    machine.reevings.sky.length: {normal: {mean: 205 m, sd: 0.2 m}}\n"
+    "  of: [equilibrium.sky.T_max, equilibrium.car.z]\n";
+
+Study read(const std::string& text) {
+  auto study = read_study({.text = text, .name = "deck.yaml", .set = {}, .progress = {}});
+  if (!study) throw std::runtime_error(study.error().message + to_text(study.error().errors));
+  return std::move(*study);
+}
+
+Result refused(const std::string& text) {
+  const auto study = read_study({.text = text, .name = "deck.yaml", .set = {}, .progress = {}});
+  EXPECT_FALSE(study.has_value());
+  return study ? Result{} : study.error();
+}
+
+/// The whole study in a folder of its own.
+Result whole(const std::string& text, int threads = 2) {
+  const taut_test::ScratchFolder scratch;
+  const Study study = read(text);
+  const auto folder =
+      StudyFolder::make(scratch.path().string(), {.text = text, .name = "deck.yaml", .set = {}, .progress = {}}, study);
+  if (!folder) throw std::runtime_error(folder.error().message);
+  const auto state = run_cases(study, *folder, {.threads = threads});
+  if (!state || !state->whole()) throw std::runtime_error("not whole");
+  return study_result(study, *read_cases(study, *folder), threads);
+}
+
+double value(const Result& r, const std::string& name) {
+  const Value* v = r.find_value(name);
+  return v != nullptr ? v->value : std::nan("");
+}
+
+TEST(Cases, EqualARunOfTheDeckWithTheSameNumbers) {
+  const std::string text = deck_with(usual);
+  const Study study = read(text);
+  for (const std::uint64_t index : {0U, 7U, 501U, 9999U}) {
+    const chance::Point p = study.values_at(index);
+    const CaseAnswer answer = study.model.answer(p);
+    ASSERT_TRUE(answer.outcome.ok()) << answer.outcome.message;
+    const Result r = run({.text = text,
+                          .name = "deck.yaml",
+                          .set = {fmt::format("machine.loads[0].mass={:.17g} kg", p[0]),
+                                  fmt::format("machine.ropes.sky.stiffness={:.17g} N", p[1]),
+                                  fmt::format("machine.reevings[0].length={:.17g} m", p[2])},
+                          .progress = {}});
+    EXPECT_NEAR(answer.outputs[0], value(r, "sky.T_max"), 1e-8 * answer.outputs[0]);
+    EXPECT_NEAR(answer.outputs[1], value(r, "car.z"), 1e-7);
+  }
+}
+
+TEST(Cases, ArePure) {
+  const Study study = read(deck_with(usual));
+  const chance::Point p = study.values_at(17);
+  const std::vector<double> first = study.model.answer(p).outputs;
+  for (std::uint64_t i = 0; i < 50; ++i) study.model.answer(study.values_at(i));
+  EXPECT_EQ(study.model.answer(p).outputs, first);
+  EXPECT_EQ(read(deck_with(usual)).model.answer(p).outputs, first);
+  EXPECT_EQ(parallel(study.model, 2)(std::vector<chance::Point>{study.values_at(3), p})[1], first);
+}
+
+TEST(Cases, OfAMethodEqualItsRun) {
+  const std::string deck = std::string(find_method("closed_loop")->example) +
+                           "study:\n  vary: {input.gathering_force: {normal: {mean: 20 kN, sd: 2 kN}}}\n  of: [T_lA]\n";
+  const auto study = read_study({.text = deck, .name = "deck.yaml", .set = {}, .progress = {}});
+  ASSERT_TRUE(study.has_value()) << to_text(study.error().errors);
+  const double x = study->values_at(5)[0];
+  const Result r = run(
+      {.text = deck, .name = "deck.yaml", .set = {fmt::format("input.gathering_force={:.17g} N", x)}, .progress = {}});
+  EXPECT_EQ(study->model.answer(study->values_at(5)).outputs[0], value(r, "T_lA"));
+}
+
+TEST(Study, ShardsAndThreadsMakeNoDifference) {
+  const taut_test::ScratchFolder scratch;
+  const std::string text = deck_with(std::string(usual) + "  samples: 512\n");
+  const Job job{.text = text, .name = "deck.yaml", .set = {}, .progress = {}};
+  const Study study = read(text);
+  const auto one = StudyFolder::make((scratch.path() / "one").string(), job, study);
+  const auto many = StudyFolder::make((scratch.path() / "many").string(), job, study);
+  ASSERT_TRUE(one && many);
+  ASSERT_TRUE(run_cases(study, *one, {.threads = 1})->whole());
+  for (std::uint64_t k = 3; k >= 1; --k) {
+    EXPECT_FALSE(state_of(*many).whole());
+    ASSERT_TRUE(run_cases(study, *many, {.threads = 2, .shard = k, .of = 3}).has_value());
+  }
+  EXPECT_TRUE(state_of(*many).whole());
+  const auto a = read_cases(study, *one), b = read_cases(study, *many);
+  ASSERT_TRUE(a && b);
+  EXPECT_EQ(a->outputs, b->outputs);
+  EXPECT_EQ(a->outputs[0].size(), 512U);
+}
+
+TEST(Study, APartThatIsThereIsNotCalculatedAgain) {
+  const taut_test::ScratchFolder scratch;
+  const std::string text = deck_with(std::string(usual) + "  samples: 256\n");
+  Study study = read(text);
+  const auto folder =
+      StudyFolder::make(scratch.path().string(), {.text = text, .name = "deck.yaml", .set = {}, .progress = {}}, study);
+  ASSERT_TRUE(folder.has_value());
+  int asked = 0;
+  const auto own = study.model.answer;
+  study.model.answer = [&](std::span<const double> p) {
+    ++asked;
+    return own(p);
+  };
+  int left = 100;
+  const auto stopped =
+      run_cases(study, *folder, {.threads = 1, .progress = [&](const Progress&) { return --left > 0; }});
+  ASSERT_TRUE(stopped && stopped->interrupted);
+  EXPECT_EQ(stopped->cases_done, 64U) << "the part in work is not kept";
+  asked = 0;
+  ASSERT_TRUE(run_cases(study, *folder, {.threads = 1})->whole());
+  EXPECT_EQ(asked, 256 - 64);
+}
+
+TEST(Study, AFolderOfAnotherStudyIsRefused) {
+  const taut_test::ScratchFolder scratch;
+  const std::string text = deck_with(usual), other = deck_with(std::string(usual) + "  seed: 2\n");
+  ASSERT_TRUE(StudyFolder::make(scratch.path().string(), {.text = text, .name = "deck.yaml", .set = {}, .progress = {}},
+                                read(text)));
+  const auto made = StudyFolder::make(scratch.path().string(),
+                                      {.text = other, .name = "deck.yaml", .set = {}, .progress = {}}, read(other));
+  ASSERT_FALSE(made.has_value());
+  EXPECT_THAT(made.error().message, HasSubstr("another study"));
+}
+
+TEST(Study, JudgesAnAllowedProbability) {
+  const auto verdict = [](const std::string& limit) {
+    const Result r =
+        whole(deck_with(std::string(usual) + "  samples: 1024\n  limit: {equilibrium.sky.T_max: " + limit + "}\n"));
+    return *verdict_of(r);
+  };
+  EXPECT_EQ(verdict("{at_most: 300 kN, allowed: 0.01}").kind, VerdictKind::passes);
+  EXPECT_EQ(verdict("{at_most: 10 kN, allowed: 0.01}").kind, VerdictKind::fails);
+  const Verdict unsure = verdict("{at_most: 300 kN, allowed: 1e-6}");
+  EXPECT_EQ(unsure.kind, VerdictKind::not_judged);
+  EXPECT_EQ(unsure.verdict_class, "unmade");
+  EXPECT_THAT(unsure.reason, HasSubstr("samples would tell"));
+  EXPECT_EQ(verdict("{at_most: 300 kN}").verdict_class, "unasked");
+}
+
+TEST(Study, FailedCasesAreRowsWithReasonsAndCountAsBeyond) {
+  // a rope shorter than its span has no equilibrium
+  const Result r = whole(
+      deck_with("  vary: {machine.reevings.sky.length: {list: [205 m, 206 m, 207 m, 120 m]}}\n"
+                "  of: [equilibrium.sky.T_max]\n  limit: {equilibrium.sky.T_max: {at_most: 300 kN, allowed: 0.1}}\n"
+                "  points: random\n  samples: 200\n"));
+  EXPECT_EQ(r.status, Status::ok);
+  const Table* failed = r.find_table("failed");
+  ASSERT_NE(failed, nullptr);
+  EXPECT_GT(failed->rows.size(), 20U);
+  EXPECT_FALSE(std::get<std::string>(failed->rows[0][2]).empty());
+  EXPECT_NEAR(value(r, "p"), static_cast<double>(failed->rows.size()) / 200, 1e-12);
+  EXPECT_EQ(verdict_of(r)->kind, VerdictKind::fails);
+  EXPECT_THAT(verdict_of(r)->reason, HasSubstr("have no answer"));
+}
+
+TEST(Study, AGridHasEveryCombination) {
+  const Result r =
+      whole(deck_with("  vary:\n    machine.loads[0].mass: {from: 0.5 t, to: 1.5 t, steps: 4}\n"
+                      "    machine.ropes.sky.stiffness: {list: [15 MN, 20 MN, 25 MN]}\n"
+                      "  of: [equilibrium.sky.T_max]\n  points: grid\n"));
+  EXPECT_EQ(r.series.at(0).long_rows->size(), 15U);
+  EXPECT_LT(value(r, "equilibrium.sky.T_max.least"), value(r, "equilibrium.sky.T_max.largest"));
+}
+
+TEST(Study, FormAgreesWithTheSampleAndWithoutAnAnswerThereIsNoNumber) {
+  const std::string limit = "  limit: {equilibrium.sky.T_max: {at_most: 35.5 kN}}\n  samples: 16384\n";
+  const Result sampled = whole(deck_with(usual + limit));
+  const Result form = whole(deck_with(usual + limit + "  answer: [form]\n"));
+  const double p = value(sampled, "p");
+  ASSERT_GT(p, 0.001);
+  ASSERT_LT(p, 0.5);
+  EXPECT_NEAR(value(form, "p"), p, 0.1 * p);
+  EXPECT_EQ(form.status, Status::ok);
+  // a tension that no load of the law can reach
+  const Result none = whole(deck_with(
+      "  vary: {machine.ropes.sky.stiffness: {uniform: {low: 15 MN, high: 25 MN}}}\n  of: [equilibrium.sky.T_max]\n"
+      "  limit: {equilibrium.sky.T_max: {at_most: 250 kN}}\n  samples: 64\n  answer: [form]\n"));
+  EXPECT_NE(none.status, Status::ok);
+  EXPECT_EQ(exit_code(none), 3);
+  EXPECT_TRUE(std::isnan(value(none, "p")));
+}
+
+TEST(Study, MistakesHaveTheirPlace) {
+  const auto message = [](const std::string& study) { return to_text(refused(deck_with(study)).errors); };
+  EXPECT_THAT(
+      message("  vary: {'machine.loads[1].mass': {uniform: {low: 1 t, high: 2 t}}}\n  of: [equilibrium.T_max]\n"),
+      HasSubstr("deck.yaml:10:35: error"));
+  EXPECT_THAT(
+      message("  vary: {'machine.loads[0].mass': {uniform: {low: 1 m, high: 2 t}}}\n  of: [equilibrium.T_max]\n"),
+      HasSubstr("study.vary.machine.loads[0].mass.uniform.low"));
+  EXPECT_THAT(
+      message("  vary: {'machine.loads[0].mass': {uniform: {low: 2 t, high: 1 t}}}\n  of: [equilibrium.T_max]\n"),
+      HasSubstr("study.vary.machine.loads[0].mass"));
+  EXPECT_THAT(message("  vary: {'machine.loads[0].mass': {uniform: {low: 1 t, high: 2 t}}}\n  of: [load_path.T_max]\n"),
+              HasSubstr("none of the deck's analyses"));
+  EXPECT_THAT(
+      message("  vary: {'machine.loads[0].mass': {uniform: {low: 1 t, high: 2 t}}}\n  of: [equilibrium.sky.T_mux]\n"),
+      HasSubstr("did you mean 'sky.T_max'"));
+  EXPECT_THAT(message(std::string(usual) + "  points: grid\n"), HasSubstr("a grid is made of lists and steps"));
+  EXPECT_THAT(message(std::string(usual) + "  answer: [form]\n"), HasSubstr("about a limit"));
+  EXPECT_THAT(
+      message(std::string(usual) +
+              "  correlate: [['machine.loads[0].mass', machine.ropes.sky.stiffness, 0.5]]\n  answer: [indices]\n"),
+      HasSubstr("study.answer"));
+  EXPECT_THAT(message(std::string(usual) + "  limit: {equilibrium.sky.T_mix: {at_most: 1 kN}}\n"),
+              HasSubstr("did you mean"));
+  EXPECT_THAT(to_text(refused("taut: 1\nmachine:\n  points: {a: [0 m, 0 m, 0 m]}\n").errors), HasSubstr("error"));
+}
+
+}  // namespace taut::app::study_test
