@@ -29,6 +29,7 @@ FIGURES = {
     "boom": ("examples/boom_ropes.yaml", ("Ropes and pads along the boom", "The boom")),
     "mast": ("examples/mast_section.yaml", ("Mast",)),
     "motion": ("examples/motion/brake_stop.yaml", ("Over time: force", "Over time")),
+    "study": ("examples/study/three_span_chance.yaml", ("What moves equilibrium.skyline.safety_factor",)),
     "design": ("examples/design/crane_hoist.yaml", ("Side view",)),
 }
 PAGE = "examples/machines/skyline_over_terrain.yaml"
@@ -101,7 +102,8 @@ def standing_alone(svg, css):
 
 
 def report_of(taut, deck, folder):
-    done = subprocess.run([taut, "run", deck, "-o", str(folder), "--quiet"], capture_output=True, text=True, cwd=ROOT,
+    verb = ["study", "run"] if "\nstudy:" in (ROOT / deck).read_text(encoding="utf-8") else ["run"]
+    done = subprocess.run([taut, *verb, deck, "-o", str(folder), "--quiet"], capture_output=True, text=True, cwd=ROOT,
                           check=False)
     if done.returncode not in (0, 4):
         sys.exit(f"{deck}: taut ends with {done.returncode}: {done.stderr}")

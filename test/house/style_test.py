@@ -42,7 +42,7 @@ def main():
         for number, line in enumerate(page.read_text("utf-8").splitlines(), 1):
             if len(line) > LONGEST:
                 wrong.append(f"{name}:{number}: {len(line)} characters")
-    tasks = ("skyline", "tackle", "boom", "mast", "motion", "design", "report", "first-deck")
+    tasks = ("skyline", "tackle", "boom", "mast", "motion", "design", "study", "report", "first-deck")
     for task in tasks:
         page = ROOT / f"docs/guide/{task}.md"
         if not page.exists() or "](../images/" not in page.read_text("utf-8"):

@@ -21,8 +21,7 @@ void expect_same(const Node& a, const Node& b, const std::string& where) {
 
 TEST(ToYaml, IsReadAsTheSameValues) {
   const char* const texts[] = {
-      "a: 1\nb: [1 m, 2 m]\nc: {d: {e: x}, f: []}\n",
-      "- {a: 1}\n- b\n- [1, [2, 3]]\n- [{a: {b: [c, {d: 1}]}}, 2]\n",
+      "a: 1\nb: [1 m, 2 m]\nc: {d: {e: x}, f: []}\n", "- {a: 1}\n- b\n- [1, [2, 3]]\n- [{a: {b: [c, {d: 1}]}}, 2]\n",
       "text: 'it''s: a # \"text\", [x] {y} & *z'\nlines: |\n  one\n  two\nnone: null\nempty: ''\n",
       "'machine.loads[0].mass': 1 t\nrope: \"EN 12385-4|6x36-IWRC|20|1960\"\nexpression: = 2 * travel\nminus: -1\n",
       "percent: 5 %\nstar: '*a'\ndash: '- b'\nslope: 12 %\nnumber: '12'\nunicode: mü\n"};

@@ -133,7 +133,7 @@ void add_parameters(const Calibrating& c, const chance::Calibration& found, Resu
   for (std::size_t i = 0; i < found.parameters.size(); ++i) {
     const chance::CalibratedParameter& p = found.parameters[i];
     const CaseInput& input = c.model.inputs[i];
-    const auto shown = [&](double x) { return display.quantity(x, input.unit); };
+    const auto shown = [&](double x) { return display.brief(x, input.unit); };
     t.rows.push_back({input.path, shown(input.base), shown(p.value), shown(p.interval.low), shown(p.interval.high),
                       std::string(words_of(p.state)), p.note});
     r.values.push_back({input.path, p.value, input.unit, "", fmt::format("{}, {}", input.path, words_of(p.state)), {}});
@@ -179,11 +179,10 @@ void add_residuals(const Calibrating& c, const chance::Calibration& found, Resul
     const auto& settings = c.measured.states[c.measured.state[m]];
     for (std::size_t k = 0; k < settings.size(); ++k) {
       const CaseInput& input = c.model.inputs[c.free.size() + k];
-      state += fmt::format("{}{} {}", k > 0 ? ", " : "", input.path, display.quantity(settings[k], input.unit));
+      state += fmt::format("{}{} {}", k > 0 ? ", " : "", input.path, display.brief(settings[k], input.unit));
     }
-    t.rows.push_back({static_cast<double>(m + 1), output.name, state,
-                      display.quantity(c.measured.values[m], output.unit),
-                      display.quantity(found.model[m], output.unit), display.quantity(found.residuals[m], output.unit),
+    t.rows.push_back({static_cast<double>(m + 1), output.name, state, display.brief(c.measured.values[m], output.unit),
+                      display.brief(found.model[m], output.unit), display.brief(found.residuals[m], output.unit),
                       found.residuals[m] / sd});
     plot.curves[0].x.push_back(static_cast<double>(m + 1));
     plot.curves[0].y.push_back(found.residuals[m] / sd);

@@ -56,29 +56,29 @@ Outcome add_reliability(const Study& study, const StudyLimit& limit, int threads
   return {};
 }
 
+/// The points of the limit nearest to the medians: one table for each, its inputs as rows.
 void add_design_points(const Study& study, std::size_t k, const chance::Form& form, Result& r) {
   const std::string end = name_ending(k, study.limits.size());
   const std::string words = beyond_in_words(study, study.limits[k]);
-  Table t{.name = "design_points" + end,
-          .title = "Most likely failures: " + words,
-          .columns = {{.name = "beta", .unit = si::one},
-                      {.name = "p_FORM", .unit = si::one},
-                      {.name = "p_SORM", .unit = si::one}},
-          .rows = {}};
-  const std::vector<CaseInput>& inputs = study.model.inputs;
-  for (std::size_t i = 0; i < inputs.size(); ++i) {
-    t.columns.push_back({.name = short_name(study, i), .unit = inputs[i].unit});
-    t.columns.push_back({.name = "importance of " + short_name(study, i), .unit = si::one});
-  }
-  for (const chance::DesignPoint& one : form.points) {
-    std::vector<Cell> row = {one.beta, one.probability, one.breitung};
-    for (std::size_t i = 0; i < inputs.size(); ++i) {
-      row.emplace_back(one.values[i]);
-      row.emplace_back(one.importance[i]);
+  for (std::size_t p = 0; p < form.points.size(); ++p) {
+    const chance::DesignPoint& one = form.points[p];
+    const std::string sorm =
+        std::isfinite(one.breitung) ? ", SORM " + probability_in_words(one.breitung) : std::string{};
+    Table t{.name = fmt::format("design_point{}{}", end, name_ending(p, form.points.size())),
+            .title = fmt::format("A most likely failure, {}: beta {:.4g}, FORM {}{}", words, one.beta,
+                                 probability_in_words(one.probability), sorm),
+            .columns = {{.name = "input", .unit = si::one},
+                        {.name = "value", .unit = si::one},
+                        {.name = "in the deck", .unit = si::one},
+                        {.name = "importance", .unit = si::one}},
+            .rows = {}};
+    for (std::size_t i = 0; i < study.model.inputs.size(); ++i) {
+      const CaseInput& input = study.model.inputs[i];
+      t.rows.push_back({short_name(study, i), study.display.brief(one.values[i], input.unit),
+                        study.display.brief(input.base, input.unit), one.importance[i]});
     }
-    t.rows.push_back(std::move(row));
+    r.tables.push_back(std::move(t));
   }
-  r.tables.push_back(std::move(t));
   const chance::DesignPoint& first = form.points.front();
   r.values.push_back({"beta" + end, first.beta, si::one, "beta", "reliability index of " + words, {}});
   r.values.push_back({"p_form" + end, first.probability, si::one, "p_FORM", "FORM: probability of " + words, {}});

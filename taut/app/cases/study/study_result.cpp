@@ -16,6 +16,7 @@ namespace {
 
 /// Probabilities of the quantiles that are told, with their names.
 constexpr std::array<double, 7> told = {0.01, 0.05, 0.25, 0.5, 0.75, 0.95, 0.99};
+constexpr std::array<double, 2> nine_of_ten = {0.05, 0.95};
 constexpr std::size_t most_rows = 1000;  ///< of failed cases in the result; all are in cases.h5
 constexpr std::size_t most_reasons = 20;
 
@@ -80,6 +81,10 @@ void add_statistics(const Study& study, const StudyData& data, Summary& summary,
                           true});
     }
     r.tables.push_back(std::move(t));
+    const std::vector<chance::Estimate> ends = chance::quantiles(sample_of(study, data, k), nine_of_ten);
+    r.answers.push_back(
+        {"Nine of ten", fmt::format("{}: {} to {}", output.name, study.display.brief(ends[0].value, output.unit),
+                                    study.display.brief(ends[1].value, output.unit))});
   }
 }
 
@@ -104,8 +109,8 @@ void add_extremes(const Study& study, const StudyData& data, Summary& summary, R
     const auto place = [&](auto at) {
       return values_in_words(study, study.values_at(static_cast<std::uint64_t>(at - all.begin())));
     };
-    t.rows.push_back({output.name, study.display.quantity(*least, output.unit), place(least),
-                      study.display.quantity(*largest, output.unit), place(largest)});
+    t.rows.push_back({output.name, study.display.brief(*least, output.unit), place(least),
+                      study.display.brief(*largest, output.unit), place(largest)});
     summary.add(output.name, "least", output.unit, {.value = *least, .interval = {*least, *least}});
     summary.add(output.name, "largest", output.unit, {.value = *largest, .interval = {*largest, *largest}});
     r.values.push_back({output.name + ".least", *least, output.unit, "least", "least value of " + output.name, {}});
@@ -158,7 +163,7 @@ void add_given(const Study& study, Result& r) {
           .rows = {}};
   for (std::size_t i = 0; i < study.model.inputs.size(); ++i) {
     const CaseInput& input = study.model.inputs[i];
-    t.rows.push_back({input.path, law_in_words(study, i), study.display.quantity(input.base, input.unit)});
+    t.rows.push_back({input.path, law_in_words(study, i), study.display.brief(input.base, input.unit)});
   }
   r.tables.push_back(std::move(t));
   const StudyRequest& request = study.request;

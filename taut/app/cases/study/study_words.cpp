@@ -30,7 +30,7 @@ class LawWords {
   std::string operator()(const chance::Listed& law) const {
     return fmt::format("{} values, {} to {}", law.values.size(), value(law.values.front()), value(law.values.back()));
   }
-  std::string value(double x) const { return display_.quantity(x, unit_); }
+  std::string value(double x) const { return display_.brief(x, unit_); }
 
  private:
   std::string by_mean(const char* name, double mean, double sd) const {
@@ -88,7 +88,7 @@ std::string values_in_words(const Study& study, const chance::Point& values) {
   std::string text;
   for (std::size_t i = 0; i < values.size(); ++i) {
     text += fmt::format("{}{} {}", i > 0 ? ", " : "", short_name(study, i),
-                        study.display.quantity(values[i], study.model.inputs[i].unit));
+                        study.display.brief(values[i], study.model.inputs[i].unit));
   }
   return text;
 }
@@ -96,7 +96,7 @@ std::string values_in_words(const Study& study, const chance::Point& values) {
 std::string beyond_in_words(const Study& study, const StudyLimit& limit) {
   const CaseOutput& output = study.model.outputs[limit.output];
   return fmt::format("{} {} {}", output.name, limit.limit.bound == chance::Bound::at_least ? "below" : "above",
-                     study.display.quantity(limit.limit.value, output.unit));
+                     study.display.brief(limit.limit.value, output.unit));
 }
 
 std::string name_ending(std::size_t k, std::size_t all) { return all > 1 ? fmt::format("_{}", k + 1) : std::string{}; }
