@@ -7,8 +7,8 @@
 #include <stdexcept>
 
 #include "taut/app/cases/read_cases.hpp"
-#include "taut/machine/compile/guides.hpp"
-#include "taut/study/put_up.hpp"
+#include "taut/machine/compile.hpp"
+#include "taut/study/deck/parameter.hpp"
 
 namespace {
 
@@ -78,9 +78,12 @@ void case_of_bare(benchmark::State& state) {
     auto begin = std::chrono::steady_clock::now();
     benchmark::DoNotOptimize(model->answer(p));
     whole += seconds(begin);
-    begin = std::chrono::steady_clock::now();
+    app::MachineDeck deck = *machine.deck;
+    study::parameter_at(app::MachineDeck::describe(), &deck, kind.path)->set(value);
+    const auto compiled = machine::compile(deck.machine);
     study::EquilibriumRun again = run;
-    study::solve(machine.model, again);
+    begin = std::chrono::steady_clock::now();
+    study::solve(*compiled, again);
     benchmark::DoNotOptimize(again.result.state);
     bare += seconds(begin);
     if (value > 1.05 * model->inputs[0].base) value = model->inputs[0].base;

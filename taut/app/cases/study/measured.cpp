@@ -4,6 +4,7 @@
 #include <sstream>
 
 #include "taut/catalogue/csv.hpp"
+#include "taut/units/any_quantity.hpp"
 #include "taut/units/parse.hpp"
 
 namespace taut::app {
@@ -73,6 +74,9 @@ Measurements in_si(const MeasuredTable& table, const CaseModel& model, std::size
     if (!all.sd.empty() && all.sd.size() != all.values.size()) {
       csv.fail("sd", "some rows have an sd and some have none: give it in all or in none");
       break;
+    }
+    if (csv.text("sd").empty() && !same_kind(output.unit, model.outputs[all.output.front()].unit)) {
+      csv.fail("value", "measurements of different kinds need an sd each: nothing else tells how they weigh");
     }
     std::vector<double> state;
     for (std::size_t k = 0; k < table.paths.size(); ++k) {

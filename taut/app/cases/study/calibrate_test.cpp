@@ -1,0 +1,154 @@
+#include "taut/app/cases/study/calibrate.hpp"
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <fstream>
+#include <random>
+#include <string>
+
+#include "taut/app/cases/read_cases.hpp"
+#include "test/support/scratch_folder.hpp"
+
+namespace taut::app::calibrate_test {
+
+using testing::HasSubstr;
+
+constexpr double true_length = 204.6, true_stiffness = 18e6;  // m, N
+constexpr double sd = 150;                                    // N
+
+/// A skyline of one span with a load that rolls to the lowest place; two numbers are free.
+std::string deck_of(const std::string& more = "") {
+  return "taut: 1\n"
+         "machine:\n"
+         "  points: {tail: [0 m, 0 m, 0 m], head: [200 m, 0 m, 30 m]}\n"
+         "  ropes: {sky: {mass: 1.5 kg/m, stiffness: 20 MN}}\n"
+         "  carriages: {car: {mass: 200 kg, rides: sky, hold: rolling}}\n"
+         "  reevings: [{rope: sky, path: [{anchor: tail}, {through: car}, {anchor: head}], length: 205 m}]\n"
+         "  loads: [{at: car, mass: 1 t}]\n"
+         "analyses: [{equilibrium: {motion: at_rest}}]\n"
+         "calibrate:\n"
+         "  free:\n"
+         "    machine.reevings.sky.length: [203 m, 207 m]\n"
+         "    machine.ropes.sky.stiffness: [5 MN, 60 MN]\n" +
+         more + "  measured: {file: measured.csv}\n";
+}
+
+/// Tensions at both ends under six loads, calculated with the true numbers.
+class Line : public testing::Test {
+ protected:
+  void SetUp() override {
+    const auto read = read_cases({.text = deck_of(), .name = path("deck.yaml"), .set = {}, .progress = {}});
+    ASSERT_TRUE(read.has_value()) << to_text(read.error().errors);
+    const auto model = read->cases({.inputs = {{"machine.reevings.sky.length", ""},
+                                               {"machine.ropes.sky.stiffness", ""},
+                                               {"machine.loads[0].mass", ""}},
+                                    .outputs = {{"equilibrium.sky.T_start", ""}, {"equilibrium.sky.T_end", ""}}});
+    ASSERT_TRUE(model.has_value());
+    for (const double mass : masses) {
+      const CaseAnswer a = model->answer(std::vector<double>{true_length, true_stiffness, mass});
+      ASSERT_TRUE(a.outcome.ok()) << a.outcome.message;
+      truth.push_back(a.outputs);
+    }
+  }
+
+  std::string path(const std::string& name) const { return (scratch_.path() / name).string(); }
+  void write(const std::string& csv) const { std::ofstream(path("measured.csv")) << csv; }
+  Result fit(const std::string& more = "") const {
+    return calibrate({.text = deck_of(more), .name = path("deck.yaml"), .set = {}, .progress = {}}, 2);
+  }
+  /// Twelve tensions with errors.
+  std::string noisy(unsigned seed) const {
+    std::mt19937 dice(seed);
+    std::normal_distribution<double> error(0, sd);
+    std::string csv = "output,value,sd,machine.loads[0].mass\n";
+    for (std::size_t i = 0; i < masses.size(); ++i) {
+      for (std::size_t k = 0; k < 2; ++k) {
+        csv += fmt::format("equilibrium.sky.T_{},{:.3f} N,{} N,{} kg\n", k == 0 ? "start" : "end",
+                           truth[i][k] + error(dice), sd, masses[i]);
+      }
+    }
+    return csv;
+  }
+
+  static inline const std::vector<double> masses = {100, 400, 800, 1500, 2500, 4000};
+  std::vector<std::vector<double>> truth;
+  taut_test::ScratchFolder scratch_;
+};
+
+/// Whether the row of a number in the table `covariance` puts the truth into its 95 % interval.
+bool holds(const Result& r, const std::string& path, double value) {
+  const Value* found = r.find_value(path);
+  const Value* error = r.find_value(path + ".standard_error");
+  return found != nullptr && error != nullptr && std::abs(found->value - value) <= 1.959964 * error->value;
+}
+
+TEST_F(Line, TheTruthLiesInTheIntervalAsOftenAsItSays) {
+  const int seeds = std::getenv("TAUT_FEWER") != nullptr ? 20 : 200;
+  int length = 0, stiffness = 0;
+  for (int seed = 1; seed <= seeds; ++seed) {
+    write(noisy(static_cast<unsigned>(seed)));
+    const Result r = fit();
+    ASSERT_EQ(r.status, Status::ok) << r.message << to_text(r.errors);
+    length += holds(r, "machine.reevings.sky.length", true_length) ? 1 : 0;
+    stiffness += holds(r, "machine.ropes.sky.stiffness", true_stiffness) ? 1 : 0;
+  }
+  RecordProperty("length", length);
+  RecordProperty("stiffness", stiffness);
+  const double least = seeds == 200 ? 0.90 : 0.75, most = seeds == 200 ? 0.99 : 1.0;
+  for (const int hits : {length, stiffness}) {
+    EXPECT_GE(hits, least * seeds);
+    EXPECT_LE(hits, most * seeds);
+  }
+}
+
+TEST_F(Line, APairThatTheMeasurementsCannotTellApartIsNamed) {
+  // one state: a longer rope and a softer one give the same tensions
+  write(fmt::format("output,value,sd\nequilibrium.sky.T_start,{:.3f} N,100 N\nequilibrium.sky.T_end,{:.3f} N,100 N\n",
+                    truth[2][0] + 40, truth[2][1]));
+  const Result r = calibrate(
+      {.text = deck_of(), .name = path("deck.yaml"), .set = {"machine.loads[0].mass=800 kg"}, .progress = {}}, 2);
+  ASSERT_EQ(r.status, Status::ok) << r.message << to_text(r.errors);
+  std::string warnings;
+  for (const std::string& one : r.warnings) warnings += one + "\n";
+  EXPECT_THAT(warnings, HasSubstr("not identifiable"));
+  EXPECT_THAT(warnings, HasSubstr("can't tell these apart: machine.reevings.sky.length, machine.ropes.sky.stiffness"));
+}
+
+TEST_F(Line, TheCalibratedDeckGivesTheMeasurements) {
+  std::string csv = "output,value,sd,machine.loads[0].mass\n";
+  for (std::size_t i = 0; i < masses.size(); ++i) {
+    csv += fmt::format("equilibrium.sky.T_start,{:.6f} N,10 N,{} kg\n", truth[i][0], masses[i]);
+  }
+  write(csv);
+  const Result r = fit();
+  ASSERT_EQ(r.status, Status::ok) << r.message << to_text(r.errors);
+  ASSERT_EQ(r.attachments.size(), 1U);
+  const Result again = run({.text = r.attachments[0].text,
+                            .name = path("calibrated.yaml"),
+                            .set = {fmt::format("machine.loads[0].mass={} kg", masses[3])},
+                            .progress = {}});
+  ASSERT_EQ(again.status, Status::ok) << again.message << to_text(again.errors);
+  EXPECT_NEAR(again.find_value("sky.T_start")->value, truth[3][0], 1e-4 * truth[3][0]);
+}
+
+TEST_F(Line, MistakesHaveTheirPlace) {
+  const auto mistakes = [&](const std::string& csv) {
+    write(csv);
+    return to_text(fit().errors);
+  };
+  EXPECT_THAT(mistakes("output,value\nequilibrium.sky.T_start,20 m\n"), HasSubstr("measured.csv:2:25: error"));
+  EXPECT_THAT(mistakes("output,value\n\nequilibrium.sky.T_start,20\n"), HasSubstr("measured.csv:3:25: error"));
+  EXPECT_THAT(mistakes("output,value\nequilibrium.sky.T_strat,20 kN\n"), HasSubstr("did you mean 'sky.T_start'"));
+  EXPECT_THAT(mistakes("output\nequilibrium.sky.T_start\n"), HasSubstr("'value'"));
+  EXPECT_THAT(mistakes("output,value,sd\nequilibrium.sky.T_start,20 kN,1 kN\nequilibrium.sky.T_end,20 kN,\n"),
+              HasSubstr("give it in all or in none"));
+  EXPECT_THAT(mistakes("output,value\n"), HasSubstr("no measurement"));
+  EXPECT_THAT(mistakes("output,value\nequilibrium.sky.T_start,20 kN\nequilibrium.car.z,-7 m\n"),
+              HasSubstr("measured.csv:3:19: error"));
+}
+
+}  // namespace taut::app::calibrate_test
