@@ -111,7 +111,7 @@ class SameCases(Folder):
 
     def test_a_merge_of_a_part_is_refused(self):
         folder = self.top / "part"
-        taut("study", "run", *self.deck(), "-o", folder, "--shard", "1/4")
+        taut("study", "run", *self.deck(), "-o", folder, "--shard", "2/4")
         done = taut("study", "merge", folder)
         self.assertEqual(done.returncode, 5)
         self.assertIn("study resume", done.stderr)
