@@ -100,6 +100,12 @@ int calculate(const Opened& opened, const StudyVerbOptions& options) {
   return computed;
 }
 
+int print_status(const StudyVerbOptions& options) {
+  const auto folder = app::StudyFolder::open(options.run.folder);
+  if (!folder) return no_file(folder.error());
+  return print_text(fmt::format("{}: {}\n", options.run.folder, words_of(app::state_of(*folder))));
+}
+
 /// The path of this program, so that the nodes of a cluster find the same one.
 std::string own_path() {
   std::error_code failed;
@@ -137,12 +143,10 @@ int study(StudyVerbOptions options) {
     say("taut: --shard {}: K/N is expected, with K from 1 to N, as in --shard 2/7\n", options.shard);
     return usage_or_deck;
   }
+  if (options.action == "status") return print_status(options);
+  if (const auto usable = app::check_folder(options.run.folder); !usable) return no_file(usable.error());
   const auto opened = open_study(options, first);
   if (!opened) return opened.error();
-  if (options.action == "status") {
-    const std::string words = words_of(app::state_of(opened->folder));
-    return print_text(fmt::format("{}: {}\n", options.run.folder, words));
-  }
   if (options.action == "slurm") return write_batch(*opened, options);
   return options.action == "merge" ? merge(*opened, options) : calculate(*opened, options);
 }

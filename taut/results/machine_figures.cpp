@@ -369,7 +369,7 @@ void draw_weights(Drawing& d, const machine::Model& m, const solve::EquilibriumR
   }
 }
 
-/// What a reader is told of the drawings.
+/// Titles and caption of the drawings of one state.
 struct FigureText {
   std::string title, plan_title, caption;
 };

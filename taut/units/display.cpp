@@ -114,6 +114,22 @@ std::string Display::quantity(double si, const Unit& unit) const {
 
 namespace {
 
+constexpr int brief_digits = 4;
+constexpr double centimetre = 0.01;
+
+/// The place of the last digit that is shown; whole digits are kept.
+double last_place(double size) {
+  return std::min(1., std::pow(10., std::floor(std::log10(size)) - (brief_digits - 1)));
+}
+
+/// The next multiple of `step` on that side; a number that is one but for rounding stays.
+double on_grid(double x, double step, Rounding side) {
+  constexpr double rounding_error = 1e-9;  // of a step
+  const double steps = x / step, whole = std::round(steps);
+  if (std::abs(steps - whole) < rounding_error * std::max(1., std::abs(whole) * 1e-4)) return whole * step;
+  return step * (side == Rounding::down ? std::floor(steps) : std::ceil(steps));
+}
+
 /// A length to the centimetre, without zeros at its end: "382.42", "170".
 std::string to_the_centimetre(double metres) {
   std::string text = fmt::format("{:.2f}", metres);
@@ -124,13 +140,16 @@ std::string to_the_centimetre(double metres) {
 
 }  // namespace
 
-std::string Display::brief(double si, const Unit& unit) const {
-  constexpr int digits = 4;
+std::string Display::brief(double si, const Unit& unit, Rounding rounding) const {
   constexpr double long_way = 100, longest_way = 1e5;  // m
   const std::string shown = this->unit(unit);
-  const double x = from_si(si, unit), size = std::abs(x);
+  double x = from_si(si, unit);
+  const double size = std::abs(x);
   const bool is_way = shown == "m" && size >= long_way && size < longest_way;
-  const std::string text = is_way ? to_the_centimetre(x) : short_number(x, digits);
+  if (rounding != Rounding::nearest && std::isfinite(x) && x != 0) {
+    x = on_grid(x, is_way ? centimetre : last_place(size), rounding);
+  }
+  const std::string text = is_way ? to_the_centimetre(x) : short_number(x, brief_digits);
   return shown.empty() || !std::isfinite(si) ? text : fmt::format("{} {}", text, shown);
 }
 

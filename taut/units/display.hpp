@@ -25,6 +25,9 @@ struct DisplayError {
 /// can. `offset` and `width` of the error point into `unit`.
 tl::expected<void, DisplayError> check_display(std::string_view kind, std::string_view unit);
 
+/// To which side the digits that are not shown are rounded.
+enum class Rounding { nearest, down, up };
+
 /// How a person likes to read SI numbers: each unit's own unit of print, or the one chosen for its kind.
 /// Conversion factors are asked for once and kept; copies share them. Safe to use from several threads.
 class Display {
@@ -44,8 +47,9 @@ class Display {
   /// Number and unit, "63 kN"; the unit stands away for a plain number, for NaN and for an infinity.
   std::string quantity(double si, const Unit& unit) const;
   /// The same as an engineer writes a result, "138.9 kN": four significant digits, whole digits kept up to 10 million;
-  /// a length of 100 m and more to the centimetre, "382.42 m".
-  std::string brief(double si, const Unit& unit) const;
+  /// a length of 100 m and more to the centimetre, "382.42 m". `rounding`: what a machine carries is rounded down, what
+  /// it needs up.
+  std::string brief(double si, const Unit& unit, Rounding rounding = Rounding::nearest) const;
 
   const std::map<std::string, std::string>& units() const { return units_; }
 

@@ -106,4 +106,20 @@ RC_GTEST_PROP(Display, ReadsBackWhatItPrints, (const std::int32_t& whole)) {
   }
 }
 
+TEST(Display, RoundsBriefNumbersToTheSafeSide) {
+  const Display d;
+  const Unit t = si::kg.in("t");
+  EXPECT_EQ(d.brief(2957.6, t), "2.958 t");
+  EXPECT_EQ(d.brief(2957.6, t, Rounding::down), "2.957 t");
+  EXPECT_EQ(d.brief(2957.1, t, Rounding::up), "2.958 t");
+  EXPECT_EQ(d.brief(2957, t, Rounding::up), "2.957 t");
+  EXPECT_EQ(d.brief(2957, t, Rounding::down), "2.957 t");
+  EXPECT_EQ(d.brief(-2957.6, t, Rounding::down), "-2.958 t");
+  EXPECT_EQ(d.brief(0.1 + 0.2, si::one, Rounding::up), "0.3");
+  EXPECT_EQ(d.brief(12345.2, si::one, Rounding::up), "12346");
+  EXPECT_EQ(d.brief(382.4249, si::m, Rounding::up), "382.43 m");
+  EXPECT_EQ(d.brief(0, si::m, Rounding::up), "0 m");
+  EXPECT_EQ(d.brief(std::nan(""), si::m, Rounding::down), d.brief(std::nan(""), si::m));
+}
+
 }  // namespace taut::display_test

@@ -36,6 +36,29 @@ std::string assignment(const CaseInput& input, double value);
 
 using FoundParameter = tl::expected<study::Parameter, std::string>;
 
+/// Puts a number where the parameter is; infeasible outside what its field allows.
+Outcome put_number(const FoundParameter& parameter, const std::string& path, double value);
+
+/// The deck with these numbers, one for each input. `find`: a number of a deck by its path.
+template <class Deck>
+tl::expected<Deck, Outcome> deck_with(const Deck& base, const std::vector<CaseInput>& inputs,
+                                      const DeckParameters<Deck>& parameters,
+                                      FoundParameter (*find)(Deck& deck, const std::string& path),
+                                      std::span<const double> values) {
+  std::vector<std::string> set;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (is_parameter(inputs[i].path)) set.push_back(assignment(inputs[i], values[i]));
+  }
+  tl::expected<Deck, Outcome> deck = set.empty() ? base : parameters.read(set);
+  for (std::size_t i = 0; i < values.size() && deck; ++i) {
+    const std::string& path = inputs[i].path;
+    if (is_parameter(path)) continue;
+    Outcome outcome = put_number(find(*deck, path), path, values[i]);
+    if (!outcome.ok()) return tl::unexpected(std::move(outcome));
+  }
+  return deck;
+}
+
 /// Describes a number of the deck that changes, or complains of it.
 void add_input(const FoundParameter& parameter, const CaseName& name, CaseModel& made, NoCases& wrong);
 
@@ -44,9 +67,6 @@ void add_input(tl::expected<CaseInput, std::string> parameter, const CaseName& n
 
 /// Describes the outputs by the result of the deck as it is, or complains of those that it does not have.
 void add_outputs(const Result& r, const std::vector<WantedValue>& wanted, CaseModel& made, NoCases& wrong);
-
-/// Puts a number where the parameter is; infeasible outside what its field allows.
-Outcome put_number(const FoundParameter& parameter, const std::string& path, double value);
 
 /// The values of a result, each at its output. Not ok where the result has no answer, or one of them has no number.
 Outcome take_values(const Result& r, const std::vector<WantedValue>& wanted, std::vector<double>& outputs);

@@ -89,25 +89,13 @@ Result run_part(const MachineModel& model, const DeckPart& part, MachineDeck dec
                                          {.run = run, .picture = no_picture}, {}));
 }
 
-/// The deck with these numbers.
-tl::expected<MachineDeck, Outcome> deck_with(const MachineModel& model, std::span<const double> values) {
-  std::vector<std::string> set;
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    if (is_parameter(model.inputs[i].path)) set.push_back(assignment(model.inputs[i], values[i]));
-  }
-  tl::expected<MachineDeck, Outcome> deck = set.empty() ? model.deck : model.parameters.read(set);
-  for (std::size_t i = 0; i < values.size() && deck; ++i) {
-    const std::string& path = model.inputs[i].path;
-    if (is_parameter(path)) continue;
-    Outcome outcome = put_number(study::parameter_at(MachineDeck::describe(), &*deck, path), path, values[i]);
-    if (!outcome.ok()) return tl::unexpected(std::move(outcome));
-  }
-  return deck;
+FoundParameter parameter_of(MachineDeck& deck, const std::string& path) {
+  return study::parameter_at(MachineDeck::describe(), &deck, path);
 }
 
 CaseAnswer answer_of(const MachineModel& model, std::span<const double> values) {
   CaseAnswer answer{.outputs = std::vector<double>(model.outputs, std::nan("")), .outcome = {}};
-  const auto deck = deck_with(model, values);
+  const auto deck = deck_with(model.deck, model.inputs, model.parameters, parameter_of, values);
   if (!deck) answer.outcome = deck.error();
   std::vector<double> found = answer.outputs;
   for (const DeckPart& part : model.parts) {
@@ -122,10 +110,11 @@ CaseAnswer answer_of(const MachineModel& model, std::span<const double> values) 
 
 /// Sorts the outputs by what has to be run for them.
 void sort_outputs(const std::vector<CaseName>& outputs, MachineModel& model, NoCases& wrong) {
-  const std::vector<NamedAnalysis> analyses = named_analyses(model.deck.analyses);
+  // of a design only its outcome: without a choice the machine has no state
+  const auto analyses = model.deck.design ? std::vector<NamedAnalysis>{} : named_analyses(model.deck.analyses);
   std::vector<std::string> known;
   for (const NamedAnalysis& one : analyses) known.push_back(one.label);
-  if (model.deck.checks) known.emplace_back("checks");
+  if (model.deck.checks && !model.deck.design) known.emplace_back("checks");
   if (model.deck.design) known.emplace_back("design");
   for (std::size_t i = 0; i < outputs.size(); ++i) {
     const std::string& name = outputs[i].name;
@@ -170,7 +159,7 @@ MadeCases machine_cases(const ReadMachine& read, const CaseQuestion& question,
     if (is_parameter(one.name)) {
       add_input(parameters.describe(one.name), one, made, wrong);
     } else {
-      add_input(study::parameter_at(MachineDeck::describe(), &model->deck, one.name), one, made, wrong);
+      add_input(parameter_of(model->deck, one.name), one, made, wrong);
     }
   }
   model->inputs = made.inputs;

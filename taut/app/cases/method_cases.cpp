@@ -15,25 +15,11 @@ struct MethodModel {
   std::vector<WantedValue> wanted;
 };
 
-/// The deck with these numbers.
-tl::expected<MethodDeck, Outcome> deck_with(const MethodModel& model, std::span<const double> values) {
-  std::vector<std::string> set;
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    if (is_parameter(model.inputs[i].path)) set.push_back(assignment(model.inputs[i], values[i]));
-  }
-  tl::expected<MethodDeck, Outcome> deck = set.empty() ? model.deck : model.parameters.read(set);
-  for (std::size_t i = 0; i < values.size() && deck; ++i) {
-    const std::string& path = model.inputs[i].path;
-    if (is_parameter(path)) continue;
-    Outcome outcome = put_number(deck->parameter(path), path, values[i]);
-    if (!outcome.ok()) return tl::unexpected(std::move(outcome));
-  }
-  return deck;
-}
+FoundParameter parameter_of(MethodDeck& deck, const std::string& path) { return deck.parameter(path); }
 
 CaseAnswer answer_of(const MethodModel& model, std::span<const double> values) {
   CaseAnswer answer{.outputs = std::vector<double>(model.wanted.size(), std::nan("")), .outcome = {}};
-  auto deck = deck_with(model, values);
+  auto deck = deck_with(model.deck, model.inputs, model.parameters, parameter_of, values);
   if (!deck) {
     answer.outcome = deck.error();
     return answer;
@@ -61,7 +47,7 @@ MadeCases method_cases(const MethodDeck& deck, const CaseQuestion& question,
     if (is_parameter(one.name)) {
       add_input(parameters.describe(one.name), one, made, wrong);
     } else {
-      add_input(model->deck.parameter(one.name), one, made, wrong);
+      add_input(parameter_of(model->deck, one.name), one, made, wrong);
     }
   }
   model->inputs = made.inputs;

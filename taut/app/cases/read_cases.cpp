@@ -16,7 +16,6 @@ bool read_as_machine(ReadCases& read, Diagnostics& mistakes) {
   if (!machine) return false;
   read.study = std::move(machine->study);
   read.calibrate = std::move(machine->calibrate);
-  read.method_title = "Machine";
   read.of = std::move(*machine);
   return true;
 }
@@ -29,7 +28,6 @@ bool read_as_method(ReadCases& read, Diagnostics& mistakes) {
   if (!deck) return false;
   read.study = std::move(deck->blocks.study);
   read.calibrate = std::move(deck->blocks.calibrate);
-  read.method_title = method->about->title;
   read.of = std::move(*deck);
   return true;
 }

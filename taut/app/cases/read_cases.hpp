@@ -19,7 +19,6 @@ struct ReadCases {
   std::variant<ReadMachine, MethodDeck> of;
   std::optional<StudyRequest> study;
   std::optional<CalibrateRequest> calibrate;
-  std::string method_title;
   Job job;           ///< that it was read from
   std::string hash;  ///< of the deck, all that it names, and what was set over it
 

@@ -132,8 +132,9 @@ std::string bars_svg(const Bars& bars, const Display& display) {
     body += bar_row(s, row, top);
     top += s.row_height();
   }
-  body += fmt::format("<path class=\"zero\" d=\"M{:.1f} {:.1f}V{:.1f}\"/>\n", s.pixel(bars.base), s.axes.top,
-                      s.axes.bottom);
+  if (std::isfinite(bars.base))
+    body += fmt::format("<path class=\"zero\" d=\"M{:.1f} {:.1f}V{:.1f}\"/>\n", s.pixel(bars.base), s.axes.top,
+                        s.axes.bottom);
   const Box box{.left = 0, .top = 0, .right = paper_width, .bottom = s.axes.bottom + 46};
   return svg_element(box.height() > figure_height ? "plot tall" : "plot", bars.title, box, body);
 }

@@ -54,9 +54,9 @@ Profile payload_profile(const MachineRun& machine, const study::PayloadRun& run,
   Profile p = line_profile({.model = *least.model, .state = worst.at, .way = run.way});
   p.name = "payload_profile" + run.ending;
   p.title = fmt::format("The line and what it carries (motion: {})", run.words);
-  p.caption =
-      fmt::format("Drawn where the payload is least, {} at x = {}.", machine.display.brief(worst.mass, si::kg.in("t")),
-                  machine.display.brief(least.point.x, si::m));
+  p.caption = fmt::format("Drawn where the payload is least, {} at x = {}.",
+                          machine.display.brief(worst.mass, si::kg.in("t"), Rounding::down),
+                          machine.display.brief(least.point.x, si::m));
   if (std::isfinite(run.limits.clearance)) p.clearance = run.limits.clearance;
   p.value = {.label = "payload", .unit = si::kg.in("t")};
   for (const study::PayloadPosition& one : run.positions) {
@@ -103,8 +103,8 @@ LeastPayload least_payload(const study::PayloadRun& run) {
 /// "2.96 t or more, least at x = 169 m; governed by tension of 'skyline'".
 std::string payload_words(const study::PayloadPosition& least, const Display& display) {
   return fmt::format("{} or more, least at x = {}; governed by {}",
-                     display.brief(least.point.payload.mass, si::kg.in("t")), display.brief(least.point.x, si::m),
-                     least.point.payload.governing);
+                     display.brief(least.point.payload.mass, si::kg.in("t"), Rounding::down),
+                     display.brief(least.point.x, si::m), least.point.payload.governing);
 }
 
 /// What the deck has put on the carriage besides, "1.5 t"; empty: nothing.

@@ -129,14 +129,18 @@ void add_parameters(const Calibrating& c, const chance::Calibration& found, Resu
   for (const char* name : {"number", "in the deck", "found", "low", "high", "state", "note"}) {
     t.columns.push_back({.name = name, .unit = si::one});
   }
-  std::string built;
   for (std::size_t i = 0; i < found.parameters.size(); ++i) {
     const chance::CalibratedParameter& p = found.parameters[i];
     const CaseInput& input = c.model.inputs[i];
     const auto shown = [&](double x) { return display.brief(x, input.unit); };
-    t.rows.push_back({input.path, shown(input.base), shown(p.value), shown(p.interval.low), shown(p.interval.high),
-                      std::string(words_of(p.state)), p.note});
-    r.values.push_back({input.path, p.value, input.unit, "", fmt::format("{}, {}", input.path, words_of(p.state)), {}});
+    t.rows.push_back({input.path, shown(input.base),
+                      p.state == chance::ParameterState::not_identifiable ? std::string("-") : shown(p.value),
+                      shown(p.interval.low), shown(p.interval.high), std::string(words_of(p.state)), p.note});
+    const bool told = p.state != chance::ParameterState::not_identifiable;
+    if (told) {
+      r.values.push_back(
+          {input.path, p.value, input.unit, "", fmt::format("{}, {}", input.path, words_of(p.state)), {}});
+    }
     if (std::isfinite(p.standard_error)) {
       r.values.push_back({input.path + ".standard_error",
                           p.standard_error,
@@ -149,8 +153,12 @@ void add_parameters(const Calibrating& c, const chance::Calibration& found, Resu
     if (p.state != chance::ParameterState::estimated) {
       warn_unsafe(r, fmt::format("{}: {}{}{}", input.path, words_of(p.state), p.note.empty() ? "" : ": ", p.note));
     }
-    r.answers.push_back({"Found", fmt::format("{} {} ({} to {})", input.path, shown(p.value), shown(p.interval.low),
-                                              shown(p.interval.high))});
+    const std::string range = fmt::format("({} to {})", shown(p.interval.low), shown(p.interval.high));
+    if (told) {
+      r.answers.push_back({"Found", fmt::format("{} {} {}", input.path, shown(p.value), range)});
+    } else {
+      r.answers.push_back({"Not told", fmt::format("{}: anything in its bounds {}", input.path, range)});
+    }
   }
   r.tables.push_back(std::move(t));
 }
@@ -215,7 +223,7 @@ void add_fit(const Calibrating& c, const chance::Calibration& found, Result& r) 
   r.assumptions.emplace_back("intervals of the model linearised at the fit");
   r.values.push_back({"chi_squared", found.chi_squared, si::one, "chi^2", "sum of squares of difference/sd", {}, true});
   r.values.push_back(
-      {"freedom", static_cast<double>(found.freedom), si::one, "", "measurements less numbers told", {}, true});
+      {"freedom", static_cast<double>(found.freedom), si::one, "", "measurements less numbers found", {}, true});
   Table t{.name = "covariance",
           .title = "Covariance of the numbers found, SI",
           .columns = {},
@@ -261,7 +269,15 @@ Result calibrate(const Job& job, int threads) {
   add_parameters(*c, found, r);
   add_residuals(*c, found, r);
   add_fit(*c, found, r);
-  r.attachments.push_back({"calibrated.yaml", calibrated_deck(job, c->model, c->free, found)});
+  const bool all_told = std::all_of(found.parameters.begin(), found.parameters.end(), [](const auto& p) {
+    return p.state == chance::ParameterState::estimated && p.standard_error > 0;
+  });
+  if (all_told) {
+    r.attachments.push_back({"calibrated.yaml", calibrated_deck(job, c->model, c->free, found)});
+  } else {
+    r.warnings.emplace_back(
+        "calibrated.yaml is not written: a study on it would take numbers that the measurements do not tell as exact");
+  }
   return r;
 }
 

@@ -5,12 +5,12 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstdlib>
 #include <fstream>
 #include <random>
 #include <string>
 
 #include "taut/app/cases/read_cases.hpp"
+#include "test/paths.hpp"
 #include "test/support/scratch_folder.hpp"
 
 namespace taut::app::calibrate_test {
@@ -87,7 +87,7 @@ bool holds(const Result& r, const std::string& path, double value) {
 }
 
 TEST_F(Line, TheTruthLiesInTheIntervalAsOftenAsItSays) {
-  const int seeds = std::getenv("TAUT_FEWER") != nullptr ? 20 : 200;
+  const int seeds = taut_test::watched ? 20 : 200;
   int length = 0, stiffness = 0;
   for (int seed = 1; seed <= seeds; ++seed) {
     write(noisy(static_cast<unsigned>(seed)));
@@ -115,6 +115,8 @@ TEST_F(Line, APairThatTheMeasurementsCannotTellApartIsNamed) {
   std::string warnings;
   for (const std::string& one : r.warnings) warnings += one + "\n";
   EXPECT_THAT(warnings, HasSubstr("not identifiable"));
+  EXPECT_EQ(r.find_value("machine.ropes.sky.stiffness"), nullptr) << "no number for what is not told";
+  EXPECT_TRUE(r.attachments.empty()) << "no deck with numbers that nobody measured";
   EXPECT_THAT(warnings, HasSubstr("can't tell these apart: machine.reevings.sky.length, machine.ropes.sky.stiffness"));
 }
 

@@ -80,19 +80,13 @@ io::Node law_of(const chance::CalibratedParameter& p, const chance::FreeParamete
   return law;
 }
 
-bool is_estimated(const chance::CalibratedParameter& p) {
-  return p.state == chance::ParameterState::estimated && std::isfinite(p.standard_error) && p.standard_error > 0;
-}
-
 /// Puts the laws of the fit into the deck's study, or makes one that asks for what was measured.
 void add_study(const CaseModel& model, const std::vector<chance::FreeParameter>& free, const chance::Calibration& found,
                io::Node& study) {
   const std::size_t n = free.size();
   for (std::size_t i = 0; i < n; ++i) {
-    if (!is_estimated(found.parameters[i])) continue;
     at(at(study, "vary"), free[i].name) = law_of(found.parameters[i], free[i], model.inputs[i].unit);
     for (std::size_t k = 0; k < i; ++k) {
-      if (!is_estimated(found.parameters[k])) continue;
       const double r =
           found.covariance[i * n + k] / found.parameters[i].standard_error / found.parameters[k].standard_error;
       if (!(std::abs(r) > least_correlation)) continue;

@@ -46,7 +46,7 @@ double seconds_per_case(const Study& study) {
 std::string batch_file(const std::string& name, const std::string& log, const std::vector<std::string>& options,
                        const std::string& command) {
   std::string text = "#!/bin/sh\n";
-  text += fmt::format("#SBATCH --job-name={}\n#SBATCH --output={}\n#SBATCH --open-mode=append\n", name, log);
+  text += fmt::format("#SBATCH --job-name={}\n#SBATCH --output=\"{}\"\n#SBATCH --open-mode=append\n", name, log);
   for (const std::string& line : options) text += fmt::format("#SBATCH {}\n", line);
   return text + "exec " + command + "\n";
 }

@@ -51,10 +51,16 @@ void check_together(const Study& s, std::vector<Complaint>& complaints) {
   for (std::size_t i = 0; i < s.inputs.of.size(); ++i) {
     const auto* list = std::get_if<chance::Listed>(&s.inputs.of[i].law);
     if (list != nullptr) cases *= static_cast<double>(list->values.size());
-    if (grid && list == nullptr) {
+    if (!grid) continue;
+    if (list == nullptr) {
       complaints.push_back({"study.vary." + s.request.vary[i].name,
                             "a grid is made of lists and steps ('list', or 'from', 'to' and 'steps'); it has a law"});
     }
+  }
+  for (const StudyLimit& limit : s.limits) {
+    if (!grid || !limit.allowed) continue;
+    complaints.push_back({"study.limit." + s.model.outputs[limit.output].name,
+                          "a grid has no probability: leave 'allowed' away, and every case has to keep the limit"});
   }
   constexpr double most_cases = 1e8;
   if (grid && cases > most_cases) {
@@ -115,7 +121,6 @@ tl::expected<Study, Result> read_study(const Job& job) {
   lay_out(s);
   s.title = read->deck.title;
   s.method = read->deck.is_machine ? "machine" : read->deck.method;
-  s.method_title = read->method_title;
   s.project = read->deck.project;
   s.display = read->deck.display;
   s.deck_name = job.name;

@@ -32,7 +32,7 @@ struct Study {
   chance::Points tornado;
   CaseBlock sample, saltelli, bars;  ///< the numbers of their cases
 
-  std::string title, method, method_title;
+  std::string title, method;
   Project project;
   Display display;
   std::string deck_name;

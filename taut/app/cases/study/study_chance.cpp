@@ -217,9 +217,11 @@ void add_tornado(const Study& study, const StudyData& data, Result& r) {
       t.rows.push_back({short_name(study, i), study.display.quantity(study.tornado[1 + 2 * i][i], unit),
                         study.display.quantity(study.tornado[2 + 2 * i][i], unit), low, high, high - low});
     }
-    std::stable_sort(t.rows.begin(), t.rows.end(), [](const auto& a, const auto& b) {
-      return std::abs(std::get<double>(a.back())) > std::abs(std::get<double>(b.back()));
-    });
+    const auto change = [](const std::vector<Cell>& row) {
+      const double x = std::abs(std::get<double>(row.back()));
+      return std::isnan(x) ? -1 : x;  // a case without an answer comes last
+    };
+    std::stable_sort(t.rows.begin(), t.rows.end(), [&](const auto& a, const auto& b) { return change(a) > change(b); });
     r.tables.push_back(std::move(t));
   }
 }

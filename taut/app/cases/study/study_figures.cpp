@@ -49,6 +49,10 @@ void add_histograms(const Study& study, const StudyData& data, Result& r) {
     for (const StudyLimit& limit : study.limits) {
       if (limit.output != k) continue;
       const bool least = limit.limit.bound == chance::Bound::at_least;
+      if (limit.limit.value < h.edges.front() || limit.limit.value > h.edges.back()) {
+        p.caption += fmt::format("; the limit, {} {}, lies outside", least ? "at least" : "at most",
+                                 study.display.brief(limit.limit.value, output.unit));
+      }
       p.marks.push_back({.x = limit.limit.value,
                          .y = 0,
                          .label = fmt::format("limit, {} {}", least ? "at least" : "at most",
@@ -187,7 +191,11 @@ void add_bars_of_tornado(const Study& study, const StudyData& data, Result& r) {
       };
       bars.rows.push_back({.label = short_name(study, i), .bars = {bar(at[1 + 2 * i]), bar(at[2 + 2 * i])}});
     }
-    const auto width = [](const Bars::Row& row) { return std::abs(row.bars[1].to - row.bars[0].to); };
+    if (std::isnan(at[0])) continue;  // nothing to go from
+    const auto width = [](const Bars::Row& row) {
+      const double x = std::abs(row.bars[1].to - row.bars[0].to);
+      return std::isnan(x) ? -1 : x;
+    };
     std::stable_sort(bars.rows.begin(), bars.rows.end(),
                      [&](const auto& a, const auto& b) { return width(a) > width(b); });
     r.figures.emplace_back(std::move(bars));

@@ -70,7 +70,13 @@ tl::expected<Json, FileError> read_manifest(const fs::path& folder) {
   const auto text = io::read_file(path.string());
   if (!text) return tl::unexpected(FileError{text.error().message});
   Json manifest = Json::parse(*text, nullptr, false);
-  if (!manifest.is_object() || !manifest.contains("study") || !manifest.contains("text")) {
+  const auto has = [&](const char* key, bool (Json::*is)() const noexcept) {
+    return manifest.is_object() && manifest.contains(key) && (manifest[key].*is)();
+  };
+  const bool whole = has("study", &Json::is_string) && has("text", &Json::is_string) && has("deck", &Json::is_string) &&
+                     has("set", &Json::is_array) && has("cases", &Json::is_number_unsigned) &&
+                     has("per_part", &Json::is_number_unsigned);
+  if (!whole) {
     return tl::unexpected(no(path.string(), "is not the file of a study"));
   }
   return manifest;
@@ -140,6 +146,15 @@ tl::expected<StudyFolder, FileError> StudyFolder::make(const std::string& folder
     if (!written) return tl::unexpected(written.error());
   }
   return made;
+}
+
+tl::expected<StudyFolder, FileError> StudyFolder::open(const std::string& folder) {
+  const auto manifest = read_manifest(folder);
+  if (!manifest) return tl::unexpected(manifest.error());
+  const StudyParts parts{.cases = manifest->value("cases", std::uint64_t{0}),
+                         .per_part = manifest->value("per_part", std::uint64_t{0})};
+  if (parts.cases == 0 || parts.per_part == 0) return tl::unexpected(no(folder, "its study.json lacks the cases"));
+  return StudyFolder(folder, parts);
 }
 
 tl::expected<Job, FileError> StudyFolder::job_in(const std::string& folder) {

@@ -37,6 +37,9 @@ class StudyFolder {
   /// written, or it is not what it seems.
   static tl::expected<StudyFolder, FileError> make(const std::string& folder, const Job& job, const Study& study);
 
+  /// A folder that has a study, for its state; the deck is not read.
+  static tl::expected<StudyFolder, FileError> open(const std::string& folder);
+
   /// The job of the study in a folder.
   static tl::expected<Job, FileError> job_in(const std::string& folder);
 

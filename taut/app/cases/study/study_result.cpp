@@ -14,8 +14,8 @@
 namespace taut::app {
 namespace {
 
-/// Probabilities of the quantiles that are told, with their names.
-constexpr std::array<double, 7> told = {0.01, 0.05, 0.25, 0.5, 0.75, 0.95, 0.99};
+/// The quantiles that the result has.
+constexpr std::array<double, 7> quantile_shares = {0.01, 0.05, 0.25, 0.5, 0.75, 0.95, 0.99};
 constexpr std::array<double, 2> nine_of_ten = {0.05, 0.95};
 constexpr std::size_t most_rows = 1000;  ///< of failed cases in the result; all are in cases.h5
 constexpr std::size_t most_reasons = 20;
@@ -30,10 +30,10 @@ struct Statistic {
 std::vector<Statistic> statistics_of(const chance::Sample& sample) {
   std::vector<Statistic> all = {{.name = "mean", .words = "mean", .estimate = chance::sample_mean(sample)},
                                 {.name = "sd", .words = "standard deviation", .estimate = chance::sample_sd(sample)}};
-  const std::vector<chance::Estimate> found = chance::quantiles(sample, told);
-  for (std::size_t i = 0; i < told.size(); ++i) {
-    const double percent = 100 * told[i];
-    const std::string words = told[i] == 0.5 ? "median" : fmt::format("{:.0f} % quantile", percent);
+  const std::vector<chance::Estimate> found = chance::quantiles(sample, quantile_shares);
+  for (std::size_t i = 0; i < quantile_shares.size(); ++i) {
+    const double percent = 100 * quantile_shares[i];
+    const std::string words = quantile_shares[i] == 0.5 ? "median" : fmt::format("{:.0f} % quantile", percent);
     all.push_back({.name = fmt::format("q{:02.0f}", percent), .words = words, .estimate = found[i]});
   }
   return all;
@@ -62,7 +62,8 @@ void add_statistics(const Study& study, const StudyData& data, Summary& summary,
   for (std::size_t k = 0; k < study.model.outputs.size(); ++k) {
     const CaseOutput& output = study.model.outputs[k];
     Table t{.name = "quantiles" + name_ending(k, study.model.outputs.size()),
-            .title = fmt::format("{}: {}", output.name, output.label),
+            .title = fmt::format("{}: {}{}", output.name, output.label,
+                                 data.failed.empty() ? "" : "; cases without an answer left out"),
             .columns = {{.name = "statistic", .unit = si::one},
                         {.name = "value", .unit = output.unit},
                         {.name = "low", .unit = output.unit},
@@ -94,9 +95,9 @@ void add_extremes(const Study& study, const StudyData& data, Summary& summary, R
           .title = "Least and largest values of the grid",
           .columns = {{.name = "value", .unit = si::one},
                       {.name = "least", .unit = si::one},
-                      {.name = "at", .unit = si::one},
+                      {.name = "least_at", .unit = si::one},
                       {.name = "largest", .unit = si::one},
-                      {.name = "at", .unit = si::one}},
+                      {.name = "largest_at", .unit = si::one}},
           .rows = {}};
   for (std::size_t k = 0; k < data.outputs.size(); ++k) {
     const CaseOutput& output = study.model.outputs[k];
@@ -118,6 +119,28 @@ void add_extremes(const Study& study, const StudyData& data, Summary& summary, R
         {output.name + ".largest", *largest, output.unit, "largest", "largest value of " + output.name, {}});
   }
   r.tables.push_back(std::move(t));
+}
+
+/// Of a grid: every combination has to keep the limits.
+void add_grid_limits(const Study& study, const StudyData& data, Result& r) {
+  for (const StudyLimit& limit : study.limits) {
+    const CaseOutput& output = study.model.outputs[limit.output];
+    const bool least = limit.limit.bound == chance::Bound::at_least;
+    const Value* worst = r.find_value(output.name + (least ? ".least" : ".largest"));
+    if (worst == nullptr) continue;  // no case has an answer
+    r.checks.push_back(make_check(worst->name, worst->value, output.unit,
+                                  {.sense = least ? Sense::at_least : Sense::at_most,
+                                   .limit = limit.limit.value,
+                                   .rule = "limit of the deck, over the whole grid",
+                                   .trust = "user"}));
+  }
+  if (!study.limits.empty() && !data.failed.empty()) {
+    r.missing.push_back({.analysis = "grid",
+                         .missing = static_cast<int>(data.failed.size()),
+                         .places = static_cast<int>(study.size()),
+                         .first = values_in_words(study, study.values_at(data.failed.front().index)),
+                         .reason = data.failed.front().reason});
+  }
 }
 
 void add_failed(const Study& study, const StudyData& data, Result& r) {
@@ -202,6 +225,7 @@ Result study_result(const Study& study, const StudyData& data, int threads) {
     add_statistics(study, data, summary, r);
   } else {
     add_extremes(study, data, summary, r);
+    add_grid_limits(study, data, r);
   }
   ChanceSummary rest;
   if (study.points) add_chance(study, data, threads, rest, r);

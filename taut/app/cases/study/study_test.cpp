@@ -202,6 +202,46 @@ TEST(Study, AGridHasEveryCombination) {
   EXPECT_LT(value(r, "equilibrium.sky.T_max.least"), value(r, "equilibrium.sky.T_max.largest"));
 }
 
+TEST(Study, AGridHasToKeepItsLimitsEverywhere) {
+  const auto verdict = [](const std::string& list, const std::string& limit) {
+    return *verdict_of(whole(deck_with("  vary: {machine.reevings.sky.length: {list: " + list +
+                                       "}}\n  of: [equilibrium.sky.T_max]\n  points: grid\n"
+                                       "  limit: {equilibrium.sky.T_max: {" +
+                                       limit + "}}\n")));
+  };
+  EXPECT_EQ(verdict("[205 m, 206 m]", "at_most: 300 kN").kind, VerdictKind::passes);
+  EXPECT_EQ(verdict("[205 m, 206 m]", "at_most: 30 kN").kind, VerdictKind::fails);
+  EXPECT_EQ(verdict("[205 m, 120 m]", "at_most: 300 kN").kind, VerdictKind::not_judged) << "one has no answer";
+  EXPECT_THAT(to_text(refused(deck_with("  vary: {machine.reevings.sky.length: {list: [205 m, 206 m]}}\n"
+                                        "  of: [equilibrium.sky.T_max]\n  points: grid\n"
+                                        "  limit: {equilibrium.sky.T_max: {at_most: 1 kN, allowed: 0.1}}\n"))
+                          .errors),
+              HasSubstr("a grid has no probability"));
+}
+
+TEST(Study, LawsAreReadInTheUnitsOfTheirNumbers) {
+  const auto law_of = [](const std::string& law) {
+    const Study s =
+        read(deck_with("  vary: {machine.reevings.sky.length: {" + law + "}}\n  of: [equilibrium.sky.T_max]\n"));
+    return s.inputs.of[0];
+  };
+  const auto expect = [&](const std::string& law, double mean, double sd) {
+    EXPECT_NEAR(chance::mean(law_of(law)), mean, 1e-6) << law;
+    EXPECT_NEAR(chance::sd(law_of(law)), sd, 1e-6) << law;
+  };
+  expect("normal: {mean: 205 m, sd: 30 cm}", 205, 0.3);
+  expect("lognormal: {mean: 205 m, cov: 0.1 %}", 205, 0.205);
+  expect("uniform: {low: 204 m, high: 206 m}", 205, 2 / std::sqrt(12.0));
+  constexpr double euler = 0.57721566490153286, pi = 3.14159265358979324;
+  expect("gumbel: {mode: 205 m, scale: 100 mm}", 205 + 0.1 * euler, 0.1 * pi / std::sqrt(6.0));
+  expect("weibull: {shape: 1, scale: 0.2 m, shift: 204.5 m}", 204.7, 0.2);  // the exponential law
+  expect("triangular: {low: 204 m, mode: 205 m, high: 206 m}", 205, 1 / std::sqrt(6.0));
+  expect("list: [204 m, 206 m], weights: [1, 3]", 205.5, std::sqrt(0.75));
+  expect("from: 204 m, to: 206 m, steps: 2", 205, std::sqrt(2.0 / 3));
+  // cut symmetrically at one standard deviation: variance 1 - 2 phi(1)/(2 Phi(1) - 1)
+  expect("normal: {mean: 205 m, sd: 0.3 m}, truncate: [204.7 m, 205.3 m]", 205, 0.3 * std::sqrt(0.29112509));
+}
+
 TEST(Study, FormAgreesWithTheSampleAndWithoutAnAnswerThereIsNoNumber) {
   const std::string limit = "  limit: {equilibrium.sky.T_max: {at_most: 35.5 kN}}\n  samples: 16384\n";
   const Result sampled = whole(deck_with(usual + limit));

@@ -11,9 +11,9 @@ namespace taut::boom_ropes {
 
 std::vector<Answer> answers(const Input& in, const Result& r, const Display& display) {
   Result lines;
-  const auto shown = [&](const char* value) {
+  const auto shown = [&](const char* value, Rounding rounding = Rounding::nearest) {
     const Value* v = r.find_value(value);
-    return v == nullptr ? std::string() : display.brief(v->value, v->unit);
+    return v == nullptr ? std::string() : display.brief(v->value, v->unit, rounding);
   };
   const auto has = [&](const char* value) { return r.find_value(value) != nullptr; };
   if (has("S10_set") && has("S20_set")) {
@@ -30,11 +30,11 @@ std::vector<Answer> answers(const Input& in, const Result& r, const Display& dis
     add_answer_line(lines, "Least",
                     {fmt::format("pretension of the extension rope {}, of the retraction rope {}, by the corrected "
                                  "stiffness",
-                                 shown("S10_min_corrected"), shown("S20_min_corrected"))});
+                                 shown("S10_min_corrected", Rounding::up), shown("S20_min_corrected", Rounding::up))});
   } else if (has("S10_min") && has("S20_min")) {
     add_answer_line(lines, "Least",
-                    {fmt::format("pretension of the extension rope {}, of the retraction rope {}", shown("S10_min"),
-                                 shown("S20_min"))});
+                    {fmt::format("pretension of the extension rope {}, of the retraction rope {}",
+                                 shown("S10_min", Rounding::up), shown("S20_min", Rounding::up))});
   }
   if (has("S1_max")) {
     add_answer_line(lines, "Load",

@@ -10,14 +10,16 @@ namespace taut::friction_drive {
 
 std::vector<Answer> answers(const Input& in, const Result& r, const Display& display) {
   Result lines;
-  const auto shown = [&](const char* value) {
+  const auto shown = [&](const char* value, Rounding rounding = Rounding::nearest) {
     const Value* v = r.find_value(value);
-    return v == nullptr ? std::string() : display.brief(v->value, v->unit);
+    return v == nullptr ? std::string() : display.brief(v->value, v->unit, rounding);
   };
   const auto has = [&](const char* value) { return r.find_value(value) != nullptr; };
-  std::vector<std::string> pull = {fmt::format("pull on the idler of at least {}", shown("takeup_no_slip"))};
-  pull.push_back(has("takeup_with_idler_loss") ? fmt::format("with the idler loss {}", shown("takeup_with_idler_loss"))
-                                               : std::string("with the idler loss no pull is enough"));
+  std::vector<std::string> pull = {
+      fmt::format("pull on the idler of at least {}", shown("takeup_no_slip", Rounding::up))};
+  pull.push_back(has("takeup_with_idler_loss")
+                     ? fmt::format("with the idler loss {}", shown("takeup_with_idler_loss", Rounding::up))
+                     : std::string("with the idler loss no pull is enough"));
   add_answer_line(lines, needs_label, pull);
   if (number_of(r, "slip_ratio") > number_of(r, "e")) {
     add_answer_line(lines, "Paper",

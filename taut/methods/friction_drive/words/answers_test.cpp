@@ -18,7 +18,8 @@ TEST(DriveAnswers, NameThePullThatHolds) {
   ASSERT_EQ(r.status, Status::ok) << r.message;
   const Display newtons(std::map<std::string, std::string>{{"force", "N"}});
   const auto all = answers(in, r, newtons);
-  EXPECT_NE(line_of(all, "Needs").find(newtons.brief(r.find_value("takeup_no_slip")->value, si::N)), std::string::npos)
+  EXPECT_NE(line_of(all, "Needs").find(newtons.brief(r.find_value("takeup_no_slip")->value, si::N, Rounding::up)),
+            std::string::npos)
       << line_of(all, "Needs");
   EXPECT_NE(line_of(all, "Paper").find("slip"), std::string::npos);
   EXPECT_TRUE(line_of(all, "Given").empty());

@@ -68,8 +68,8 @@ std::vector<Answer> answers(const Input& in, const Result& r, const Display& dis
   if (std::isfinite(tube)) {
     const Unit mm = si::m.in("mm");
     add_answer_line(lines, has_section ? std::string_view("Ideal tube") : needs_label,
-                    {fmt::format("outer diameter {}, wall {}", display.brief(tube, mm),
-                                 display.brief(tube * (1 - in.tube_ratio) / 2, mm)),
+                    {fmt::format("outer diameter {}, wall {}", display.brief(tube, mm, Rounding::up),
+                                 display.brief(tube * (1 - in.tube_ratio) / 2, mm, Rounding::up)),
                      fmt::format("by the paper's coefficients {}", shown("D_tube_printed"))});
   }
   if (r.find_value("guy_tension_max_exact") != nullptr) {

@@ -1,0 +1,139 @@
+#include "taut/app/cases/machine_cases.hpp"
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+#include <iterator>
+#include <stdexcept>
+#include <string>
+
+#include "taut/app/cases/read_cases.hpp"
+#include "test/paths.hpp"
+
+namespace taut::app::machine_cases_test {
+
+using testing::HasSubstr;
+
+/// A rolling load with two equilibria, a load path and a check; `parameters` give the height of its head.
+const char* const deck =
+    "taut: 1\n"
+    "parameters: {height: 30 m}\n"
+    "machine:\n"
+    "  points: {tail: [0 m, 0 m, 0 m], head: [200 m, 0 m, = height]}\n"
+    "  ropes: {sky: {mass: 1.5 kg/m, stiffness: 20 MN, breaking_force: 300 kN}}\n"
+    "  carriages: {car: {mass: 200 kg, rides: sky, hold: rolling}}\n"
+    "  reevings: [{rope: sky, path: [{anchor: tail}, {through: car}, {anchor: head}], length: 205 m}]\n"
+    "  loads: [{at: car, mass: 1 t}]\n"
+    "analyses:\n"
+    "  - equilibrium: {motion: at_rest}\n"
+    "  - equilibrium: {carriage: car, x: 50 m, held: true}\n"
+    "  - equilibrium: {name: far, carriage: car, x: 170 m, held: true}\n"
+    "  - load_path: {carriage: car, from: 40 m, to: 160 m, steps: 6, held: true}\n"
+    "checks: {ropes: {sky: {safety_factor: 3}}}\n";
+
+Job job_of(const std::string& text, std::vector<std::string> set = {}) {
+  return {.text = text, .name = "deck.yaml", .set = std::move(set), .progress = {}};
+}
+
+CaseQuestion question_of(const std::vector<std::string>& inputs, const std::vector<std::string>& outputs) {
+  CaseQuestion q;
+  for (const std::string& one : inputs) q.inputs.push_back({one, ""});
+  for (const std::string& one : outputs) q.outputs.push_back({one, ""});
+  return q;
+}
+
+CaseModel model_of(const std::string& text, const CaseQuestion& question) {
+  const auto read = read_cases(job_of(text));
+  if (!read) throw std::runtime_error(to_text(read.error().errors));
+  auto made = read->cases(question);
+  if (!made) {
+    throw std::runtime_error(made.error().complaints.empty() ? made.error().outcome.message
+                                                             : made.error().complaints.front().message);
+  }
+  return std::move(*made);
+}
+
+double value_with(const std::vector<std::string>& set, const std::string& analysis, const std::string& name) {
+  std::vector<std::string> all = set;
+  if (!analysis.empty()) all.push_back("analyses=[" + analysis + "]");
+  const Result r = run(job_of(deck, all));
+  const Value* v = r.find_value(name);
+  return v != nullptr ? v->value : std::nan("");
+}
+
+TEST(MachineCases, EachAnalysisHasTheValuesOfARunWithItAlone) {
+  const CaseModel m =
+      model_of(deck, question_of({"machine.loads[0].mass"}, {"equilibrium.sky.T_max", "equilibrium_2.sky.T_max",
+                                                             "equilibrium_far.sky.T_max", "load_path.sky.T_max"}));
+  const CaseAnswer a = m.answer(std::vector<double>{1300});
+  ASSERT_TRUE(a.outcome.ok()) << a.outcome.message;
+  const std::vector<std::string> set = {"machine.loads[0].mass=1300 kg"};
+  const std::string analyses[] = {"{equilibrium: {motion: at_rest}}",
+                                  "{equilibrium: {carriage: car, x: 50 m, held: true}}",
+                                  "{equilibrium: {name: far, carriage: car, x: 170 m, held: true}}",
+                                  "{load_path: {carriage: car, from: 40 m, to: 160 m, steps: 6, held: true}}"};
+  for (std::size_t i = 0; i < a.outputs.size(); ++i) {
+    const double expected = value_with(set, analyses[i], "sky.T_max");
+    EXPECT_NEAR(a.outputs[i], expected, 1e-8 * expected) << analyses[i];
+  }
+  EXPECT_NE(a.outputs[1], a.outputs[2]);
+}
+
+TEST(MachineCases, ChecksAreOfTheWholeDeck) {
+  const CaseModel m = model_of(deck, question_of({"machine.loads[0].mass"},
+                                                 {"checks.sky.safety_factor", "checks.sky.safety_factor.utilisation"}));
+  const CaseAnswer a = m.answer(std::vector<double>{1300});
+  ASSERT_TRUE(a.outcome.ok()) << a.outcome.message;
+  const double factor = value_with({"machine.loads[0].mass=1300 kg"}, "", "sky.safety_factor");
+  EXPECT_NEAR(a.outputs[0], factor, 1e-8 * factor);
+  EXPECT_NEAR(a.outputs[1], 3 / factor, 1e-8);
+}
+
+TEST(MachineCases, ParametersAreReadAnewBesideOtherNumbers) {
+  const CaseModel m = model_of(deck, question_of({"parameters.height", "machine.loads[0].mass"},
+                                                 {"equilibrium.sky.T_max", "equilibrium.car.z"}));
+  EXPECT_EQ(m.inputs[0].base, 30);
+  const CaseAnswer a = m.answer(std::vector<double>{22.5, 900});
+  ASSERT_TRUE(a.outcome.ok()) << a.outcome.message;
+  const std::vector<std::string> set = {"parameters.height=22.5 m", "machine.loads[0].mass=900 kg"};
+  EXPECT_NEAR(a.outputs[0], value_with(set, "{equilibrium: {motion: at_rest}}", "sky.T_max"), 1e-4);
+  EXPECT_NEAR(a.outputs[1], value_with(set, "{equilibrium: {motion: at_rest}}", "car.z"), 1e-7);
+}
+
+TEST(MachineCases, ANumberOutsideItsRangeIsACaseWithoutAnAnswer) {
+  const CaseModel m = model_of(deck, question_of({"machine.ropes.sky.stiffness"}, {"equilibrium.sky.T_max"}));
+  const CaseAnswer a = m.answer(std::vector<double>{-1e6});
+  EXPECT_EQ(a.outcome.status, Status::infeasible);
+  EXPECT_THAT(a.outcome.message, HasSubstr("machine.ropes.sky.stiffness"));
+  EXPECT_TRUE(std::isnan(a.outputs[0]));
+}
+
+TEST(MachineCases, OfADesignOnlyItsOutcomeIsAsked) {
+  std::ifstream file(taut_test::source_dir() / "examples/design/crane_hoist.yaml");
+  const std::string text{std::istreambuf_iterator<char>(file), {}};
+  const auto read = read_cases(job_of(text));
+  ASSERT_TRUE(read.has_value()) << to_text(read.error().errors);
+  const auto state = read->cases(question_of({"machine.loads[0].mass"}, {"equilibrium.T_max"}));
+  ASSERT_FALSE(state.has_value());
+  EXPECT_THAT(state.error().complaints.front().message, HasSubstr("one of design"));
+  // the lightest rope that holds 10 t is lighter than that for 25 t
+  const CaseModel m = model_of(text, question_of({"machine.loads[0].mass"}, {"design.design_cost"}));
+  const CaseAnswer a = m.answer(std::vector<double>{10e3});
+  ASSERT_TRUE(a.outcome.ok()) << a.outcome.message;
+  EXPECT_LT(a.outputs[0], m.outputs[0].base);
+  const Result r = run(job_of(text, {"machine.loads[0].mass=10 t"}));
+  EXPECT_NEAR(a.outputs[0], r.find_value("design_cost")->value, 1e-9 * a.outputs[0]);
+}
+
+TEST(MachineCases, WithoutAnAnswerOfTheDeckItselfThereAreNoCases) {
+  const auto read = read_cases(job_of(deck, {"machine.reevings[0].length=100 m"}));
+  ASSERT_TRUE(read.has_value());
+  const auto made = read->cases(question_of({"machine.loads[0].mass"}, {"equilibrium.sky.T_max"}));
+  ASSERT_FALSE(made.has_value());
+  EXPECT_THAT(made.error().outcome.message, HasSubstr("the deck as it is has no answer"));
+}
+
+}  // namespace taut::app::machine_cases_test
