@@ -35,11 +35,12 @@ const Figure* key_figure(const Result& r) {
   return named == r.figures.end() ? &r.figures.front() : &*named;
 }
 
-std::string pictures_html(const std::vector<const Figure*>& figures, const Result& r, int& number) {
+std::string pictures_html(const std::vector<const Figure*>& figures, const Result& r, FiguresAbove& above) {
   const Display display = display_of(r);
   std::string out;
+  above.listed.clear();
   for (const Figure* f : figures) {
-    const std::string picture = live_figure(*f, display, number);
+    const std::string picture = live_figure(*f, display, above);
     if (picture.empty()) continue;
     const char* own = is_turned(*f) ? " class=\"landscape\"" : "";
     out += fmt::format("<figure{}>{}{}</figure>\n", own, picture, caption_html(words_of(*f)));

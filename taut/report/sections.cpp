@@ -114,12 +114,12 @@ std::string all_checks_html(const Result& r, const PagePlan& plan) {
   return compared == plan.tables.end() ? checks_html(r) : table_html(**compared, display_of(r), plan.limits);
 }
 
-std::string appendix_html(const Result& r, const PagePlan& plan, int& animations) {
+std::string appendix_html(const Result& r, const PagePlan& plan, FiguresAbove& above) {
   const Display display = display_of(r);
   std::string out = values_html(plan.appendix_values, "Further values", r);
   for (const Table* t : plan.appendix_tables) out += table_html(*t, display, plan.appendix_limits);
   out += defaults_html(r);
-  return out + pictures_html(plan.appendix_pictures, r, animations);
+  return out + pictures_html(plan.appendix_pictures, r, above);
 }
 
 /// Warnings in full, and what page 1 shortens.
@@ -145,8 +145,8 @@ std::string comparison_title(const Result& r) {
 
 std::vector<Section> sections(const Result& r, const std::vector<const Figure*>& shown) {
   const PagePlan plan = plan_pages(r, shown);
-  int animations = 0;
-  const std::string pictures = pictures_html(plan.pictures, r, animations);
+  FiguresAbove above;
+  const std::string pictures = pictures_html(plan.pictures, r, above);
   std::vector<Section> all{
       {.id = "errors", .title = "Mistakes in the deck", .html = errors_html(r, r.errors.size()), .numbered = false},
       {.id = "warnings",
@@ -160,7 +160,7 @@ std::vector<Section> sections(const Result& r, const std::vector<const Figure*>&
       {.id = "results", .title = "Results", .html = results_html(r, plan)},
       {.id = "assumptions", .title = "Assumptions", .html = list_html(r.assumptions)},
       {.id = "pictures", .title = "Pictures", .html = pictures},
-      {.id = "appendix", .title = "Appendix", .html = appendix_html(r, plan, animations), .numbered = false}};
+      {.id = "appendix", .title = "Appendix", .html = appendix_html(r, plan, above), .numbered = false}};
   std::erase_if(all, [](const Section& s) { return s.html.empty(); });
   return all;
 }

@@ -11,4 +11,8 @@ namespace taut::boom_ropes {
 /// length.
 std::vector<Figure> figures(const Input& in, const Output& out);
 
+/// The boom as its sliding block describes it, in the first position, with its weights only. Without that block, which
+/// has its sizes, the calculation always has an answer.
+Drawing boom_without_answer(const Input& in);
+
 }  // namespace taut::boom_ropes

@@ -147,6 +147,7 @@ Result run(const Input& in) {
   add_tables(in, out, r);
   r.comparisons = comparisons(out);
   r.figures = figures(in, out);
+  if (!outcome.ok()) r.figures.insert(r.figures.begin(), boom_without_answer(in));
   s.move_to(r);
   add_assumptions(in, out, r);
   r.unjudged = {"extension", "retraction"};  // their strength: the input names no ropes, checks may

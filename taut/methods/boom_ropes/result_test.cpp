@@ -96,6 +96,13 @@ TEST(BoomRopesResult, InfeasibleKeepsTheStaticPart) {
   EXPECT_EQ(r.find_value("Fh"), nullptr);
   EXPECT_FALSE(r.steps.empty());
   EXPECT_NE(r.find_table("extension"), nullptr);
+  ASSERT_FALSE(r.figures.empty());
+  const auto& boom = std::get<Drawing>(r.figures.front());
+  EXPECT_NE(boom.title.find("as described"), std::string::npos);
+  for (const Shape& one : boom.shapes) {
+    const auto* force = std::get_if<ForceArrow>(&one);
+    EXPECT_TRUE(force == nullptr || force->label == "G_n" || force->label == "G_3") << "only what is given";
+  }
 }
 
 TEST(BoomRopesResult, EveryGivenLineIsFoundOnce) {

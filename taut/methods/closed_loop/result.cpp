@@ -176,6 +176,7 @@ Result run(const Input& in, const Engine& engine) {
   r.message = outcome.message;
   r.values = values_of(Output::describe(), &out);
   s.move_to(r);
+  if (!outcome.ok()) r.figures = {loop_without_answer(in)};
   if (rows.empty()) return r;
   if (!in.position.empty() && rows.size() > 1) r.tables.push_back(positions_table(rows));
   add_words(in, rows, r);

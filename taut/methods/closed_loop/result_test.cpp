@@ -116,6 +116,13 @@ TEST(ClosedLoopResult, NothingFeasibleKeepsTheStepsReached) {
   EXPECT_NE(r.find_value("P_b"), nullptr);
   EXPECT_NE(r.find_table("positions"), nullptr);
   EXPECT_EQ(exit_code(r), 3);
+  ASSERT_EQ(r.figures.size(), 1U) << "the loop as described";
+  const auto& loop = std::get<Drawing>(r.figures.front());
+  EXPECT_NE(loop.title.find("as described"), std::string::npos);
+  for (const Shape& one : loop.shapes) {
+    const auto* force = std::get_if<ForceArrow>(&one);
+    EXPECT_TRUE(force == nullptr || force->label == "S" || force->label == "W_c") << "only what is given";
+  }
 }
 
 TEST(ClosedLoopResult, ChosenRopesPassTheirChecks) {

@@ -12,6 +12,9 @@ namespace taut::mast_section {
 /// The mast to scale with its ropes, the forces on its blocks and at its clamp.
 Drawing mast_drawing(const Input& in, const Output& out);
 
+/// The mast as its deck describes it, with the forces of its ropes at their drums and no section.
+Drawing mast_without_answer(const Input& in, const Output& out);
+
 /// Where the mainline's block is: at the skyline's without an own one, m.
 double mainline_height(const Input& in);
 

@@ -279,6 +279,8 @@ Result run(const Input& in, const SecondOrder& second, Solved& found) {
     if (!section) r.unjudged.emplace_back("mast");
     add_comparisons(in, out, r);
     add_figures(in, out, positions, section, r);
+  } else {
+    r.figures = {mast_without_answer(in, positions.front().out)};
   }
   r.values = values_of(Output::describe(), &out);
   return r;

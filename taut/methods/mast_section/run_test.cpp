@@ -134,4 +134,22 @@ TEST(MastSectionRun, EveryErratumNamesATestOfTheCases) {
   for (const Erratum& e : about().errata) EXPECT_EQ(e.test.rfind("MastSectionCase.", 0), 0u);
 }
 
+TEST(MastSectionRun, WithoutAnswerShowsTheMastAsDescribed) {
+  Input in = yarder();
+  in.span->horizontal_tension = 10;
+  const Result r = run(in);
+  EXPECT_EQ(exit_code(r), 3);
+  ASSERT_EQ(r.figures.size(), 1U);
+  const auto& mast = std::get<Drawing>(r.figures.front());
+  EXPECT_NE(mast.title.find("as described"), std::string::npos);
+  int forces = 0;
+  for (const Shape& one : mast.shapes) {
+    const auto* force = std::get_if<ForceArrow>(&one);
+    if (force == nullptr) continue;
+    ++forces;
+    EXPECT_TRUE(force->label == "T_sky" || force->label == "T_main") << "only what is given";
+  }
+  EXPECT_EQ(forces, 2);
+}
+
 }  // namespace taut::mast_section::run_test

@@ -28,8 +28,9 @@ std::string figure_svg(const Figure& figure, const Display& display) {
   return std::visit(StaticFigure{display}, figure);
 }
 
-std::string live_figure(const Figure& figure, const Display& display, int& number) {
-  if (const auto* moving = std::get_if<Animation>(&figure)) return animation_html(*moving, display, number++);
+std::string live_figure(const Figure& figure, const Display& display, FiguresAbove& above) {
+  if (const auto* moving = std::get_if<Animation>(&figure)) return animation_html(*moving, display, above.animations++);
+  if (const auto* plot = std::get_if<Plot>(&figure)) return plot_svg(*plot, display, above.listed);
   if (const auto* profile = std::get_if<Profile>(&figure)) return profile_svg(*profile, display, turned_width);
   return figure_svg(figure, display);
 }

@@ -1,5 +1,6 @@
 #pragma once
 #include <string>
+#include <vector>
 
 #include "taut/calc/figure.hpp"
 #include "taut/report/text/quantity.hpp"
@@ -11,9 +12,15 @@ namespace taut::report {
 /// page.
 std::string figure_svg(const Figure& figure, const Display& display);
 
-/// The same where the report plays it: an animation with its button and slider. `number`: of the animations in the
-/// page, from 0; raised by each.
-std::string live_figure(const Figure& figure, const Display& display, int& number);
+/// What the figures of a page so far have shown.
+struct FiguresAbove {
+  int animations = 0;               ///< number of the next one
+  std::vector<std::string> listed;  ///< events below the last plot that lists any
+};
+
+/// The same where the report plays it: an animation with its button and slider. Plots with the same events list them
+/// once.
+std::string live_figure(const Figure& figure, const Display& display, FiguresAbove& above);
 
 /// Whether it has a turned page of its own.
 bool is_turned(const Figure& figure);

@@ -357,6 +357,18 @@ std::string draw_limits(const Scene& s, const std::vector<LimitWords>& limits) {
   return out;
 }
 
+/// The list, or a reference to the plot above that has the same.
+std::vector<Listed> list_below(const std::vector<Listed>& list, std::vector<std::string>& listed) {
+  if (list.empty()) return list;
+  std::vector<std::string> words;
+  for (const Listed& l : list) words.push_back(fmt::format("{} {}", l.number, to_svg(l.runs)));
+  if (words == listed && list.size() > 1) {
+    return {{.number = 0, .runs = label_runs(fmt::format("1 to {}: see the plot above", list.back().number))}};
+  }
+  listed = std::move(words);
+  return list;
+}
+
 bool has_values(const Plot& plot) {
   for (const Curve& c : plot.curves) {
     for (std::size_t i = 0; i < count(c); ++i) {
@@ -369,6 +381,11 @@ bool has_values(const Plot& plot) {
 }  // namespace
 
 std::string plot_svg(const Plot& plot, const Display& display) {
+  std::vector<std::string> nothing;
+  return plot_svg(plot, display, nothing);
+}
+
+std::string plot_svg(const Plot& plot, const Display& display, std::vector<std::string>& listed) {
   if (!has_values(plot)) return "<p class=\"empty\">No values to plot.</p>";
   Scene s{.plot = plot,
           .x_unit = shown_unit(plot.x.unit, display),
@@ -403,8 +420,8 @@ std::string plot_svg(const Plot& plot, const Display& display) {
   body += draw_limits(s, limits) + draw_marks(s, lane);
   Box box{.left = 0, .top = 0, .right = paper_width, .bottom = s.axes.bottom + 46};
   Box list;
-  body += list_svg(lane.list, {.x = s.axes.left - 20, .y = box.bottom + 2}, paper_width - s.axes.left + 20, font_size,
-                   list);
+  body += list_svg(list_below(lane.list, listed), {.x = s.axes.left - 20, .y = box.bottom + 2},
+                   paper_width - s.axes.left + 20, font_size, list);
   box.add(list);
   if (!list.empty()) box.bottom += 4;
   return svg_element(box.height() > figure_height ? "plot tall" : "plot", plot.title, box, body);

@@ -1,5 +1,6 @@
 #pragma once
 #include <string>
+#include <vector>
 
 #include "taut/calc/figure.hpp"
 #include "taut/report/text/quantity.hpp"
@@ -12,5 +13,9 @@ namespace taut::report {
 /// A limit far outside the curves' range is named in the legend instead of flattening the curves. No value at all: says
 /// so.
 std::string plot_svg(const Plot& plot, const Display& display);
+
+/// The same below other plots of a page. `listed`: the list of the last plot that has one; becomes this plot's. Where
+/// both are the same, one line refers to the plot above instead.
+std::string plot_svg(const Plot& plot, const Display& display, std::vector<std::string>& listed);
 
 }  // namespace taut::report

@@ -125,4 +125,30 @@ TEST(SvgPlot, EscapesLabels) {
   EXPECT_EQ(text.find("gone"), std::string::npos);
 }
 
+TEST(SvgPlot, TheSameEventsAreListedOnce) {
+  const auto plot = [](const std::string& last) {
+    std::vector<Mark> marks;
+    for (const std::string& words : {std::string("the skyline breaks at the first jack"),
+                                     std::string("the mainline goes slack between jack and yarder"), last}) {
+      marks.push_back({.x = 1 + 0.05 * static_cast<double>(marks.size()), .label = words, .upright = true});
+    }
+    return Plot{.name = "p",
+                .title = "",
+                .caption = "",
+                .x = {.label = "time", .unit = si::s},
+                .y = {.label = "force", .unit = si::N},
+                .curves = {{.label = "T", .x = {0, 5}, .y = {0, 50e3}}},
+                .marks = std::move(marks)};
+  };
+  std::vector<std::string> listed;
+  const std::string first = plot_svg(plot("the carriage stops at the yarder"), Display{}, listed);
+  const std::string second = plot_svg(plot("the carriage stops at the yarder"), Display{}, listed);
+  const std::string other = plot_svg(plot("the haulback goes slack at the tail spar"), Display{}, listed);
+  EXPECT_NE(first.find("the skyline breaks"), std::string::npos);
+  EXPECT_EQ(second.find("the skyline breaks"), std::string::npos);
+  EXPECT_NE(second.find("1 to 3: see the plot above"), std::string::npos);
+  EXPECT_NE(other.find("the haulback goes slack"), std::string::npos);
+  EXPECT_EQ(other.find("see the plot above"), std::string::npos);
+}
+
 }  // namespace svg_plot_test

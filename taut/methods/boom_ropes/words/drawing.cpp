@@ -56,12 +56,10 @@ void add_sections(Drawing& d, const Frame& turn, const Stations& p) {
   d.shapes.emplace_back(box(turn, p.rear_3, p.head_3, p.height_3, Role::structure));
 }
 
+/// The boom in one position, with its weights.
 Drawing boom(const Input& in, const Sliding& q, const SlidingPoint& g) {
   Drawing d;
   d.name = "boom";
-  d.title = "The boom where the cylinder force is largest";
-  d.caption = fmt::format("Luffing angle {:.4g} deg, boom {:.4g} m; forces on section 3 and on the cylinder.",
-                          g.luffing_angle / degree, g.boom_length);
   const Frame turn{g.luffing_angle};
   const Stations p = stations(q, g.boom_length);
   add_sections(d, turn, p);
@@ -77,7 +75,6 @@ Drawing boom(const Input& in, const Sliding& q, const SlidingPoint& g) {
   const Point center = turn(p.rear_3 + q.center_3, 0);
   d.shapes.emplace_back(
       ForceArrow{.at = center, .fx = 0, .fy = -in.section_weight, .label = "G_3", .role = Role::force});
-  d.shapes.emplace_back(turn.force(turn(p.rear_2, q.offset_cylinder), g.Fh, 0, "F_h", Role::second_force, true));
   d.shapes.emplace_back(AngleMark{
       .center = {.x = 0, .y = 0}, .radius = 0.3 * g.boom_length, .from = 0, .to = g.luffing_angle, .text = "beta"});
   d.shapes.emplace_back(Polyline{.points = {{.x = -0.05 * g.boom_length, .y = 0}, {.x = 0.5 * g.boom_length, .y = 0}},
@@ -86,6 +83,20 @@ Drawing boom(const Input& in, const Sliding& q, const SlidingPoint& g) {
                                       .to = turn(p.head_3, 0),
                                       .offset = 2 * p.height_1,
                                       .text = fmt::format("L_b = {:.4g} m", g.boom_length)});
+  return d;
+}
+
+std::string position_words(const SlidingPoint& g) {
+  return fmt::format("Luffing angle {:.4g} deg, boom {:.4g} m", g.luffing_angle / degree, g.boom_length);
+}
+
+Drawing loaded_boom(const Input& in, const Sliding& q, const SlidingPoint& g) {
+  Drawing d = boom(in, q, g);
+  d.title = "The boom where the cylinder force is largest";
+  d.caption = position_words(g) + "; forces on section 3 and on the cylinder.";
+  const Frame turn{g.luffing_angle};
+  d.shapes.emplace_back(
+      turn.force(turn(stations(q, g.boom_length).rear_2, q.offset_cylinder), g.Fh, 0, "F_h", Role::second_force, true));
   return d;
 }
 
@@ -270,7 +281,7 @@ std::vector<Figure> figures(const Input& in, const Output& out) {
   if (in.sliding && std::isfinite(out.Fh)) {
     const Sliding& q = *in.sliding;
     const SlidingPoint& g = out.grid[out.governing_point];
-    all.emplace_back(boom(in, q, g));
+    all.emplace_back(loaded_boom(in, q, g));
     all.emplace_back(ropes(q, g));
     all.emplace_back(balance("balance", "Forces along section 3 while sliding", sliding_parts(in, q, g)));
     all.emplace_back(over_length(q, out, "cylinder_force", "Cylinder force against boom length", &SlidingPoint::Fh));
@@ -287,6 +298,21 @@ std::vector<Figure> figures(const Input& in, const Output& out) {
   }
   if (in.tensioning_steps > 0) all.emplace_back(tensioning_plot(in, out));
   return all;
+}
+
+Drawing boom_without_answer(const Input& in) {
+  const Sliding q = in.sliding.value_or(Sliding{});
+  const auto first = [](const std::vector<double>& all, double otherwise) {
+    return all.empty() ? otherwise : all.front();
+  };
+  SlidingPoint g;
+  g.boom_length = first(q.boom_length, q.retracted_length);
+  g.luffing_angle = first(q.luffing_angle, 0);
+  g.suspended_weight = first(q.suspended_weight, 0);
+  Drawing d = boom(in, q, g);
+  d.title = "Boom as described; no answer was found";
+  d.caption = position_words(g) + ", the first of the deck. This is not an answer: only the weights are known.";
+  return d;
 }
 
 }  // namespace taut::boom_ropes

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 #include "taut/math/degree.hpp"
@@ -97,16 +98,21 @@ void add_ground(Drawing& d, const View& v, const Frame& k) {
   d.shapes.emplace_back(Polyline{.points = {k.A_l, k.B_l}, .role = Role::axis});
 }
 
-void add_forces(Drawing& d, const View& v, const Frame& k, const Output& o) {
-  const auto pull = [&](Point at, double H, double slope, int side, const char* label, Role role) {
-    d.shapes.emplace_back(
-        ForceArrow{.at = at, .fx = side * H, .fy = side * H * slope, .label = label, .role = role, .towards = false});
-  };
+/// What the deck puts on the carriage.
+void add_loads(Drawing& d, const View& v, const Frame& k) {
   d.shapes.emplace_back(
       ForceArrow{.at = k.L2, .fx = v.S_x, .fy = -v.S_y, .label = "S", .role = Role::force, .towards = false});
   if (v.W_c > 0)
     d.shapes.emplace_back(
         ForceArrow{.at = k.L1, .fx = 0, .fy = -v.W_c, .label = "W_c", .role = Role::second_force, .towards = false});
+}
+
+void add_forces(Drawing& d, const View& v, const Frame& k, const Output& o) {
+  const auto pull = [&](Point at, double H, double slope, int side, const char* label, Role role) {
+    d.shapes.emplace_back(
+        ForceArrow{.at = at, .fx = side * H, .fy = side * H * slope, .label = label, .role = role, .towards = false});
+  };
+  add_loads(d, v, k);
   d.shapes.emplace_back(ForceArrow{.at = k.U,
                                    .fx = o.P_v * std::tan(o.phi),
                                    .fy = -o.P_v,
@@ -142,17 +148,24 @@ void add_measures(Drawing& d, const View& v, const Frame& k, double stretch, con
 
 }  // namespace
 
-Drawing loop_drawing(const Input& in, const Output& out) {
-  const View v = view_of(in, out);
-  Drawing d;
+namespace {
+
+/// Whether the deck gives the distance of the branches; else they are drawn apart.
+bool gives_distance(const Input& in) { return in.branch_distance > 0; }
+
+const char* distance_words(const Input& in) {
+  return gives_distance(in) ? "" : " The branches are drawn apart to distinguish them.";
+}
+
+/// Ground, ropes, carriage and tail sheave. A rope without weight, or with an infinite H, is straight.
+Frame draw_loop(const Input& in, const View& v, const Output& out, Drawing& d) {
   d.name = "loop";
-  d.title = "The loop in its span";
   d.vertical_scale = stretch_of(v);
   d.legend = {{Role::rope, "return rope"}, {Role::second_rope, "traction rope"}};
-  const bool reported = in.branch_distance > 0;
-  const double c = reported ? in.branch_distance : 0.03 * v.l / d.vertical_scale;
+  const bool given = gives_distance(in);
+  const double c = given ? in.branch_distance : 0.03 * v.l / d.vertical_scale;
   const double alpha = std::atan(v.m);
-  const bool normal = in.branch_offset == BranchOffset::normal && reported;
+  const bool normal = in.branch_offset == BranchOffset::normal && given;
   const Frame k = frame_of(v, normal ? c * std::cos(alpha) : c, normal ? c * std::sin(alpha) : 0);
   add_ground(d, v, k);
   add_rope(d, k.A_u, k.U, v.w_b, out.H_3, Role::rope);
@@ -169,12 +182,45 @@ Drawing loop_drawing(const Input& in, const Output& out) {
         Circle{.center = k.L2, .radius = size, .role = Role::body, .from = 0, .to = 0, .filled = true});
   d.shapes.emplace_back(Circle{
       .center = {.x = 0.5 * (k.B_l.x + k.B_u.x), .y = 0.5 * (k.B_l.y + k.B_u.y)}, .radius = c / 2, .role = Role::body});
+  return k;
+}
+
+}  // namespace
+
+Drawing loop_drawing(const Input& in, const Output& out) {
+  const View v = view_of(in, out);
+  Drawing d;
+  d.title = "The loop in its span";
+  const Frame k = draw_loop(in, v, out, d);
   add_forces(d, v, k, out);
   add_measures(d, v, k, d.vertical_scale, out);
   d.caption = fmt::format(
       "Return rope (upper branch and back to the carriage) and traction rope (carriage to A) as parabolas of the "
       "closed-form tier.{}",
-      reported ? "" : " The branches are drawn apart to distinguish them.");
+      distance_words(in));
+  return d;
+}
+
+Drawing loop_without_answer(const Input& in) {
+  constexpr double drawn_sag = 0.05;  // of the span, where the deck gives none
+  Output at;
+  at.x = at.x_1 = at.x_2 = in.position.empty() ? in.span / 2 : in.position.front();
+  at.f = at.f_1 = at.f_2 = in.sag.value_or(drawn_sag * in.span);
+  if (in.carriage == Carriage::two_section) {
+    const double distance = in.section_distance.value_or(0);
+    (in.position_of == Section::first ? at.x_2 : at.x_1) += in.position_of == Section::first ? distance : -distance;
+  }
+  at.H_1 = at.H_2 = at.H_3 = at.H_4 = std::numeric_limits<double>::infinity();
+  at.q_b = at.q_T = 0;
+  const View v = view_of(in, at);
+  Drawing d;
+  d.title = "Loop as described; no answer was found";
+  const Frame k = draw_loop(in, v, at, d);
+  add_loads(d, v, k);
+  add_measures(d, v, k, d.vertical_scale, at);
+  d.caption =
+      fmt::format("This is not an answer: no tension is known, and the ropes are drawn straight.{}{}",
+                  in.sag ? "" : " The deck gives no sag: f is a twentieth of the span here.", distance_words(in));
   return d;
 }
 

@@ -43,12 +43,15 @@ void add_rope(std::vector<Shape>& shapes, double block, double radius, double le
                .filled = false});
 }
 
-void add_clamp(std::vector<Shape>& shapes, double width, double height, const Output& out) {
+void add_ground(std::vector<Shape>& shapes, double width, double height) {
   shapes.emplace_back(Polyline{.points = {{.x = -0.35 * height, .y = 0}, {.x = 0.9 * height, .y = 0}},
                                .role = Role::ground,
                                .closed = false,
                                .filled = false});
   shapes.emplace_back(box(-2 * width, -0.04 * height, 2 * width, 0, Role::ground));
+}
+
+void add_clamp(std::vector<Shape>& shapes, double width, double height, const Output& out) {
   shapes.emplace_back(ForceArrow{.at = {.x = 0, .y = -0.04 * height},
                                  .fx = 0,
                                  .fy = out.N,
@@ -97,14 +100,61 @@ void add_forces(std::vector<Shape>& shapes, const Input& in, const Output& out) 
   arrow(main, out.R_main, out.gamma_main, "R_main");
 }
 
+/// What the drawing hangs on, m.
+struct Frame {
+  double sky = 0;          ///< height of the skyline's block
+  double main = 0;         ///< of the mainline's block
+  double width = 0;        ///< of the mast
+  double radius = 0;       ///< of the skyline's block
+  double main_radius = 0;  ///< smaller where both blocks stand at one height
+
+  double height() const { return std::max(sky, main); }
+};
+
+Frame frame_of(const Input& in, double tube) {
+  Frame k{.sky = in.skyline_block_height, .main = mainline_height(in)};
+  k.width = std::clamp(tube, 0.005 * k.height(), 0.12 * k.height());
+  k.radius = 0.03 * k.height() + k.width / 2;
+  k.main_radius = std::abs(k.sky - k.main) < 0.02 * k.sky ? 0.7 * k.radius : k.radius;
+  return k;
+}
+
+void add_ropes(std::vector<Shape>& shapes, const Frame& k, double alpha) {
+  add_rope(shapes, k.main, k.main_radius, drawn_length(k.height(), k.main, alpha), alpha, Role::second_rope);
+  add_rope(shapes, k.sky, k.radius, drawn_length(k.height(), k.sky, alpha), alpha, Role::rope);
+}
+
+void add_heights(std::vector<Shape>& shapes, const Frame& k) {
+  const auto measure = [&](double at, double top, const char* text) {
+    shapes.emplace_back(DimensionLine{.from = {.x = -at * k.height(), .y = 0},
+                                      .to = {.x = -at * k.height(), .y = top},
+                                      .offset = 0,
+                                      .text = text,
+                                      .with_length = true});
+  };
+  measure(0.2, k.sky, "h_sky");
+  if (k.sky != k.main) measure(0.3, k.main, "h_main");
+}
+
+/// The span side's angle below the horizontal at the skyline's block.
+void add_branch_angle(std::vector<Shape>& shapes, const Frame& k, double alpha) {
+  shapes.emplace_back(Polyline{.points = {{.x = 0, .y = k.sky}, {.x = 0.5 * k.height(), .y = k.sky}},
+                               .role = Role::axis,
+                               .closed = false,
+                               .filled = false});
+  shapes.emplace_back(AngleMark{.center = {.x = 0, .y = k.sky},
+                                .radius = 0.42 * k.height(),
+                                .from = std::min(0.0, -alpha),
+                                .to = std::max(0.0, -alpha),
+                                .text = "alpha"});
+}
+
 }  // namespace
 
 double mainline_height(const Input& in) { return in.mainline_block_height.value_or(in.skyline_block_height); }
 
 Drawing mast_drawing(const Input& in, const Output& out) {
-  const double sky = in.skyline_block_height, main = mainline_height(in), height = std::max(sky, main);
-  const double width = std::clamp(out.D_tube, 0.005 * height, 0.12 * height);
-  const double radius = 0.03 * height + width / 2;
+  const Frame k = frame_of(in, out.D_tube);
   Drawing d{.name = "mast",
             .title = "Mast, ropes and forces",
             .caption =
@@ -118,34 +168,43 @@ Drawing mast_drawing(const Input& in, const Output& out) {
                        {Role::second_rope, "mainline"},
                        {Role::force, "rope force"},
                        {Role::second_force, "resultant, reaction"}}};
-  d.shapes.emplace_back(box(-width / 2, 0, width / 2, height, Role::structure));
-  add_clamp(d.shapes, width, height, out);
-  add_rope(d.shapes, main, std::abs(sky - main) < 0.02 * sky ? 0.7 * radius : radius,
-           drawn_length(height, main, out.alpha), out.alpha, Role::second_rope);
-  add_rope(d.shapes, sky, radius, drawn_length(height, sky, out.alpha), out.alpha, Role::rope);
+  d.shapes.emplace_back(box(-k.width / 2, 0, k.width / 2, k.height(), Role::structure));
+  add_ground(d.shapes, k.width, k.height());
+  add_clamp(d.shapes, k.width, k.height(), out);
+  add_ropes(d.shapes, k, out.alpha);
   add_forces(d.shapes, in, out);
-  d.shapes.emplace_back(Polyline{.points = {{.x = 0, .y = sky}, {.x = 0.5 * height, .y = sky}},
-                                 .role = Role::axis,
-                                 .closed = false,
-                                 .filled = false});
-  d.shapes.emplace_back(AngleMark{.center = {.x = 0, .y = sky},
-                                  .radius = 0.42 * height,
-                                  .from = std::min(0.0, -out.alpha),
-                                  .to = std::max(0.0, -out.alpha),
-                                  .text = "alpha"});
+  add_branch_angle(d.shapes, k, out.alpha);
   d.shapes.emplace_back(AngleMark{
-      .center = {.x = 0, .y = sky}, .radius = 0.2 * height, .from = -out.gamma_sky, .to = 0, .text = "gamma"});
-  d.shapes.emplace_back(DimensionLine{.from = {.x = -0.2 * height, .y = 0},
-                                      .to = {.x = -0.2 * height, .y = sky},
-                                      .offset = 0,
-                                      .text = "h_sky",
-                                      .with_length = true});
-  if (sky != main)
-    d.shapes.emplace_back(DimensionLine{.from = {.x = -0.3 * height, .y = 0},
-                                        .to = {.x = -0.3 * height, .y = main},
-                                        .offset = 0,
-                                        .text = "h_main",
-                                        .with_length = true});
+      .center = {.x = 0, .y = k.sky}, .radius = 0.2 * k.height(), .from = -out.gamma_sky, .to = 0, .text = "gamma"});
+  add_heights(d.shapes, k);
+  return d;
+}
+
+Drawing mast_without_answer(const Input& in, const Output& out) {
+  const bool known = std::isfinite(out.alpha);
+  const double alpha = known ? out.alpha : 0;
+  const Frame k = frame_of(in, 0.03 * in.skyline_block_height);
+  Drawing d{.name = "mast",
+            .title = "Mast as described; no answer was found",
+            .caption = std::string("This is not an answer: the width of the mast is not known. Forces of the ropes "
+                                   "at their drums.") +
+                       (known ? "" : " The branch angle is not known: the ropes are drawn level."),
+            .shapes = {},
+            .unit = si::m,
+            .vertical_scale = 1,
+            .legend = {{Role::rope, "skyline"}, {Role::second_rope, "mainline"}, {Role::force, "rope force"}}};
+  d.shapes.emplace_back(box(-k.width / 2, 0, k.width / 2, k.height(), Role::structure));
+  add_ground(d.shapes, k.width, k.height());
+  add_ropes(d.shapes, k, alpha);
+  const auto pull = [&](double x, double y, double T, const char* label) {
+    if (T > 0)
+      d.shapes.emplace_back(ForceArrow{
+          .at = {.x = -x, .y = y}, .fx = 0, .fy = -T, .label = label, .role = Role::force, .towards = false});
+  };
+  pull(k.radius, 0.6 * k.sky, in.skyline_force, "T_sky");
+  pull(k.main_radius, 0.4 * k.main, in.mainline_force, "T_main");
+  if (known) add_branch_angle(d.shapes, k, alpha);
+  add_heights(d.shapes, k);
   return d;
 }
 
