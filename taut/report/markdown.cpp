@@ -109,6 +109,7 @@ std::string values(const std::vector<const Value*>& all, const Result& r) {
 /// Of all checks, or of the worst of each part.
 std::string checks(const std::vector<const Check*>& all, const Display& display) {
   std::vector<Row> rows;
+  rows.reserve(all.size());
   for (const Check* c : all) {
     rows.push_back({safe(c->name), safe(value_text(*c, display)), limit_text(*c, display),
                     utilisation_text(c->utilisation), fmt::format("**{}**", outcome_text(*c)), safe(c->rule),
@@ -119,6 +120,7 @@ std::string checks(const std::vector<const Check*>& all, const Display& display)
 
 std::string all_checks(const Result& r) {
   std::vector<const Check*> all;
+  all.reserve(r.checks.size());
   for (const Check& c : r.checks) all.push_back(&c);
   return checks(all, display_of(r));
 }

@@ -50,6 +50,7 @@ std::string pictures_html(const std::vector<const Figure*>& figures, const Resul
 
 std::vector<const Figure*> figures_in_order(const Result& r) {
   std::vector<const Figure*> all;
+  all.reserve(r.figures.size());
   for (const Figure& f : r.figures) all.push_back(&f);
   std::stable_sort(all.begin(), all.end(),
                    [](const Figure* a, const Figure* b) { return order_of(*a) < order_of(*b); });

@@ -77,7 +77,7 @@ std::string head(const Result& r, const TerminalOptions& o) {
   const int lines_each = answers.size() <= few_answers ? 2 : 1;
   for (const Answer& a : answers) {
     const std::string label = clean(a.label);
-    const auto gap = static_cast<std::size_t>(widest - length(label) + 2);
+    const auto gap = static_cast<std::size_t>(widest) + 2 - static_cast<std::size_t>(length(label));
     const int room = lines_each * (o.width - widest - 2) - 12 * (lines_each - 1);  // words are not cut at a line's end
     out += hanging(label + std::string(gap, ' '), o.all ? a.text : shortened(clean(a.text), room), o.width);
   }

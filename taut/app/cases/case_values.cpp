@@ -34,6 +34,7 @@ std::optional<FoundValue> find(const Result& r, const WantedValue& wanted) {
 
 std::vector<std::string> names_in(const Result& r) {
   std::vector<std::string> names;
+  names.reserve(r.values.size() + r.checks.size());
   for (const Value& v : r.values) names.push_back(v.name);
   for (const Check& c : r.checks) names.push_back(c.name);
   return names;

@@ -113,6 +113,7 @@ void sort_outputs(const std::vector<CaseName>& outputs, MachineModel& model, NoC
   // of a design only its outcome: without a choice the machine has no state
   const auto analyses = model.deck.design ? std::vector<NamedAnalysis>{} : named_analyses(model.deck.analyses);
   std::vector<std::string> known;
+  known.reserve(analyses.size() + 2);
   for (const NamedAnalysis& one : analyses) known.push_back(one.label);
   if (model.deck.checks && !model.deck.design) known.emplace_back("checks");
   if (model.deck.design) known.emplace_back("design");

@@ -21,33 +21,44 @@ LabelGrid::LabelGrid(const std::vector<Obstacle>& lines, const Box& area)
   columns_ = 1 + static_cast<int>(area_.width() / size_);
   rows_ = 1 + static_cast<int>(area_.height() / size_);
   cells_.resize(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_));
-  for (std::size_t i = 0; i < lines.size(); ++i) {
-    const Obstacle& o = lines[i];
-    Box box;
-    box.add(o.a);
-    box.add(o.b);
-    const Range r = range_of(box);
-    for (int row = r.top; row <= r.bottom; ++row) {
-      for (int column = r.left; column <= r.right; ++column) {
-        const Box cell{.left = column == 0 ? -HUGE_VAL : area_.left + column * size_,
-                       .top = row == 0 ? -HUGE_VAL : area_.top + row * size_,
-                       .right = column + 1 == columns_ ? HUGE_VAL : area_.left + (column + 1) * size_,
-                       .bottom = row + 1 == rows_ ? HUGE_VAL : area_.top + (row + 1) * size_};
-        const bool small = r.left == r.right || r.top == r.bottom;
-        if (small || length_inside(cell.grown(1), o.a, o.b) > 0) {
-          cells_[static_cast<std::size_t>(row * columns_ + column)].lines.push_back(static_cast<int>(i));
-        }
+  for (std::size_t i = 0; i < lines.size(); ++i) put_line(static_cast<int>(i), lines[i]);
+}
+
+void LabelGrid::put_line(int id, const Obstacle& line) {
+  Box box;
+  box.add(line.a);
+  box.add(line.b);
+  const Range r = range_of(box);
+  const bool small = r.left == r.right || r.top == r.bottom;
+  for (int row = r.top; row <= r.bottom; ++row) {
+    for (int column = r.left; column <= r.right; ++column) {
+      if (small || length_inside(cell_box(row, column).grown(1), line.a, line.b) > 0) {
+        cells_[place_of(row, column)].lines.push_back(id);
       }
     }
   }
+}
+
+std::size_t LabelGrid::place_of(int row, int column) const {
+  return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(column);
+}
+
+/// The cells of the edge reach as far as any line.
+Box LabelGrid::cell_box(int row, int column) const {
+  return {.left = column == 0 ? -HUGE_VAL : area_.left + column * size_,
+          .top = row == 0 ? -HUGE_VAL : area_.top + row * size_,
+          .right = column + 1 == columns_ ? HUGE_VAL : area_.left + (column + 1) * size_,
+          .bottom = row + 1 == rows_ ? HUGE_VAL : area_.top + (row + 1) * size_};
 }
 
 LabelGrid::Range LabelGrid::range_of(const Box& box) const {
   const auto index = [&](double at, double start, int count) {
     return static_cast<int>(std::clamp(std::floor((at - start) / size_), 0.0, count - 1.0));
   };
-  return {index(box.left, area_.left, columns_), index(box.top, area_.top, rows_),
-          index(box.right, area_.left, columns_), index(box.bottom, area_.top, rows_)};
+  return {.left = index(box.left, area_.left, columns_),
+          .top = index(box.top, area_.top, rows_),
+          .right = index(box.right, area_.left, columns_),
+          .bottom = index(box.bottom, area_.top, rows_)};
 }
 
 template <class See>
@@ -55,7 +66,7 @@ void LabelGrid::each_cell(const Box& box, See&& see) const {
   const Range r = range_of(box);
   for (int row = r.top; row <= r.bottom; ++row) {
     for (int column = r.left; column <= r.right; ++column) {
-      if (!see(cells_[static_cast<std::size_t>(row * columns_ + column)])) return;
+      if (!see(cells_[place_of(row, column)])) return;
     }
   }
 }
@@ -66,7 +77,7 @@ void LabelGrid::put(int id, const Box& box) {
   const Range r = range_of(box);
   for (int row = r.top; row <= r.bottom; ++row) {
     for (int column = r.left; column <= r.right; ++column) {
-      cells_[static_cast<std::size_t>(row * columns_ + column)].boxes.push_back(id);
+      cells_[place_of(row, column)].boxes.push_back(id);
     }
   }
 }
@@ -75,7 +86,7 @@ void LabelGrid::remove(int id, const Box& box) {
   const Range r = range_of(box);
   for (int row = r.top; row <= r.bottom; ++row) {
     for (int column = r.left; column <= r.right; ++column) {
-      std::erase(cells_[static_cast<std::size_t>(row * columns_ + column)].boxes, id);
+      std::erase(cells_[place_of(row, column)].boxes, id);
     }
   }
 }

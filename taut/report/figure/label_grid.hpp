@@ -33,6 +33,9 @@ class LabelGrid {
     std::vector<int> boxes;
   };
   Range range_of(const Box& box) const;
+  std::size_t place_of(int row, int column) const;
+  Box cell_box(int row, int column) const;
+  void put_line(int id, const Obstacle& line);
   template <class See>
   void each_cell(const Box& box, See&& see) const;
 

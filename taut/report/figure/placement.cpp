@@ -328,8 +328,9 @@ std::string list_svg(const std::vector<Listed>& list, Pixel left_top, double wid
   const std::size_t rows = (lines.size() + columns - 1) / columns;
   std::string out;
   for (std::size_t i = 0; i < lines.size(); ++i) {
-    const Pixel at{.x = left_top.x + static_cast<double>(i / rows) * column,
-                   .y = left_top.y + static_cast<double>(i % rows) * row};
+    const std::size_t of_column = i / rows, of_row = i % rows;
+    const Pixel at{.x = left_top.x + static_cast<double>(of_column) * column,
+                   .y = left_top.y + static_cast<double>(of_row) * row};
     const double base = at.y + ascent(font_size);
     if (lines[i].number > 0) {
       out += fmt::format("<text class=\"number\" x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"end\">{}</text>",

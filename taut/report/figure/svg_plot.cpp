@@ -361,6 +361,7 @@ std::string draw_limits(const Scene& s, const std::vector<LimitWords>& limits) {
 std::vector<Listed> list_below(const std::vector<Listed>& list, std::vector<std::string>& listed) {
   if (list.empty()) return list;
   std::vector<std::string> words;
+  words.reserve(list.size());
   for (const Listed& l : list) words.push_back(fmt::format("{} {}", l.number, to_svg(l.runs)));
   if (words == listed && list.size() > 1) {
     return {{.number = 0, .runs = label_runs(fmt::format("1 to {}: see the plot above", list.back().number))}};

@@ -202,6 +202,7 @@ void add_residuals(const Calibrating& c, const chance::Calibration& found, Resul
 void add_fit(const Calibrating& c, const chance::Calibration& found, Result& r) {
   for (const chance::Inseparable& one : found.inseparable) {
     std::vector<std::string> names;
+    names.reserve(one.parameters.size());
     for (const std::size_t i : one.parameters) names.push_back(c.model.inputs[i].path);
     warn_unsafe(r, fmt::format("the measurements can't tell these apart: {} (correlation {:.4g})",
                                fmt::join(names, ", "), one.correlation));

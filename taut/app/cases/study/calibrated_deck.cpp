@@ -98,6 +98,7 @@ void add_study(const CaseModel& model, const std::vector<chance::FreeParameter>&
   }
   if (study.kind != io::Node::Kind::map || study.find("of") != nullptr) return;
   std::vector<io::Node> outputs;
+  outputs.reserve(model.outputs.size());
   for (const CaseOutput& one : model.outputs) outputs.push_back(text_node(one.name));
   at(study, "of") = list_node(std::move(outputs));
 }

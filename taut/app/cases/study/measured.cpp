@@ -29,8 +29,9 @@ std::vector<std::string> paths_in(const std::string& text) {
 }
 
 catalogue::CsvReader reader_of(const MeasuredTable& table) {
-  std::vector<catalogue::CsvColumn> columns = {{"output"}, {"value"}, {"sd", false}};
-  for (const std::string& path : table.paths) columns.push_back({path});
+  std::vector<catalogue::CsvColumn> columns = {
+      {.name = "output"}, {.name = "value"}, {.name = "sd", .required = false}};
+  for (const std::string& path : table.paths) columns.push_back({.name = path});
   return {table.text, table.file, std::move(columns)};
 }
 
@@ -79,6 +80,7 @@ Measurements in_si(const MeasuredTable& table, const CaseModel& model, std::size
       csv.fail("value", "measurements of different kinds need an sd each: nothing else tells how they weigh");
     }
     std::vector<double> state;
+    state.reserve(table.paths.size());
     for (std::size_t k = 0; k < table.paths.size(); ++k) {
       state.push_back(number(table.paths[k], model.inputs[first_setting + k].unit));
     }

@@ -44,29 +44,34 @@ void lay_out(Study& s) {
   s.bars.count = s.tornado.size();
 }
 
-/// What contradicts itself in the block.
-void check_together(const Study& s, std::vector<Complaint>& complaints) {
-  const bool grid = s.request.points == StudyPoints::grid;
+/// What a grid can't have.
+void check_grid(const Study& s, std::vector<Complaint>& complaints) {
   double cases = 1;
   for (std::size_t i = 0; i < s.inputs.of.size(); ++i) {
     const auto* list = std::get_if<chance::Listed>(&s.inputs.of[i].law);
-    if (list != nullptr) cases *= static_cast<double>(list->values.size());
-    if (!grid) continue;
-    if (list == nullptr) {
+    if (list != nullptr) {
+      cases *= static_cast<double>(list->values.size());
+    } else {
       complaints.push_back({"study.vary." + s.request.vary[i].name,
                             "a grid is made of lists and steps ('list', or 'from', 'to' and 'steps'); it has a law"});
     }
   }
   for (const StudyLimit& limit : s.limits) {
-    if (!grid || !limit.allowed) continue;
+    if (!limit.allowed) continue;
     complaints.push_back({"study.limit." + s.model.outputs[limit.output].name,
                           "a grid has no probability: leave 'allowed' away, and every case has to keep the limit"});
   }
   constexpr double most_cases = 1e8;
-  if (grid && cases > most_cases) {
+  if (cases > most_cases) {
     complaints.push_back(
         {"study.points", fmt::format("the grid has {:.3g} cases; {:.0e} is the most", cases, most_cases)});
   }
+}
+
+/// What contradicts itself in the block.
+void check_together(const Study& s, std::vector<Complaint>& complaints) {
+  const bool grid = s.request.points == StudyPoints::grid;
+  if (grid) check_grid(s, complaints);
   for (const char* answer : {"indices", "tornado", "form", "sorm", "importance"}) {
     if (!s.asks(answer)) continue;
     if (grid) complaints.push_back({"study.answer", fmt::format("'{}' asks for chance; a grid has none", answer)});

@@ -31,7 +31,8 @@ struct LimitAnswer {
     const chance::Weighted& w = importance->counted;
     const double q = chance::normal_score((1 + confidence) / 2);
     return {.value = w.value,
-            .interval = {std::max(0.0, w.value - q * w.standard_error), std::min(1.0, w.value + q * w.standard_error)}};
+            .interval = {.low = std::max(0.0, w.value - q * w.standard_error),
+                         .high = std::min(1.0, w.value + q * w.standard_error)}};
   }
 };
 

@@ -207,6 +207,7 @@ void add_grid_curves(const Study& study, const StudyData& data, Result& r) {
   if (study.model.inputs.size() != 1) return;
   const std::size_t outputs = study.model.outputs.size();
   std::vector<double> x;
+  x.reserve(study.size());
   for (std::uint64_t i = 0; i < study.size(); ++i) x.push_back(study.values_at(i)[0]);
   for (std::size_t k = 0; k < outputs; ++k) {
     const CaseOutput& output = study.model.outputs[k];

@@ -178,6 +178,7 @@ std::vector<bool> StudyFolder::done() const {
     there.insert(entry.path().string());
   }
   std::vector<bool> all;
+  all.reserve(parts_.count());
   for (std::uint64_t part = 0; part < parts_.count(); ++part) all.push_back(there.contains(path_of(part)));
   return all;
 }

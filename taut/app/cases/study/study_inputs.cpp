@@ -137,6 +137,7 @@ class LawReader {
 chance::Correlation study_correlation(const StudyRequest& request, const chance::Inputs& inputs,
                                       std::vector<Complaint>& complaints) {
   std::vector<std::string> names;
+  names.reserve(request.vary.size());
   for (const VaryRequest& one : request.vary) names.push_back(one.name);
   std::vector<chance::CorrelatedPair> pairs;
   for (std::size_t i = 0; i < request.correlate.size(); ++i) {
@@ -187,6 +188,7 @@ std::vector<StudyLimit> study_limits(const StudyRequest& request, const std::vec
                                      std::vector<Complaint>& complaints) {
   std::vector<StudyLimit> limits;
   std::vector<std::string> names;
+  names.reserve(outputs.size());
   for (const CaseOutput& one : outputs) names.push_back(one.name);
   for (const LimitRequest& one : request.limit) {
     const std::string path = "study.limit." + one.name;

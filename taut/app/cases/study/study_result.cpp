@@ -112,8 +112,9 @@ void add_extremes(const Study& study, const StudyData& data, Summary& summary, R
     };
     t.rows.push_back({output.name, study.display.brief(*least, output.unit), place(least),
                       study.display.brief(*largest, output.unit), place(largest)});
-    summary.add(output.name, "least", output.unit, {.value = *least, .interval = {*least, *least}});
-    summary.add(output.name, "largest", output.unit, {.value = *largest, .interval = {*largest, *largest}});
+    summary.add(output.name, "least", output.unit, {.value = *least, .interval = {.low = *least, .high = *least}});
+    summary.add(output.name, "largest", output.unit,
+                {.value = *largest, .interval = {.low = *largest, .high = *largest}});
     r.values.push_back({output.name + ".least", *least, output.unit, "least", "least value of " + output.name, {}});
     r.values.push_back(
         {output.name + ".largest", *largest, output.unit, "largest", "largest value of " + output.name, {}});
