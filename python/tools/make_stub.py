@@ -1,4 +1,4 @@
-"""Writes the stubs of the package from the descriptions: python3 python/make_stub.py FOLDER.
+"""Writes the stubs of the package from the descriptions: python3 python/tools/make_stub.py FOLDER.
 
 With --check it writes nothing and ends with 1 where a stub in FOLDER is not what it would write.
 """
@@ -8,7 +8,7 @@ from pathlib import Path
 
 from taut import _analyses, _parts, methods
 
-HEAD = '''"""Made from the descriptions by python/make_stub.py; do not edit. `./dev python stub` makes it again."""
+HEAD = '''"""Made from the descriptions by python/tools/make_stub.py; do not edit. `./dev python stub` makes it again."""
 
 '''
 TYPES = """from collections.abc import Mapping, Sequence
