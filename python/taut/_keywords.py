@@ -116,10 +116,11 @@ class Words(NamedTuple):
         extra = {one.name for one in self.extra} | {"self", "name"}
 
         def described(*args: Any, **keywords: Any) -> Any:
+            self._refuse_unknown(signature, keywords)
             try:
                 bound = signature.bind(*args, **keywords)
             except TypeError as error:
-                raise TypeError(f"{self.name}(): {error}{self._hint(signature, keywords)}") from None
+                raise TypeError(f"{self.name}(): {error}") from None
             given = {key: value for key, value in bound.arguments.items() if value is not None}
             fields = {keys[key]: value for key, value in given.items() if key not in extra or key in self._own(keys)}
             return call(fields, {key: value for key, value in given.items() if key in extra and key not in fields})
@@ -134,13 +135,13 @@ class Words(NamedTuple):
         """Keys of the deck that are called like one of ours: the name of an analysis."""
         return {key for key in keys if key == "name" and not self.named}
 
-    @staticmethod
-    def _hint(signature: inspect.Signature, keywords: dict[str, Any]) -> str:
+    def _refuse_unknown(self, signature: inspect.Signature, keywords: dict[str, Any]) -> None:
+        known = [one for one in signature.parameters if one != "self"]
         for key in keywords:
-            if key not in signature.parameters:
-                near = difflib.get_close_matches(key, list(signature.parameters), 1)
-                return f"; did you mean '{near[0]}'?" if near else ""
-        return ""
+            if key not in known:
+                near = difflib.get_close_matches(key, known, 1)
+                hint = f"did you mean '{near[0]}'?" if near else f"there are {', '.join(known)}"
+                raise TypeError(f"{self.name}() has no keyword '{key}'; {hint}")
 
 
 def _stub_argument(field: Field, needed: bool) -> str:

@@ -390,15 +390,15 @@ class Result:
             raise TautError("an unpickled result can't be written as files: run its deck again, or use html(), json()")
         return self._native.write(os.fspath(folder), si, appendix)
 
-    def plot(self, name: str | None = None, ax: Any = None) -> Any:
+    def plot(self, name: str | int | None = None, ax: Any = None) -> Any:
         """Draws a figure of the result with matplotlib and returns the axes.
 
-        name: of a figure, default the one on the first page of the report. ax: axes to draw into. Needs matplotlib;
-        raises KeyError for an unknown name, LookupError for a result without figures.
+        name: name, title or index of a figure; default: the one on the first page of the report. ax: axes to draw into.
+        Needs matplotlib. Raises LookupError for an unknown figure and for a result without figures.
         """
-        from ._plot import draw
+        from ._plot import chosen, draw
 
-        return draw(self.figures, name or str(self.head["key_figure"]), name is not None, ax)
+        return draw(chosen(self.figures, name, str(self.head["key_figure"])), ax)
 
     def __repr__(self) -> str:
         words = self.head["headline"] or self.verdict_reason or self.message
