@@ -25,3 +25,46 @@ foreach(file IN LISTS python_files)
 endforeach()
 add_custom_target(taut_python_files ALL DEPENDS ${python_copies})
 add_dependencies(taut_python taut_python_files)
+
+# ---- what is installed, and its Debian package
+set(PYTHON_INSTALL_FOLDER "lib/python3/dist-packages" CACHE STRING "Where the package `taut` is installed")
+if(SKBUILD)
+  set(PYTHON_INSTALL_FOLDER ".")
+endif()
+install(TARGETS taut_python LIBRARY DESTINATION ${PYTHON_INSTALL_FOLDER}/taut COMPONENT python)
+install(FILES ${python_files} DESTINATION ${PYTHON_INSTALL_FOLDER}/taut COMPONENT python)
+if(NOT SKBUILD)
+  set(python_doc ${CMAKE_INSTALL_DATADIR}/doc/python3-taut)
+  install(DIRECTORY examples/python/ DESTINATION ${python_doc}/examples COMPONENT python)
+  install(FILES docs/guide/python.md DESTINATION ${python_doc} COMPONENT python)
+  # of the program's package, which the install script of package.cmake has made
+  install(FILES ${PROJECT_BINARY_DIR}/pages/copyright ${PROJECT_BINARY_DIR}/pages/changelog.gz
+    ${PROJECT_BINARY_DIR}/pages/changelog.Debian.gz DESTINATION ${python_doc} COMPONENT python)
+  install(DIRECTORY ${PROJECT_BINARY_DIR}/pages/third-party DESTINATION ${python_doc} COMPONENT python)
+  file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/CPackPythonConfig.cmake @ONLY CONTENT [[
+# cpack --config: the same as the program's package, with another name and other files.
+include("@PROJECT_BINARY_DIR@/CPackConfig.cmake")
+set(CPACK_PACKAGE_NAME python3-taut)
+set(CPACK_COMPONENTS_ALL python)
+set(CPACK_PACKAGE_FILE_NAME python3-taut)
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "rope-driven machines in Python: decks, arrays, reports")
+set(CPACK_DEBIAN_PACKAGE_SECTION python)
+set(CPACK_DEBIAN_PACKAGE_DEPENDS "python3 (>= 3.11), python3 (<< 3.12), python3-numpy")
+set(CPACK_DEBIAN_PACKAGE_SUGGESTS "python3-pandas, python3-matplotlib, python3-pint, taut")
+]])
+endif()
+
+# ---- tests: ctest -L python (./dev python)
+if(TAUT_TESTS OR TAUT_PYTHON_TESTS)
+  enable_testing()
+  file(GLOB python_tests CONFIGURE_DEPENDS python/test/*_test.py)
+  foreach(file IN LISTS python_tests)
+    cmake_path(GET file STEM name)
+    add_test(NAME python.${name} COMMAND ${Python3_EXECUTABLE} ${file})
+    set_tests_properties(python.${name} PROPERTIES LABELS python TIMEOUT 3600 ENVIRONMENT
+      "PYTHONPATH=${python_tree};TAUT_SOURCE_DIR=${PROJECT_SOURCE_DIR};TAUT_PROGRAM=${CMAKE_RUNTIME_OUTPUT_DIRECTORY}/taut;TAUT_BUILD_DIR=${PROJECT_BINARY_DIR};MPLBACKEND=Agg")
+  endforeach()
+  add_test(NAME python.stub_is_fresh COMMAND ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/python/tools/make_stub.py
+    --check ${PROJECT_SOURCE_DIR}/python/taut)
+  set_tests_properties(python.stub_is_fresh PROPERTIES LABELS python ENVIRONMENT "PYTHONPATH=${python_tree}")
+endif()

@@ -21,7 +21,7 @@ from ._errors import (
     TautError,
 )
 from ._machine import Machine, anchor, falls, on_drum, over, through
-from ._result import Check, Result, Table, Tables, Value, Values
+from ._result import Check, Floats, Result, Table, Tables, Value, Values
 from ._run import (
     calibrate,
     check,
@@ -45,6 +45,7 @@ __all__ = [
     "Deck",
     "DeckError",
     "FileError",
+    "Floats",
     "Interrupted",
     "Machine",
     "Mistake",
