@@ -35,7 +35,7 @@ install(TARGETS taut_python LIBRARY DESTINATION ${PYTHON_INSTALL_FOLDER}/taut CO
 install(FILES ${python_files} DESTINATION ${PYTHON_INSTALL_FOLDER}/taut COMPONENT python)
 if(NOT SKBUILD)
   set(python_doc ${CMAKE_INSTALL_DATADIR}/doc/python3-taut)
-  install(DIRECTORY examples/python/ DESTINATION ${python_doc}/examples COMPONENT python)
+  install(DIRECTORY examples DESTINATION ${python_doc} COMPONENT python PATTERN cpp EXCLUDE)
   install(FILES docs/guide/python.md DESTINATION ${python_doc} COMPONENT python)
   # of the program's package, which the install script of package.cmake has made
   install(FILES ${PROJECT_BINARY_DIR}/pages/copyright ${PROJECT_BINARY_DIR}/pages/changelog.gz

@@ -23,9 +23,9 @@ class Notebooks(unittest.TestCase):
 
     def test_strict_types(self):
         command = [sys.executable, "-m", "mypy", "--strict", "--config-file", SOURCE / "pyproject.toml",
-                   "--cache-dir", BUILD / "mypy", *(FOLDER / f"{one}.py" for one in TITLES)]
-        for one in TITLES:  # each a program of its own
-            done = subprocess.run([*command[:7], FOLDER / f"{one}.py"], capture_output=True, text=True, check=False,
+                   "--cache-dir", BUILD / "mypy"]
+        for title in TITLES:  # each a program of its own
+            done = subprocess.run([*command, FOLDER / f"{title}.py"], capture_output=True, text=True, check=False,
                                   env={**os.environ, "MYPYPATH": os.environ["PYTHONPATH"]})
             self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
 
