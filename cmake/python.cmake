@@ -4,7 +4,7 @@
 if(NOT Python3_EXECUTABLE AND NOT SKBUILD AND EXISTS /usr/bin/python3)
   set(Python3_EXECUTABLE /usr/bin/python3)
 endif()
-find_package(Python3 3.11 REQUIRED COMPONENTS Interpreter Development.Module NumPy)
+find_package(Python3 3.11 REQUIRED COMPONENTS Interpreter Development.Module)
 set(PYBIND11_NOPYTHON ON)
 find_package(pybind11 2.10 REQUIRED)
 
