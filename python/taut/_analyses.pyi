@@ -1,4 +1,7 @@
-"""Made from the descriptions by python/tools/make_stub.py; do not edit. `./dev python stub` makes it again."""
+"""Made from the descriptions by python/tools/make_stub.py; do not edit. `./dev python stub` makes it again.
+
+schema: 2eff893a3a0dad46370f582a257efb40294e0e2e10ff280b2165bbf9ae9e8cae
+"""
 
 from collections.abc import Mapping, Sequence
 from os import PathLike

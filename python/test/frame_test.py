@@ -12,7 +12,7 @@ import taut
 
 CHROMIUM = shutil.which("chromium")
 BUILD = Path(os.environ["TAUT_BUILD_DIR"])
-NOTEBOOK = """<!doctype html><html><head><style>body {{font: 14px serif}} h1 {{color: rgb(1, 2, 3)}}</style></head>
+NOTEBOOK = """<!doctype html><html><head><style>html {{overflow-y: scroll}} body {{font: 14px serif}} h1 {{color: rgb(1, 2, 3)}}</style></head>
 <body><h1>A notebook</h1><p>text</p><table><tr><td>cell</td></tr></table><pre>code</pre>{frame}<script>
 addEventListener("load", () => setTimeout(() => {{
   const styles = [];

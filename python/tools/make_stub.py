@@ -3,12 +3,17 @@
 With --check it writes nothing and ends with 1 where a stub in FOLDER is not what it would write.
 """
 
+import hashlib
 import sys
 from pathlib import Path
 
-from taut import _analyses, _parts, methods
+from taut import _analyses, _parts, methods, schema
 
-HEAD = '''"""Made from the descriptions by python/tools/make_stub.py; do not edit. `./dev python stub` makes it again."""
+# By its schema the program's tests see that a description has changed and the stub has not.
+HEAD = f'''"""Made from the descriptions by python/tools/make_stub.py; do not edit. `./dev python stub` makes it again.
+
+schema: {hashlib.sha256(schema().strip().encode()).hexdigest()}
+"""
 
 '''
 TYPES = """from collections.abc import Mapping, Sequence
