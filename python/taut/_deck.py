@@ -60,7 +60,17 @@ def method_of(text: str) -> str | None:
 
 def assignment(path: str, value: Any, method: str | None = None) -> str:
     """ "path=value" as `--set` has it. A bare number gets the SI unit of its field."""
-    return f"{path}={_flow(value, _describe.field_at(path, method))}"
+    field = _describe.field_at(path, method)
+    if field is None and method is None and path.startswith("input."):
+        field = _field_of_any(path)
+    return f"{path}={_flow(value, field)}"
+
+
+def _field_of_any(path: str) -> Field | None:
+    """Of a deck whose method stands in what it includes: the field, where all methods that have it agree on its unit."""
+    found = [_describe.field_at(path, one["name"]) for one in _describe.methods()]
+    known = {one.unit: one for one in found if one is not None and one.is_number}
+    return next(iter(known.values())) if len(known) == 1 else None
 
 
 def text_of(deck: Mapping[str, Any]) -> str:

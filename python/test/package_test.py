@@ -145,6 +145,10 @@ class Machines(unittest.TestCase):
             one = machine.copy().set(path, number).solve().values.T_max
             other = machine.copy().set(path, text).solve().values.T_max
             self.assertAlmostEqual(one / other, 1, 12, path)
+        # its method stands in the deck that it includes
+        chance = EXAMPLES / "study/mast_chance.yaml"
+        one = taut.run(chance, {"input.skyline_force": 1e5}).values.D_tube
+        self.assertEqual(one, taut.run(chance, {"input.skyline_force": "100 kN"}).values.D_tube)
 
 
 class Cases(unittest.TestCase):
