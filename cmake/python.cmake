@@ -1,6 +1,6 @@
-# The Python package `taut` (TAUT_PYTHON): python/*.cpp as its module _taut, python/taut/*.py beside it. The build tree
-# has it whole in the folder `python`, which is what PYTHONPATH names in the tests.
-# Python3_EXECUTABLE is the distribution's interpreter where nobody says otherwise.
+# The Python package `taut` (TAUT_PYTHON_PACKAGE): python/*.cpp as its module _taut, python/taut/*.py beside it. The
+# build tree has it whole in the folder `python`, which is what PYTHONPATH names in the tests. Python3_EXECUTABLE is the
+# distribution's interpreter where nobody says otherwise.
 if(NOT Python3_EXECUTABLE AND NOT SKBUILD AND EXISTS /usr/bin/python3)
   set(Python3_EXECUTABLE /usr/bin/python3)
 endif()
