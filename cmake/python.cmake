@@ -55,7 +55,7 @@ set(CPACK_DEBIAN_PACKAGE_SUGGESTS "python3-pandas, python3-matplotlib, python3-p
 endif()
 
 # ---- tests: ctest -L python (./dev python)
-if(TAUT_TESTS OR TAUT_PYTHON_TESTS)
+if(NOT SKBUILD)
   enable_testing()
   file(GLOB python_tests CONFIGURE_DEPENDS python/test/*_test.py)
   foreach(file IN LISTS python_tests)
