@@ -50,7 +50,8 @@ def pint_text(value: Any) -> str:
 
     Raises ValueError for dimensions that no deck has: amounts, currents, luminous intensities.
     """
-    over, under = [], []
+    over: list[str] = []
+    under: list[str] = []
     for name, power in value.dimensionality.items():
         if name not in SI or power != int(power):
             raise ValueError(f"{value}: a deck has no quantity of dimension {value.dimensionality}")

@@ -179,11 +179,15 @@ class Cases(unittest.TestCase):
         values = rows(10000, cases)
         costs, found = [], []
         for threads in (1, 2):
-            begin = processor_time()
-            found.append(cases(values, threads=threads))
-            costs.append(processor_time() - begin)
+            # the less of two: other programs on the machine only add to it
+            runs = []
+            for _ in range(2):
+                begin = processor_time()
+                found.append(cases(values, threads=threads))
+                runs.append(processor_time() - begin)
+            costs.append(min(runs))
         print(f"10000 x 4: {costs[0]:.2f} s of CPU with one thread, {costs[1]:.2f} s with two", file=sys.stderr)
-        self.assertEqual(found[0].tobytes(), found[1].tobytes())
+        self.assertEqual(len({one.tobytes() for one in found}), 1)
         self.assertFalse(np.isnan(found[0]).any())
         self.assertLess(costs[0], 5)
         self.assertLess(costs[1], 1.15 * costs[0])
