@@ -120,11 +120,27 @@ try_package() {
   inside "$user" bash /fresh_package.sh || status=1
 }
 
+# try_python FILE: the Python package alone; the program is not there any more.
+try_python() {
+  say "lintian"
+  lintian --fail-on error --allow-root "$1" || status=1
+  say "the package $(basename "$1"), $(stat -c %s "$1") bytes, is installed"
+  cp "$1" "$user/"
+  inside "$user" "apt-get install -y -qq --no-install-recommends /python3-taut_*.deb >/install.log 2>&1 ||
+    { tail -n 20 /install.log; false; }" || status=1
+  inside "$user" "python3 -c 'import taut; r = taut.run(taut.new(\"mast_section\")); print(r.values[\"D_tube\"]);
+assert r.values.D_tube == r.values[\"D_tube\"]'" || status=1
+  inside "$user" 'dpkg --verify python3-taut' || status=1
+}
+
 status=0
 package_time=0
 empty_debian "$user"
 if [[ $what == package ]]; then
   try_package build/taut_*.deb
+  for file in build/python3-taut_*.deb; do
+    if [[ -e $file ]]; then try_python "$file"; fi # ./dev python makes it
+  done
   say "package with what it depends on installed in $(minutes "$package_time")"
 else
   cp -a "$user" "$builder"

@@ -18,7 +18,7 @@ install(FILES README.md ${pages}/copyright ${pages}/changelog.gz ${pages}/change
   COMPONENT program)
 install(DIRECTORY ${pages}/third-party DESTINATION ${doc_folder} COMPONENT program)
 install(DIRECTORY docs DESTINATION ${doc_folder} COMPONENT program PATTERN "*.py" EXCLUDE)
-install(DIRECTORY examples DESTINATION ${doc_folder} COMPONENT program PATTERN cpp EXCLUDE)
+install(DIRECTORY examples DESTINATION ${doc_folder} COMPONENT program PATTERN cpp EXCLUDE PATTERN python EXCLUDE)
 
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME taut)
