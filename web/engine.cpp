@@ -45,15 +45,21 @@ std::optional<Result>& last() {
 
 /// The files that a deck names, beside it. A name that leaves the folder is not made: the deck then says that there is
 /// no such file.
-void put_files(const Json& files) {
+void put_files(const Json& files, const std::string& deck) {
   std::error_code ignored;
   fs::remove_all(folder, ignored);
   fs::create_directories(folder, ignored);
-  for (const auto& [name, text] : files.items()) {
+  const auto place_of = [&](const std::string& name) -> std::optional<fs::path> {
     const fs::path path = (fs::path(folder) / name).lexically_normal();
-    if (!path.string().starts_with(std::string(folder) + "/")) continue;
+    if (!path.string().starts_with(std::string(folder) + "/")) return std::nullopt;
     fs::create_directories(path.parent_path(), ignored);
-    std::ofstream(path, std::ios::binary) << text.get<std::string>();
+    return path;
+  };
+  place_of(deck);  // what it names may lead over its own folder: "../machines/line.yaml"
+  for (const auto& [name, text] : files.items()) {
+    const auto path = place_of(name);
+    if (!path) continue;
+    std::ofstream(*path, std::ios::binary) << text.get<std::string>();
   }
 }
 
@@ -63,7 +69,7 @@ Result solved(const Json& request) {
   job.name = request.value("name", "deck.yaml");
   if (request.contains("set")) job.set = request.at("set").get<std::vector<std::string>>();
   job.progress = [](const Progress& p) { return tell_progress(p.what.c_str(), p.done, p.words.c_str()) != 0; };
-  put_files(request.value("files", Json::object()));
+  put_files(request.value("files", Json::object()), job.name);
   fs::current_path(folder);
   return app::run(job);
 }
