@@ -45,7 +45,7 @@ set(closed_rooms
 set(fenced_headers
   "^yaml-cpp/ io"
   "^udunits2?\\.h$ tests"
-  "^nlohmann/ io results app cli"
+  "^nlohmann/ io results app cli web"
   "^kainjow/ report"
   "^CLI/ cli"
   "^httplib\\.h$ web"

@@ -1,12 +1,27 @@
 #include "taut/io/hdf5.hpp"
 
 #include <fmt/format.h>
-#include <hdf5.h>
 
 #include <algorithm>
 #include <cmath>
 
 #include "taut/units/display.hpp"
+
+#ifdef __EMSCRIPTEN__
+// A browser's engine writes no files, and HDF5 is not compiled for it.
+namespace taut::io {
+
+tl::expected<void, std::string> write_hdf5(const std::vector<Table>&, const std::string&) {
+  return tl::unexpected(std::string("this build of taut has no HDF5"));
+}
+
+tl::expected<std::vector<Table>, std::string> read_hdf5(const std::string&) {
+  return tl::unexpected(std::string("this build of taut has no HDF5"));
+}
+
+}  // namespace taut::io
+#else
+#include <hdf5.h>
 
 namespace taut::io {
 namespace {
@@ -207,3 +222,4 @@ tl::expected<std::vector<Table>, std::string> read_hdf5(const std::string& path)
 }
 
 }  // namespace taut::io
+#endif

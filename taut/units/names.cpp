@@ -270,7 +270,7 @@ const std::vector<NameRow>& name_rows() {
   static const std::vector<NameRow> rows = [] {
     std::vector<NameRow> all = latin_rows();
     for (const auto& [cyrillic, latin] : cyrillic_names) {
-      NameRow row = *std::find_if(all.begin(), all.end(), [&](const NameRow& r) { return r.name == latin; });
+      NameRow row = *std::find_if(all.begin(), all.end(), [&of = latin](const NameRow& r) { return r.name == of; });
       row.name = cyrillic;
       all.push_back(row);
     }

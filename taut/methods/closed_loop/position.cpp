@@ -292,7 +292,10 @@ std::size_t worst_of(const std::vector<Row>& rows) {
     const auto ends = ends_of(o);
     return ends[0] + ends[1] + ends[2] + ends[3];
   };
-  const auto largest = [](const Output& o) { return std::ranges::max(ends_of(o)); };
+  const auto largest = [](const Output& o) {
+    const auto ends = ends_of(o);
+    return *std::max_element(ends.begin(), ends.end());
+  };
   std::size_t worst = 0;
   bool any = false;
   for (std::size_t i = 0; i < rows.size(); ++i) {

@@ -127,7 +127,8 @@ std::vector<std::string> common_fields(const PartList& list) {
   for (const Part& part : list.parts) {
     for (const auto& [field, given] : part.fields) {
       if (field.find_first_of(".[") != std::string::npos || given->numbers.size() > 3) continue;
-      const auto known = std::find_if(count.begin(), count.end(), [&](const auto& c) { return c.first == field; });
+      const auto known =
+          std::find_if(count.begin(), count.end(), [&name = field](const auto& c) { return c.first == name; });
       if (known == count.end()) {
         count.emplace_back(field, 1);
       } else {

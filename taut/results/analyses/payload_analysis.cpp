@@ -151,9 +151,10 @@ Plot used_plot(const machine::Model& model, const study::PayloadRun& run) {
   for (auto& [words, curve] : curves) {
     curve.label = words;
     for (const study::PayloadPosition& one : run.positions) {
-      const auto same = std::find_if(one.states.begin(), one.states.end(), [&](const study::LimitState& s) {
-        return !s.fails && study::limit_words(*one.model, body, s) == words;
-      });
+      const auto same =
+          std::find_if(one.states.begin(), one.states.end(), [&, &sought = words](const study::LimitState& s) {
+            return !s.fails && study::limit_words(*one.model, body, s) == sought;
+          });
       curve.x.push_back(one.point.x);
       curve.y.push_back(same == one.states.end() ? none : same->value / same->limit);
     }

@@ -105,9 +105,9 @@ Plot tensioning_plot(const study::PretensionRun& run, const machine::Model& m) {
   for (const auto& [rope, at_end] : ends) {
     Curve c;
     c.label = fmt::format("{} at its {}", m.reevings[rope].name, at_end ? "end" : "start");
-    const auto add = [&](double step, const study::PullEnd& end) {
+    const auto add = [&c, of = rope, last = at_end](double step, const study::PullEnd& end) {
       c.x.push_back(step);
-      c.y.push_back(at_end ? end.T_end[rope] : end.T_start[rope]);
+      c.y.push_back(last ? end.T_end[of] : end.T_start[of]);
     };
     add(0, run.answer.before);
     for (std::size_t i = 0; i < run.answer.ends.size(); ++i) add(static_cast<double>(i + 1), run.answer.ends[i]);

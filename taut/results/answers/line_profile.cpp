@@ -95,8 +95,9 @@ void add_supports(const DrawnLine& line, Profile& p) {
       if (is_carriage || node.kind == machine::NodeKind::load) continue;
       const Vector3 place = machine::in_ground(line.state.state, node.at);
       const Point top = seen_along(line.way, place);
+      const double same = apart * (high - low);
       const bool known = std::any_of(p.supports.begin(), p.supports.end(), [&](const Profile::Support& s) {
-        return s.name == node.name || std::hypot(s.top.x - top.x, s.top.y - top.y) < apart * (high - low);
+        return s.name == node.name || std::hypot(s.top.x - top.x, s.top.y - top.y) < same;
       });
       if (known) continue;
       const double ground = p.ground.empty() ? none : study::ground_height(m.terrain, machine::terrain_x(m, place));

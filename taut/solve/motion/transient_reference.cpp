@@ -403,7 +403,8 @@ Outcome reference_refuses(const Mechanism& m) {
     if (drum.automatic_layers)
       return infeasible(fmt::format("the drum '{}' changes its layers: not in the reference", drum.name));
   }
-  if (std::ranges::any_of(m.model->events, [](const machine::Event& e) { return e.when.has_value(); })) {
+  const auto& events = m.model->events;
+  if (std::any_of(events.begin(), events.end(), [](const machine::Event& e) { return e.when.has_value(); })) {
     return infeasible("the reference has no events by condition: give them times");
   }
   return {};

@@ -1,18 +1,30 @@
 #include "taut/app/cases/study/study_run.hpp"
 
 #include <fmt/format.h>
-#include <oneapi/tbb/parallel_for.h>
-#include <oneapi/tbb/partitioner.h>
-#include <oneapi/tbb/task_arena.h>
 
 #include <atomic>
 #include <mutex>
 #include <optional>
 
+#ifndef __EMSCRIPTEN__
+#include <oneapi/tbb/parallel_for.h>
+#include <oneapi/tbb/partitioner.h>
+#include <oneapi/tbb/task_arena.h>
+#endif
+
 namespace taut::app {
 namespace {
 
-int threads_of(int asked) { return asked > 0 ? asked : tbb::task_arena::automatic; }
+/// Calls f(0) to f(count - 1) on so many threads; 0: all that the machine has. A browser's engine has one.
+template <class F>
+void on_threads([[maybe_unused]] int threads, std::size_t count, const F& f) {
+#ifdef __EMSCRIPTEN__
+  for (std::size_t i = 0; i < count; ++i) f(i);
+#else
+  tbb::task_arena arena(threads > 0 ? threads : tbb::task_arena::automatic);
+  arena.execute([&] { tbb::parallel_for(std::size_t{0}, count, f, tbb::simple_partitioner()); });
+#endif
+}
 
 /// Tells how many cases are done, one thread at a time, and remembers that it shall end.
 class CaseCounter {
@@ -89,8 +101,7 @@ tl::expected<StudyState, FileError> run_cases(const Study& study, const StudyFol
     const std::lock_guard lock(turn);
     trouble = written.error();
   };
-  tbb::task_arena arena(threads_of(options.threads));
-  arena.execute([&] { tbb::parallel_for(std::size_t{0}, open.size(), calculate, tbb::simple_partitioner()); });
+  on_threads(options.threads, open.size(), calculate);
   if (trouble) return tl::unexpected(*trouble);
   StudyState state = state_of(folder);
   state.interrupted = counter.ended();
@@ -100,11 +111,7 @@ tl::expected<StudyState, FileError> run_cases(const Study& study, const StudyFol
 chance::Evaluate parallel(const CaseModel& model, int threads) {
   return [&model, threads](std::span<const chance::Point> points) {
     std::vector<std::vector<double>> rows(points.size());
-    tbb::task_arena arena(threads_of(threads));
-    arena.execute([&] {
-      tbb::parallel_for(std::size_t{0}, points.size(),
-                        [&](std::size_t i) { rows[i] = model.answer(points[i]).outputs; });
-    });
+    on_threads(threads, points.size(), [&](std::size_t i) { rows[i] = model.answer(points[i]).outputs; });
     return rows;
   };
 }

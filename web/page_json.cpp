@@ -1,0 +1,288 @@
+#include "web/page_json.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <variant>
+
+#include "taut/base/diagnostic.hpp"
+#include "taut/calc/outcome.hpp"
+#include "taut/calc/shown.hpp"
+#include "taut/calc/verdict.hpp"
+#include "taut/report/embedded/figure_css.hpp"
+#include "taut/report/figure/any_figure.hpp"
+#include "taut/report/text/quantity.hpp"
+
+namespace taut::web {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json number(double x) { return std::isfinite(x) ? Json(x) : Json(nullptr); }
+
+Json numbers(const std::vector<double>& all, const ShownUnit& unit) {
+  Json list = Json::array();
+  for (const double x : all) list.push_back(number(unit.of(x)));
+  return list;
+}
+
+/// A length to a millimetre of a hundred, else to a hundred thousandth: a picture needs no more, and a motion of a
+/// minute has a million of them.
+Json coarse(double x) {
+  if (!std::isfinite(x)) return nullptr;
+  return std::round(x * 1e4) / 1e4;
+}
+
+Json verdict(const Result& r) {
+  const std::optional<Verdict> v = verdict_of(r);
+  if (!v) return nullptr;
+  return {{"kind", to_text(v->kind)}, {"words", headline(v->kind)}, {"reason", v->reason}};
+}
+
+/// Column of a mistake, from 1, in UTF-16 units, as an editor in a browser counts; where its line is not known in
+/// bytes.
+int units_before(const Diagnostic& d) {
+  const auto bytes = static_cast<std::size_t>(std::max(d.place.column - 1, 0));
+  if (d.source_line.size() < bytes) return d.place.column;
+  int units = 1;
+  for (const char c : d.source_line.substr(0, bytes)) {
+    const auto byte = static_cast<unsigned char>(c);
+    if ((byte & 0xC0U) != 0x80U) units += byte >= 0xF0U ? 2 : 1;
+  }
+  return units;
+}
+
+Json errors(const Result& r) {
+  Json list = Json::array();
+  for (const Diagnostic& d : r.errors) {
+    list.push_back({{"file", d.file},
+                    {"line", d.place.line},
+                    {"column", units_before(d)},
+                    {"width", d.width},
+                    {"message", d.message}});
+  }
+  return list;
+}
+
+Json warnings(const Result& r) {
+  Json list = Json::array();
+  for (const std::string& w : r.warnings) {
+    const bool unsafe = std::find(r.unsafe.begin(), r.unsafe.end(), w) != r.unsafe.end();
+    list.push_back({{"text", w}, {"unsafe", unsafe}});
+  }
+  return list;
+}
+
+Json values(const Result& r, const Display& display) {
+  Json list = Json::array();
+  for (const Value& v : r.values) {
+    list.push_back({{"name", v.name},
+                    {"label", v.label},
+                    {"text", report::value_shown(v.value, v.unit, display)},
+                    {"heading", v.heading},
+                    {"detail", v.detail}});
+  }
+  return list;
+}
+
+Json checks(const Result& r, const Display& display) {
+  Json list = Json::array();
+  for (const Check& c : grouped(r.checks)) {
+    list.push_back({{"name", c.name},
+                    {"part", c.part},
+                    {"value", report::value_shown(c.value, c.unit, display)},
+                    {"limit", report::value_shown(c.limit, c.unit, display)},
+                    {"sense", c.sense == Sense::at_most ? "at most" : "at least"},
+                    {"utilisation", number(c.utilisation)},
+                    {"share", fmt::format("{} %", report::number_shown(100 * c.utilisation, 3))},
+                    {"passes", c.passes},
+                    {"rule", c.rule},
+                    {"trust", c.trust},
+                    {"where", c.where}});
+  }
+  return list;
+}
+
+Json axis(const Axis& a, const ShownUnit& unit) { return {{"label", a.label}, {"unit", report::unit_text(unit)}}; }
+
+Json plot(const Plot& p, const Display& display) {
+  const ShownUnit x = shown_unit(p.x.unit, display);
+  const ShownUnit y = shown_unit(p.y.unit, display);
+  Json curves = Json::array();
+  for (const Curve& c : p.curves) {
+    curves.push_back({{"label", c.label},
+                      {"x", numbers(c.x, x)},
+                      {"y", numbers(c.y, y)},
+                      {"dashed", c.dashed},
+                      {"points", c.points_only}});
+  }
+  Json marks = Json::array();
+  for (const Mark& m : p.marks) {
+    marks.push_back({{"x", number(x.of(m.x))},
+                     {"y", number(y.of(m.y))},
+                     {"label", m.label},
+                     {"level", m.whole_line},
+                     {"upright", m.upright}});
+  }
+  return {{"name", p.name},           {"title", p.title},  {"caption", p.caption},
+          {"x", axis(p.x, x)},        {"y", axis(p.y, y)}, {"curves", std::move(curves)},
+          {"marks", std::move(marks)}};
+}
+
+/// A figure that stands alone in a file, with its own style: shown as an image nothing in it can run or load.
+Json picture(const Figure& f, const Display& display) {
+  const report::FigureWords words = report::words_of(f);
+  std::string svg = report::figure_svg(f, display);
+  const std::size_t open = svg.find("<svg");
+  const std::size_t end = open == std::string::npos ? open : svg.find('>', open);
+  if (end == std::string::npos) return nullptr;
+  const bool named = svg.find("xmlns=") != std::string::npos;
+  svg.insert(end + 1, fmt::format("<style>{}</style>", report::embedded::figure_css));
+  if (!named) svg.insert(open + 4, " xmlns=\"http://www.w3.org/2000/svg\"");
+  return {{"title", words.title}, {"caption", words.caption}, {"scale", words.scale}, {"svg", std::move(svg)}};
+}
+
+std::string_view role_name(Role role) {
+  switch (role) {
+    case Role::rope:
+      return "rope";
+    case Role::second_rope:
+      return "second";
+    case Role::structure:
+      return "structure";
+    case Role::body:
+      return "body";
+    case Role::ground:
+      return "ground";
+    default:
+      return "other";
+  }
+}
+
+/// The least and the largest tension of all times, for the scale of colours; null without ropes.
+Json tension_range(const Scene& s, const Display& display) {
+  double least = HUGE_VAL, most = -HUGE_VAL;
+  for (const SceneLine& line : s.lines) {
+    for (const auto& frame : line.tension) {
+      for (const double t : frame) {
+        if (!std::isfinite(t)) continue;
+        least = std::min(least, t);
+        most = std::max(most, t);
+      }
+    }
+  }
+  if (most < least) return nullptr;
+  return {{"least", least},
+          {"most", most},
+          {"least_text", report::value_shown(least, si::N, display)},
+          {"most_text", report::value_shown(most, si::N, display)}};
+}
+
+Json scene(const Scene& s, const Display& display) {
+  Json lines = Json::array();
+  for (const SceneLine& line : s.lines) {
+    Json frames = Json::array();
+    for (const auto& frame : line.points) {
+      Json flat = Json::array();
+      for (const auto& p : frame) {
+        for (const double x : p) flat.push_back(coarse(x));
+      }
+      frames.push_back(std::move(flat));
+    }
+    Json tensions = Json::array();
+    for (const auto& frame : line.tension) {
+      Json flat = Json::array();
+      for (const double t : frame) flat.push_back(std::isfinite(t) ? Json(std::round(t)) : Json(nullptr));
+      tensions.push_back(std::move(flat));
+    }
+    lines.push_back({{"name", line.name},
+                     {"role", role_name(line.role)},
+                     {"points", std::move(frames)},
+                     {"tension", std::move(tensions)}});
+  }
+  Json points = Json::array();
+  for (const ScenePoint& p : s.points) {
+    Json at = Json::array();
+    for (const auto& place : p.at) at.push_back({coarse(place[0]), coarse(place[1]), coarse(place[2])});
+    points.push_back({{"name", p.name}, {"radius", p.radius}, {"at", std::move(at)}});
+  }
+  Json t = Json::array(), times = Json::array();
+  for (const double moment : s.t) {
+    t.push_back(number(moment));
+    times.push_back(report::value_shown(moment, si::s, display));
+  }
+  return {{"name", s.name},
+          {"t", std::move(t)},
+          {"times", std::move(times)},
+          {"lines", std::move(lines)},
+          {"points", std::move(points)},
+          {"tension", tension_range(s, display)}};
+}
+
+/// The line of the ground that a profile draws, for the page's own drawing.
+Json ground(const Profile& p) {
+  Json flat = Json::array();
+  for (const Point& at : p.ground) {
+    flat.push_back(coarse(at.x));
+    flat.push_back(coarse(at.y));
+  }
+  return flat;
+}
+
+}  // namespace
+
+std::string to_page(const Result& r) {
+  const Display display = display_of(r);
+  Json answers = Json::array();
+  for (const Answer& a : r.answers) answers.push_back({{"label", a.label}, {"text", a.text}});
+  Json plots = Json::array(), events = Json::array(), ground_line = Json::array();
+  std::size_t pictures = 0;
+  for (const Figure& f : r.figures) {
+    if (const auto* p = std::get_if<Plot>(&f)) {
+      plots.push_back(plot(*p, display));
+      continue;
+    }
+    if (const auto* profile = std::get_if<Profile>(&f)) ground_line = ground(*profile);
+    if (const auto* motion = std::get_if<Animation>(&f)) {
+      for (const auto& [t, text] : motion->events) events.push_back({{"t", t}, {"text", text}});
+    }
+    ++pictures;
+  }
+  Json scenes = Json::array();
+  for (const Scene& s : r.scenes) scenes.push_back(scene(s, display));
+  const Json page = {{"title", r.title},
+                     {"method", r.method},
+                     {"status", to_text(r.status)},
+                     {"message", r.message},
+                     {"verdict", verdict(r)},
+                     {"headline", r.headline},
+                     {"answers", std::move(answers)},
+                     {"warnings", warnings(r)},
+                     {"errors", errors(r)},
+                     {"values", values(r, display)},
+                     {"checks", checks(r, display)},
+                     {"plots", std::move(plots)},
+                     {"pictures", pictures},
+                     {"scenes", std::move(scenes)},
+                     {"events", std::move(events)},
+                     {"ground", std::move(ground_line)},
+                     {"interrupted", r.interrupted}};
+  // a deck may hold any bytes in a text; what is no UTF-8 is shown as such
+  return page.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+std::string pictures_of(const Result& r) {
+  const Display display = display_of(r);
+  Json pictures = Json::array();
+  for (const Figure& f : r.figures) {
+    if (std::holds_alternative<Plot>(f)) continue;
+    Json one = picture(f, display);
+    if (!one.is_null()) pictures.push_back(std::move(one));
+  }
+  return pictures.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+}  // namespace taut::web

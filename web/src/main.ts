@@ -1,0 +1,519 @@
+// The page: deck at the left, machine at the right; the engine answers for every number that is shown.
+import { autocompletion, completionKeymap } from '@codemirror/autocomplete';
+import { defaultKeymap, history, historyKeymap, indentWithTab } from '@codemirror/commands';
+import { yaml } from '@codemirror/lang-yaml';
+import { HighlightStyle, bracketMatching, syntaxHighlighting } from '@codemirror/language';
+import { type Diagnostic, lintGutter, lintKeymap, setDiagnostics } from '@codemirror/lint';
+import { highlightSelectionMatches, searchKeymap } from '@codemirror/search';
+import { EditorState, Transaction } from '@codemirror/state';
+import { EditorView, drawSelection, highlightActiveLine, keymap, lineNumbers } from '@codemirror/view';
+import { tags } from '@lezer/highlight';
+import { byId, el } from './dom';
+import { Completer } from './complete';
+import { Drawing, type View, written } from './drawing';
+import { Engine, Stopped } from './engine';
+import { Form } from './form';
+import { Plots } from './plots';
+import { longestLink, packed, unpacked } from './share';
+import { Space } from './space';
+import type { Answer, Deck, Handle, Page, Picture, Places, Scene } from './types';
+
+interface Example extends Deck {
+  title: string;
+  group: string;
+}
+
+const pauseBeforeSolve = 150;
+const gallery: Example[] = JSON.parse(byId('taut-gallery').textContent ?? '[]');
+const address = document.documentElement.dataset.address ?? '';
+const nonce = document.documentElement.dataset.nonce ?? '';
+
+const engine = new Engine();
+let files: Record<string, string> = {};
+let name = 'deck.yaml';
+let space: Space | null = null;
+let page: Page | null = null;
+let scene: Scene | null = null;
+let timer = 0;
+let firstChange = 0;
+let reportOf = -1;
+let solved = 0;
+
+const completer = new Completer(() => engine.ask('schema'));
+
+const colours = HighlightStyle.define([
+  { tag: tags.comment, class: 'tok-comment' },
+  { tag: [tags.propertyName, tags.definition(tags.propertyName)], class: 'tok-key' },
+  { tag: tags.string, class: 'tok-string' },
+]);
+
+const editor = new EditorView({
+  parent: byId('editor'),
+  state: state(''),
+});
+
+function state(doc: string): EditorState {
+  return EditorState.create({
+    doc,
+    extensions: [
+      EditorView.cspNonce.of(nonce),
+      lineNumbers(),
+      history(),
+      drawSelection(),
+      highlightActiveLine(),
+      highlightSelectionMatches(),
+      bracketMatching(),
+      yaml(),
+      syntaxHighlighting(colours),
+      autocompletion({ override: [(context) => completer.complete(context)] }),
+      lintGutter(),
+      EditorView.contentAttributes.of({ 'aria-label': 'deck' }),
+      keymap.of([...completionKeymap, { key: 'Escape', run: leave }, indentWithTab, ...defaultKeymap, ...historyKeymap, ...searchKeymap, ...lintKeymap]),
+      EditorView.updateListener.of((u) => {
+        if (u.docChanged) later();
+        if (u.docChanged || u.selectionSet) window.setTimeout(showForm);
+      }),
+    ],
+  });
+}
+
+/** Tab indents in the editor; after Escape the next Tab leaves it. */
+function leave(view: EditorView): boolean {
+  view.contentDOM.blur();
+  byId('examples').focus();
+  return true;
+}
+
+const form = new Form(byId('form'), (path) => completer.words(path), (change) => {
+  if (editor.state.doc.toString() === placesOf) editor.dispatch({ changes: change });
+});
+/** The text whose places these are. */
+let placesOf = '';
+function showForm(): void {
+  const text = editor.state.doc.toString();
+  form.show(text === placesOf ? places : null, editor.state.selection.main.head, text);
+}
+
+const drawing = new Drawing(byId('picture'), move, choose);
+const plots = new Plots(byId('plots'), (t) => setFrame(nearest(t), false));
+
+function deck(): Deck {
+  return { name, text: editor.state.doc.toString(), files };
+}
+
+function later(): void {
+  byId('stage').classList.add('old');
+  window.clearTimeout(timer);
+  // a drag that does not pause is followed all the same
+  const now = performance.now();
+  if (firstChange === 0) firstChange = now;
+  timer = window.setTimeout(() => {
+    firstChange = 0;
+    void solve();
+  }, Math.max(0, Math.min(pauseBeforeSolve, firstChange + 3 * pauseBeforeSolve - now)));
+}
+
+async function solve(): Promise<void> {
+  const asked = deck();
+  try {
+    const answer = await engine.solve(asked);
+    if (answer) show(answer, asked.text);
+  } catch (error) {
+    if (!(error instanceof Stopped)) say(`The engine has failed: ${(error as Error).message}`, 'fails');
+  }
+}
+
+/** The picture moves with the pointer; the text follows several times a second, and the solve follows the text. */
+function move(handle: Handle, at: [number, number, number], done: boolean): void {
+  window.clearTimeout(writing);
+  if (!done) {
+    // the editor takes longer than a pointer may be kept waiting
+    const pause = Math.max(0, lastMoved + pauseBeforeSolve - performance.now());
+    writing = window.setTimeout(() => write(handle, at), pause);
+    return;
+  }
+  write(handle, at);
+}
+let writing = 0;
+
+function write(handle: Handle, at: [number, number, number]): void {
+  lastMoved = performance.now();
+  const text = editor.state.doc.toString();
+  const changes = handle.numbers
+    .map((n, i) => ({ from: n.from, to: n.to, insert: written(at[i]!, n) }))
+    .filter((c, i) => at[i] !== handle.at[i] && text.slice(c.from, c.to) !== c.insert);
+  if (changes.length === 0) return;
+  if (changes.some((c) => c.to > text.length)) return;
+  editor.dispatch({ changes, annotations: Transaction.userEvent.of('move.handle') });
+  // the text behind has moved: places hold again for the next step of the same drag
+  let shift = 0;
+  handle.numbers.forEach((n, i) => {
+    const change = changes.find((c) => c.from === n.from && c.to === n.to);
+    const inserted = change ? change.insert.length : n.to - n.from;
+    const from = n.from + shift;
+    shift += inserted - (n.to - n.from);
+    n.from = from;
+    n.to = from + inserted;
+    handle.at[i] = change ? at[i]! : handle.at[i]!;
+  });
+  if (shift !== 0) places.handles?.forEach((h) => {
+    if (h === handle) return;
+    for (const n of h.numbers) if (n.from > handle.numbers[0]!.from) { n.from += shift; n.to += shift; }
+  });
+}
+let lastMoved = 0;
+let places: Places = {};
+
+function choose(handle: Handle): void {
+  const first = handle.numbers[0];
+  if (first && first.to <= editor.state.doc.length) {
+    editor.dispatch({ effects: EditorView.scrollIntoView(first.from, { y: 'center' }) });
+  }
+}
+
+function say(words: string, kind: string, reason = ''): void {
+  const verdict = byId('verdict');
+  verdict.dataset.kind = kind;
+  verdict.replaceChildren(el('b', {}, words), ...(reason ? [el('span', {}, reason)] : []));
+}
+
+function show(answer: Answer, text: string): void {
+  if (text !== editor.state.doc.toString()) return;
+  if (!answer.page) {
+    say(`taut has failed: ${answer.failure ?? ''}`, 'fails', 'Please report it with this deck.');
+    return;
+  }
+  mark(answer.page);
+  if (answer.page.status === 'bad_deck') {
+    say(answer.page.message, 'bad', answer.page.errors[0]?.message ?? '');
+    list('notes', answer.page.errors.map((e) => el('button', {
+      type: 'button', class: 'error',
+      onclick: () => {
+        const at = place(e.line, e.column);
+        editor.dispatch({ selection: { anchor: at }, scrollIntoView: true });
+        editor.focus();
+      },
+    }, `${e.file}:${e.line}:${e.column} ${e.message}`)));
+    return;
+  }
+  page = answer.page;
+  solved += 1;
+  places = answer.places ?? {};
+  placesOf = text;
+  showForm();
+  byId('stage').classList.remove('old');
+  say(page.verdict?.words ?? page.status, page.verdict?.kind ?? 'no_answer', page.verdict?.reason ?? page.message);
+  byId('took').textContent = `${Math.round(answer.took)} ms`;
+  document.title = `${page.title || name} - taut`;
+  scene = page.scenes.find((s) => s.t.length > 1) ?? page.scenes[0] ?? null;
+  byId('drawn').hidden = scene === null && (places.handles ?? []).length === 0;
+  byId('pictures').hidden = !byId('drawn').hidden;
+  if (!byId('drawn').hidden) list('figures', []);
+  void showPictures();
+  drawing.place(places.handles ?? []);
+  drawing.show(page, scene);
+  if (!byId('space').hidden) space?.show(scene, true);
+  showScale();
+  showMotion();
+  showChecks();
+  showValues();
+  list('notes', [
+    ...(page.interrupted ? [el('p', { class: 'unsafe' }, page.message)] : []),
+    ...(page.headline ? [el('p', {}, page.headline)] : []),
+    ...page.answers.map((a) => el('p', {}, el('b', {}, `${a.label}: `), a.text)),
+    ...page.warnings.map((w) => el('p', { class: w.unsafe ? 'unsafe' : 'warning' }, w.text)),
+  ]);
+  plots.show(page.plots);
+  if (!byId('tab-report').hidden) void showReport();
+}
+
+function list(id: string, children: Node[]): void {
+  byId(id).replaceChildren(...children);
+}
+
+function place(line: number, column: number): number {
+  const doc = editor.state.doc;
+  const at = doc.line(Math.min(Math.max(line, 1), doc.lines));
+  return Math.min(at.from + Math.max(column - 1, 0), at.to);
+}
+
+function mark(p: Page): void {
+  const marks: Diagnostic[] = p.errors
+    .filter((e) => e.file === name && e.line > 0)
+    .map((e) => {
+      const from = place(e.line, e.column);
+      return { from, to: Math.min(from + Math.max(e.width, 1), editor.state.doc.lineAt(from).to), severity: 'error', message: e.message };
+    });
+  editor.dispatch(setDiagnostics(editor.state, marks));
+}
+
+/** From the side, from above, or in space. */
+function setView(view: string): void {
+  const inSpace = view === 'space';
+  if (inSpace && !space) {
+    try {
+      space = new Space(byId('space'));
+    } catch {
+      byId<HTMLSelectElement>('view').value = 'side';
+      return announce('This browser has no WebGL: the machine cannot be shown in space.');
+    }
+  }
+  byId('space').hidden = !inSpace;
+  byId('picture').hidden = inSpace;
+  if (inSpace) space?.show(scene, false);
+  else drawing.setView(view as View);
+}
+
+function showScale(): void {
+  const range = scene?.tension ?? null;
+  byId('scale').hidden = range === null;
+  byId('scale-low').textContent = range?.least_text ?? '';
+  byId('scale-high').textContent = range?.most_text ?? '';
+}
+
+let imageUrls: string[] = [];
+let picturesOf = -1;
+/** As images: nothing in them can run or load. They cost time, so they are made when somebody looks. */
+async function showPictures(): Promise<void> {
+  const inTab = !byId('drawn').hidden;
+  if (picturesOf === solved || (inTab && byId('tab-plots').hidden)) return;
+  const mine = solved;
+  const all: Picture[] = page?.pictures ? JSON.parse(await engine.ask('pictures')) : [];
+  if (mine !== solved) return;
+  picturesOf = mine;
+  const before = imageUrls;
+  imageUrls = [];
+  const figures = all.map((p) => {
+    const url = URL.createObjectURL(new Blob([p.svg], { type: 'image/svg+xml' }));
+    imageUrls.push(url);
+    return el('figure', {}, el('figcaption', {}, el('b', {}, p.title)), el('img', { src: url, alt: `${p.title}. ${p.caption}` }),
+      el('p', { class: 'caption' }, `${p.caption} ${p.scale}`));
+  });
+  list('pictures', inTab ? [] : figures);
+  list('figures', inTab ? figures : []);
+  for (const url of before) URL.revokeObjectURL(url);
+}
+
+function showChecks(): void {
+  const rows = (page?.checks ?? []).map((c) => {
+    const bar = el('span', { class: 'bar' });
+    bar.style.setProperty('--share', String(Math.min(c.utilisation ?? 0, 1)));
+    return el('tr', { class: c.passes ? 'passes' : 'fails' },
+      el('td', {}, c.name),
+      el('td', {}, c.value), el('td', {}, `${c.sense} ${c.limit}`),
+      el('td', {}, bar, ` ${c.share}`), el('td', {}, c.passes ? 'passes' : 'fails'),
+      el('td', { class: 'rule' }, c.rule, c.where ? ` (${c.where})` : '', c.trust.startsWith('UNVERIFIED') ? ' - unverified' : ''));
+  });
+  list('checks', rows.length === 0 ? [el('p', { class: 'empty' }, 'Nothing is checked: the deck asks for no limit.')]
+    : [table(['check', 'value', 'limit', 'used', '', 'rule'], rows)]);
+}
+
+function showValues(): void {
+  const rows = (page?.values ?? []).filter((v) => !v.detail)
+    .map((v) => el('tr', {}, el('td', {}, v.label), el('td', { class: 'number' }, v.text), el('td', { class: 'rule' }, v.name)));
+  list('values', [table(['value', '', 'name'], rows)]);
+}
+
+function table(heads: string[], rows: HTMLElement[]): HTMLElement {
+  return el('table', {}, el('thead', {}, el('tr', {}, ...heads.map((h) => el('th', { scope: 'col' }, h)))), el('tbody', {}, ...rows));
+}
+
+// The motion player.
+let playing = 0;
+function nearest(t: number): number {
+  const all = scene?.t ?? [0];
+  let best = 0;
+  for (let i = 0; i < all.length; ++i) if (Math.abs(all[i]! - t) < Math.abs(all[best]! - t)) best = i;
+  return best;
+}
+function setFrame(frame: number, tell: boolean): void {
+  byId<HTMLInputElement>('time').value = String(frame);
+  byId('now').textContent = scene?.times[frame] ?? '';
+  const t = scene?.t[frame] ?? 0;
+  const last = (page?.events ?? []).filter((e) => e.t <= t).at(-1);
+  byId('event').textContent = last?.text ?? '';
+  drawing.setFrame(frame);
+  if (!byId('space').hidden) space?.setFrame(frame);
+  if (tell) plots.setTime(t);
+}
+function showMotion(): void {
+  const moves = (scene?.t.length ?? 0) > 1;
+  byId('player').hidden = !moves;
+  stopPlaying();
+  byId<HTMLInputElement>('time').max = String((scene?.t.length ?? 1) - 1);
+  setFrame(0, false);
+}
+function stopPlaying(): void {
+  cancelAnimationFrame(playing);
+  playing = 0;
+  byId('play').textContent = 'Play';
+}
+function play(): void {
+  if (playing) return stopPlaying();
+  const all = scene?.t ?? [0];
+  let frame = Number(byId<HTMLInputElement>('time').value);
+  if (frame >= all.length - 1) frame = 0;
+  const began = performance.now();
+  const from = all[frame] ?? 0;
+  byId('play').textContent = 'Pause';
+  const step = () => {
+    const t = from + (performance.now() - began) / 1000;
+    setFrame(nearest(t), true);
+    if (t >= (all.at(-1) ?? 0)) return stopPlaying();
+    playing = requestAnimationFrame(step);
+  };
+  playing = requestAnimationFrame(step);
+}
+
+// The report: in a frame in which nothing runs and which is of no origin.
+async function reportText(): Promise<string> {
+  return engine.ask('report');
+}
+/** The policy of this page holds in the frame, too: the report's own style is named to it. */
+function withNonce(html: string): string {
+  return html.replace('<style>', `<style nonce="${nonce}">`);
+}
+async function showReport(): Promise<void> {
+  if (reportOf === solved) return;
+  const mine = solved;
+  const html = await reportText();
+  if (mine !== solved) return;
+  reportOf = mine;
+  const frame = el('iframe', { sandbox: '', title: 'report', srcdoc: withNonce(html) });
+  list('tab-report', [
+    el('p', { class: 'tools' },
+      el('button', { type: 'button', onclick: () => save('report.html', html, 'text/html') }, 'Save report'),
+      el('button', { type: 'button', onclick: () => print(html) }, 'Print')),
+    frame,
+  ]);
+}
+function print(html: string): void {
+  const url = URL.createObjectURL(new Blob([withNonce(html)], { type: 'text/html' }));
+  const other = window.open(url);
+  if (!other) return announce('The browser has blocked the window: save the report and print it.');
+  other.addEventListener('load', () => other.print());
+}
+
+function save(file: string, text: string, type: string): void {
+  const url = URL.createObjectURL(new Blob([text], { type }));
+  const link = el('a', { href: url, download: file });
+  link.click();
+  setTimeout(() => URL.revokeObjectURL(url), 10000);
+}
+
+function announce(words: string): void {
+  byId('said').textContent = words;
+}
+
+function open(d: Deck): void {
+  files = { ...d.files };
+  name = d.name;
+  page = null;
+  byId('deck-name').textContent = name;
+  editor.setState(state(d.text));
+  later();
+}
+
+async function share(): Promise<void> {
+  const base = location.protocol === 'file:' ? address : location.href.replace(/#.*$/, '');
+  const hash = `#deck=${await packed(deck())}`;
+  if (!base) return announce('This page is a file and has no web address to link to: save the deck and send it.');
+  if (base.length + hash.length > longestLink) return announce('This deck is too long for a link: save it and send the file.');
+  if (location.protocol !== 'file:') history_.replaceState(null, '', hash);
+  await navigator.clipboard.writeText(base + hash).then(
+    () => announce('The link is in the clipboard.'), () => announce('The link is in the address bar.'));
+}
+const history_ = window.history;
+
+async function openFiles(chosen: FileList): Promise<void> {
+  const all = await Promise.all([...chosen].map(async (f) => ({ name: f.name, text: await f.text() })));
+  const main = all.find((f) => /\.ya?ml$/.test(f.name) && !/\.part\.ya?ml$/.test(f.name)) ?? all[0];
+  if (!main) return;
+  open({ ...main, files: Object.fromEntries(all.filter((f) => f !== main).map((f) => [f.name, f.text])) });
+}
+
+function tabs(): void {
+  const all = [...document.querySelectorAll<HTMLButtonElement>('[role=tab]')];
+  const choose = (tab: HTMLButtonElement) => {
+    for (const one of all) {
+      const on = one === tab;
+      one.setAttribute('aria-selected', String(on));
+      one.tabIndex = on ? 0 : -1;
+      byId(one.getAttribute('aria-controls')!).hidden = !on;
+    }
+    plots.resize();
+    if (tab.id === 'choose-report' && page) void showReport();
+    if (tab.id === 'choose-plots' && page) void showPictures();
+  };
+  all.forEach((tab, i) => {
+    tab.addEventListener('click', () => choose(tab));
+    tab.addEventListener('keydown', (event) => {
+      const step = event.key === 'ArrowRight' ? 1 : event.key === 'ArrowLeft' ? -1 : 0;
+      if (step === 0) return;
+      const other = all[(i + step + all.length) % all.length]!;
+      choose(other);
+      other.focus();
+    });
+  });
+}
+
+function setTheme(dark: boolean): void {
+  document.documentElement.dataset.theme = dark ? 'dark' : 'light';
+  byId('theme').setAttribute('aria-pressed', String(dark));
+}
+function theme(): void {
+  setTheme(document.documentElement.dataset.theme !== 'dark');
+  drawing.draw();
+  if (!byId('space').hidden) space?.show(scene, true);
+  if (page) plots.show(page.plots);
+}
+
+async function begin(): Promise<void> {
+  setTheme(matchMedia('(prefers-color-scheme: dark)').matches);
+  const select = byId<HTMLSelectElement>('examples');
+  for (const group of new Set(gallery.map((e) => e.group))) {
+    const part = el('optgroup', { label: group });
+    gallery.forEach((e, i) => e.group === group && part.append(el('option', { value: i }, e.title)));
+    select.append(part);
+  }
+  select.addEventListener('change', () => {
+    const chosen = gallery[Number(select.value)];
+    if (chosen) open(chosen);
+  });
+  tabs();
+  byId('open').addEventListener('click', () => byId('file').click());
+  byId<HTMLInputElement>('file').addEventListener('change', (event) => {
+    const chosen = (event.target as HTMLInputElement).files;
+    if (chosen) void openFiles(chosen);
+  });
+  byId('save').addEventListener('click', () => save(name.split('/').at(-1) ?? name, editor.state.doc.toString(), 'text/yaml'));
+  byId('share').addEventListener('click', () => void share());
+  byId('theme').addEventListener('click', theme);
+  byId('play').addEventListener('click', play);
+  byId('time').addEventListener('input', () => { stopPlaying(); setFrame(Number(byId<HTMLInputElement>('time').value), true); });
+  byId('view').addEventListener('change', () => setView(byId<HTMLSelectElement>('view').value));
+  byId('stop').addEventListener('click', () => { void engine.stop().then(() => say('Stopped', 'no_answer')); });
+  engine.onProgress = (p) => {
+    byId('working').hidden = p === null;
+    if (p) {
+      byId<HTMLProgressElement>('done').value = p.done;
+      byId('words').textContent = `${p.what}: ${p.words}`;
+    }
+  };
+  window.addEventListener('hashchange', async () => {
+    const linked = await unpacked(location.hash);
+    if (linked) open(linked);
+  });
+  const started = engine.start();
+  const linked = await unpacked(location.hash);
+  const first = linked ?? gallery.find((e) => e.name.endsWith('running_skyline.yaml')) ?? gallery[0];
+  if (first) open(first);
+  try {
+    await started;
+    document.documentElement.dataset.ready = String(Math.round(performance.now()));
+  } catch (error) {
+    say(`The engine cannot start: ${(error as Error).message}`, 'fails');
+  }
+}
+
+void begin();

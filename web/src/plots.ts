@@ -1,0 +1,134 @@
+// Curves of the result, as the engine gives them, in the units of the report.
+import uPlot from 'uplot';
+import { el } from './dom';
+import type { PlotData } from './types';
+
+const pens = ['rope', 'highlight', 'second-rope', 'force', 'second-force', 'body', 'ground', 'structure'];
+
+/** Curves over one common axis: uPlot takes no other; gaps where a curve has no point. */
+function joined(plot: PlotData): (number | null)[][] {
+  const all = [...new Set(plot.curves.flatMap((c) => c.x.filter((x): x is number => x != null)))].sort((a, b) => a - b);
+  const index = new Map(all.map((x, i) => [x, i]));
+  const rows: (number | null | undefined)[][] = plot.curves.map((c) => {
+    const row: (number | null | undefined)[] = new Array(all.length).fill(undefined);
+    c.x.forEach((x, i) => {
+      if (x != null) row[index.get(x)!] = c.y[i] ?? null;
+    });
+    return row;
+  });
+  return [all, ...rows] as (number | null)[][];
+}
+
+/** Whether a curve runs back over places where it has been: as a line over x it would be wrong. */
+function runsBack(plot: PlotData): boolean {
+  return plot.curves.some((c) => {
+    const seen = new Set<number>();
+    return c.x.some((x) => x != null && (seen.has(x) || !seen.add(x)));
+  });
+}
+
+export class Plots {
+  private shown: { plot: uPlot; overTime: boolean; box: HTMLElement }[] = [];
+
+  constructor(private box: HTMLElement, private timeChosen: (t: number) => void) {
+    new ResizeObserver(() => this.resize()).observe(box);
+  }
+
+  show(plots: PlotData[]): void {
+    for (const one of this.shown) one.plot.destroy();
+    this.shown = [];
+    this.box.replaceChildren();
+    if (plots.length === 0) this.box.append(el('p', { class: 'empty' }, 'This deck has no plots.'));
+    const style = getComputedStyle(this.box);
+    const colour = (name: string) => style.getPropertyValue(`--${name}`).trim();
+    for (const plot of plots) {
+      const figure = el('figure', {}, el('figcaption', {}, el('b', {}, plot.title)));
+      const place = el('div', { class: 'plot', role: 'img', 'aria-label': `${plot.title}. ${plot.caption}` });
+      figure.append(place, el('p', { class: 'caption' }, plot.caption));
+      this.box.append(figure);
+      const overTime = plot.x.unit === 's';
+      const scattered = runsBack(plot);
+      const unit = (a: { label: string; unit: string }) => (a.unit ? `${a.label}, ${a.unit}` : a.label);
+      const axis = { stroke: colour('soft'), grid: { stroke: colour('grid'), width: 1 }, ticks: { stroke: colour('grid') } };
+      const u = new uPlot(
+        {
+          width: Math.max(place.clientWidth, 240),
+          height: 240,
+          scales: { x: { time: false } },
+          axes: [
+            { ...axis, label: unit(plot.x), size: 34, labelSize: 18 },
+            { ...axis, label: unit(plot.y), size: 58, labelSize: 18 },
+          ],
+          series: [
+            { label: unit(plot.x) },
+            ...plot.curves.map((c, i) => ({
+              label: c.label || plot.y.label,
+              stroke: colour(pens[i % pens.length]!),
+              width: 1.8,
+              spanGaps: false,
+              dash: c.dashed ? [6, 4] : undefined,
+              paths: c.points || scattered ? () => null : undefined,
+              points: { show: c.points || scattered ? true : undefined, size: 4 },
+            })),
+          ],
+          hooks: {
+            draw: [(u) => this.marks(u, plot, colour)],
+            setCursor: [
+              (u) => {
+                const at = u.cursor.left;
+                if (overTime && at != null && at >= 0 && u.root.matches(':hover')) this.timeChosen(u.posToVal(at, 'x'));
+              },
+            ],
+          },
+        },
+        joined(plot) as uPlot.AlignedData,
+        place,
+      );
+      this.shown.push({ plot: u, overTime, box: place });
+    }
+  }
+
+  /** The cursor of all plots over time stands at t. */
+  setTime(t: number): void {
+    for (const { plot, overTime } of this.shown) {
+      if (!overTime || plot.root.matches(':hover')) continue;
+      plot.setCursor({ left: plot.valToPos(t, 'x'), top: 10 }, false);
+    }
+  }
+
+  resize(): void {
+    for (const { plot, box } of this.shown) {
+      if (box.clientWidth > 0 && box.clientWidth !== plot.width) plot.setSize({ width: box.clientWidth, height: 240 });
+    }
+  }
+
+  private marks(u: uPlot, plot: PlotData, colour: (name: string) => string): void {
+    const g = u.ctx;
+    const ratio = window.devicePixelRatio || 1;
+    g.save();
+    g.strokeStyle = colour('force');
+    g.fillStyle = colour('ink');
+    g.lineWidth = ratio;
+    g.font = `${11 * ratio}px system-ui, sans-serif`;
+    for (const m of plot.marks) {
+      const x = m.x == null ? NaN : u.valToPos(m.x, 'x', true);
+      const y = m.y == null ? NaN : u.valToPos(m.y, 'y', true);
+      const { left, top, width, height } = u.bbox;
+      g.beginPath();
+      if (m.level && y >= top && y <= top + height) {
+        g.moveTo(left, y);
+        g.lineTo(left + width, y);
+        g.fillText(m.label, left + 6 * ratio, y - 4 * ratio);
+      } else if (m.upright && x >= left && x <= left + width) {
+        g.moveTo(x, top);
+        g.lineTo(x, top + height);
+        g.fillText(m.label, Math.min(x + 4 * ratio, left + width - g.measureText(m.label).width), top + 12 * ratio);
+      } else if (!m.level && !m.upright && Number.isFinite(x + y)) {
+        g.arc(x, y, 4 * ratio, 0, 2 * Math.PI);
+        g.fillText(m.label, Math.min(x + 7 * ratio, left + width - g.measureText(m.label).width), y - 7 * ratio);
+      }
+      g.stroke();
+    }
+    g.restore();
+  }
+}

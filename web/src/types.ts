@@ -1,0 +1,126 @@
+// What the engine answers (web/page_json.hpp, web/deck_places.hpp).
+
+export interface Deck {
+  name: string;
+  text: string;
+  /** What the deck names: included decks, terrain; by the name that it uses. */
+  files: Record<string, string>;
+}
+
+export interface DeckError {
+  file: string;
+  line: number;
+  column: number;
+  width: number;
+  message: string;
+}
+
+export interface Check {
+  name: string;
+  part: string;
+  value: string;
+  limit: string;
+  sense: string;
+  utilisation: number | null;
+  share: string;
+  passes: boolean;
+  rule: string;
+  trust: string;
+  where: string;
+}
+
+export interface Curve {
+  label: string;
+  x: (number | null)[];
+  y: (number | null)[];
+  dashed: boolean;
+  points: boolean;
+}
+
+export interface PlotData {
+  name: string;
+  title: string;
+  caption: string;
+  x: { label: string; unit: string };
+  y: { label: string; unit: string };
+  curves: Curve[];
+  marks: { x: number | null; y: number | null; label: string; level: boolean; upright: boolean }[];
+}
+
+export interface SceneLine {
+  name: string;
+  role: string;
+  points: (number | null)[][];
+  tension: (number | null)[][];
+}
+
+export interface Scene {
+  name: string;
+  t: number[];
+  times: string[];
+  lines: SceneLine[];
+  points: { name: string; radius: number; at: [number, number, number][] }[];
+  tension: { least: number; most: number; least_text: string; most_text: string } | null;
+}
+
+export interface Page {
+  title: string;
+  method: string;
+  status: string;
+  message: string;
+  verdict: { kind: string; words: string; reason: string } | null;
+  headline: string;
+  answers: { label: string; text: string }[];
+  warnings: { text: string; unsafe: boolean }[];
+  errors: DeckError[];
+  values: { name: string; label: string; text: string; heading: string; detail: boolean }[];
+  checks: Check[];
+  plots: PlotData[];
+  pictures: number;
+  scenes: Scene[];
+  events: { t: number; text: string }[];
+  ground: (number | null)[];
+  interrupted: boolean;
+}
+
+export interface Picture {
+  title: string;
+  caption: string;
+  scale: string;
+  svg: string;
+}
+
+export interface Handle {
+  path: string;
+  name: string;
+  kind: string;
+  at: [number, number, number];
+  numbers: { from: number; to: number; unit: string; factor: number; decimals: number }[];
+}
+
+export interface OutlineNode {
+  path: string;
+  kind: 'null' | 'scalar' | 'sequence' | 'map';
+  value: [number, number];
+  key?: [number, number];
+  text?: string;
+}
+
+export interface Places {
+  outline?: OutlineNode[];
+  handles?: Handle[];
+}
+
+export interface Answer {
+  page?: Page;
+  places?: Places;
+  failure?: string;
+  /** Time that the engine took, in ms. */
+  took: number;
+}
+
+export interface Progress {
+  what: string;
+  done: number;
+  words: string;
+}
