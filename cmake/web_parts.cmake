@@ -79,6 +79,6 @@ add_library(taut_nlopt INTERFACE)
 target_link_libraries(taut_nlopt INTERFACE nlopt)
 target_include_directories(taut_nlopt SYSTEM INTERFACE ${PROJECT_BINARY_DIR}/nlopt)
 
-# There are no threads and no HDF5: see taut/app/cases/study/each_case.hpp and taut/io/hdf5.cpp.
+# There are no threads and no HDF5: see taut/app/cases/on_threads.hpp and taut/io/hdf5.cpp.
 add_library(taut_hdf5 INTERFACE)
 add_library(TBB::tbb INTERFACE IMPORTED)

@@ -1,13 +1,11 @@
 #include "taut/app/cases/evaluate.hpp"
 
-#include <oneapi/tbb/parallel_for.h>
-#include <oneapi/tbb/task_arena.h>
-
 #include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <mutex>
 
+#include "taut/app/cases/on_threads.hpp"
 #include "taut/base/expects.hpp"
 
 namespace taut::app {
@@ -35,8 +33,7 @@ Evaluated evaluate(const CaseModel& model, std::span<const double> values, std::
     if (!answer.outcome.ok()) evaluated.without.push_back({row, std::move(answer.outcome.message)});
     if (options.go_on && !ended && !options.go_on(done)) ended = true;
   };
-  tbb::task_arena arena(options.threads > 0 ? options.threads : tbb::task_arena::automatic);
-  arena.execute([&] { tbb::parallel_for(std::size_t{0}, rows, calculate); });
+  on_threads(options.threads, rows, calculate);
   std::sort(evaluated.without.begin(), evaluated.without.end(),
             [](const RowWithout& a, const RowWithout& b) { return a.row < b.row; });
   evaluated.interrupted = done < rows;
