@@ -24,6 +24,7 @@ interface Example extends Deck {
 }
 
 const pauseBeforeSolve = 150;
+const pauseBeforeWords = 1000;
 const gallery: Example[] = JSON.parse(byId('taut-gallery').textContent ?? '[]');
 const address = document.documentElement.dataset.address ?? '';
 const nonce = document.documentElement.dataset.nonce ?? '';
@@ -101,8 +102,16 @@ function deck(): Deck {
   return { name, text: editor.state.doc.toString(), files };
 }
 
+/** What is shown is of a text before the one in the editor: verdict, picture and numbers are greyed. */
+function setOld(old: boolean): void {
+  byId('machine').classList.toggle('old', old);
+  window.clearTimeout(waiting);
+  if (old) waiting = window.setTimeout(() => say('Calculating', 'pending', 'What is shown is of the deck before the change.'), pauseBeforeWords);
+}
+let waiting = 0;
+
 function later(): void {
-  byId('stage').classList.add('old');
+  setOld(true);
   window.clearTimeout(timer);
   // a drag that does not pause is followed all the same
   const now = performance.now();
@@ -172,6 +181,7 @@ function choose(handle: Handle): void {
 }
 
 function say(words: string, kind: string, reason = ''): void {
+  window.clearTimeout(waiting);
   const verdict = byId('verdict');
   verdict.dataset.kind = kind;
   verdict.replaceChildren(el('b', {}, words), ...(reason ? [el('span', {}, reason)] : []));
@@ -201,7 +211,7 @@ function show(answer: Answer, text: string): void {
   places = answer.places ?? {};
   placesOf = text;
   showForm();
-  byId('stage').classList.remove('old');
+  setOld(false);
   say(page.verdict?.words ?? page.status, page.verdict?.kind ?? 'no_answer', page.verdict?.reason ?? page.message);
   byId('took').textContent = `${Math.round(answer.took)} ms`;
   document.title = `${page.title || name} - taut`;
@@ -409,6 +419,8 @@ function open(d: Deck): void {
   files = { ...d.files };
   name = d.name;
   page = null;
+  for (const id of ['notes', 'checks', 'values', 'tab-report', 'figures']) list(id, []);
+  reportOf = -1;
   byId('deck-name').textContent = name;
   editor.setState(state(d.text));
   later();

@@ -31,7 +31,7 @@ async function opened(hash = '', options = {}) {
   return { page, context, asked, said };
 }
 const settled = (page) => page.waitForFunction(() => document.getElementById('took').textContent !== '' &&
-  !document.getElementById('stage').classList.contains('old'), null, { timeout: 300000 });
+  !document.getElementById('machine').classList.contains('old'), null, { timeout: 300000 });
 const text = (page) => page.evaluate(() => document.querySelector('.cm-content').cmTile?.view?.state.doc.toString() ??
   document.querySelector('.cm-content').cmView.view.state.doc.toString());
 const verdict = (page) => page.locator('#verdict').innerText();
@@ -104,12 +104,23 @@ test('a typo is marked at its place, and the last good picture stays', async () 
   await write(page, deck.replace('diameter: 350 mm, efficiency: 0.97', 'diamter: 350 mm, efficiency: 0.97'));
   await page.waitForSelector('.error');
   assert.match(await page.locator('.error').first().innerText(), /'diamter' is not a field/);
-  assert.ok(await page.locator('#stage.old').count());
+  assert.ok(await page.locator('#machine.old').count());
   assert.ok(await page.locator('.cm-lintRange-error').count());
   await page.screenshot({ path: join(pictures, 'typo-light-1280.png') });
   await write(page, deck);
   await settled(page);
   assert.equal(await page.locator('.error').count(), 0);
+  await context.close();
+});
+
+test('while a long calculation runs, no verdict of the deck before stands', async () => {
+  const { page, context } = await opened();
+  assert.match(await verdict(page), /Passes/);
+  await page.locator('#examples').selectOption({ label: 'Telescopic boom, extension rope broken at 17 m, hook' });
+  await page.waitForSelector('#verdict[data-kind="pending"]', { timeout: 60000 });
+  assert.doesNotMatch(await verdict(page), /Passes/);
+  assert.ok(await page.locator('#machine.old').count());
+  assert.equal(await page.locator('#checks tr').count(), 0);
   await context.close();
 });
 
