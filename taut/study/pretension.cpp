@@ -30,8 +30,8 @@ PullEnd end_of(const machine::Model& model, const solve::EquilibriumResult& resu
   const std::size_t ropes = model.reevings.size();
   end.T_start.assign(ropes, 0.0);
   end.T_end = end.T_start;
-  for (auto branch = result.branches.rbegin(); branch != result.branches.rend(); ++branch)
-    end.T_start[branch->reeving] = branch->T_from;
+  std::for_each(result.branches.rbegin(), result.branches.rend(),
+                [&](const solve::BranchResult& branch) { end.T_start[branch.reeving] = branch.T_from; });
   for (const solve::BranchResult& branch : result.branches) end.T_end[branch.reeving] = branch.T_to;
   for (const solve::RopeResult& rope : result.ropes) end.unstretched.push_back(rope.unstretched);
   end.at = result;

@@ -255,6 +255,7 @@ InputTable table_of(const PartList& list, const Display& display) {
     if (add_column(list, field, most_width, display, t)) shown.push_back(field);
   }
   std::vector<InputCell> others;
+  others.reserve(list.parts.size());
   for (const Part& part : list.parts) others.push_back(other_fields(part, shown, display));
   if (std::all_of(others.begin(), others.end(), [](const InputCell& c) { return c.text.empty(); })) return t;
   t.columns.push_back({.name = shown.empty() ? "as given" : "also", .words = {}, .unit = {}});

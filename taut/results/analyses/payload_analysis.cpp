@@ -119,6 +119,7 @@ std::string load_besides(const machine::Model& model, const study::PayloadRun& r
 void add_carried(const MachineRun& machine, const study::PayloadRun& run, const LeastPayload& least,
                  const std::vector<NothingCarried>& nothing, Result& r) {
   std::vector<std::string> parts;
+  parts.reserve(nothing.size() + 1);
   for (const NothingCarried& one : nothing) parts.push_back(fmt::format("nothing {} ({})", one.where, one.limit));
   if (least.of_some != nullptr) {
     parts.push_back((nothing.empty() ? "" : "elsewhere ") + payload_words(*least.of_some, machine.display));

@@ -67,8 +67,8 @@ void add_ground(const DrawnLine& line, Profile& p) {
   const auto at = [&](double chainage, double z) {
     return Point{.x = (m.terrain_from + chainage * m.terrain_along).dot(line.way.along), .y = z};
   };
-  for (std::size_t i = 0; i < m.terrain.size(); ++i) {
-    const Point here = at(m.terrain[i].x, m.terrain[i].z);
+  for (const auto& surveyed : m.terrain) {
+    const Point here = at(surveyed.x, surveyed.z);
     if (here.x >= low - beyond && here.x <= high + beyond) p.ground.push_back(here);
   }
   // the ends of the picture lie between two points of the survey
