@@ -15,6 +15,7 @@
 #include "taut/report/embedded/figure_css.hpp"
 #include "taut/report/figure/any_figure.hpp"
 #include "taut/report/text/quantity.hpp"
+#include "taut/report/verdict.hpp"
 
 namespace taut::web {
 namespace {
@@ -98,7 +99,7 @@ Json checks(const Result& r, const Display& display) {
                     {"sense", c.sense == Sense::at_most ? "at most" : "at least"},
                     {"utilisation", number(c.utilisation)},
                     {"share", fmt::format("{} %", report::number_shown(100 * c.utilisation, 3))},
-                    {"passes", c.passes},
+                    {"outcome", report::outcome_text(c)},
                     {"rule", c.rule},
                     {"trust", c.trust},
                     {"where", c.where}});

@@ -193,7 +193,11 @@ class Tables(Mapping[str, Table]):
 
 
 class Check(NamedTuple):
-    """A value against its limit, SI. `sense`: at_most or at_least; passes exactly where utilisation <= 1."""
+    """A value against its limit, SI. `sense`: at_most or at_least.
+
+    `refused`: the limit is unverified, and the deck refuses such limits: nothing is judged by it, and `passes` is
+    False. Else `passes` is True exactly where utilisation <= 1. `outcome` is what the report says.
+    """
 
     name: str
     value: float
@@ -208,6 +212,11 @@ class Check(NamedTuple):
     where: str
     limits: bool
     refused: bool
+
+    @property
+    def outcome(self) -> str:
+        """passes, fails or refused."""
+        return "refused" if self.refused else "passes" if self.passes else "fails"
 
 
 Head = dict[str, Any]

@@ -117,6 +117,18 @@ class Runs(unittest.TestCase):
         self.assertNotIn("<style", page)
 
 
+class Checks(unittest.TestCase):
+    def test_a_refused_limit_neither_passes_nor_fails(self):
+        deck = EXAMPLES / "machines/running_skyline.yaml"
+        result = taut.run(deck, {"checks.refuse_unverified": True})
+        self.assertEqual(result.verdict, "not_judged")
+        refused = [one for one in result.checks if one.refused]
+        self.assertTrue(refused)
+        self.assertEqual({one.outcome for one in refused}, {"refused"})
+        self.assertFalse(any(one.passes for one in refused))
+        self.assertEqual({one.outcome for one in taut.run(deck).checks}, {"passes"})
+
+
 class Machines(unittest.TestCase):
     def test_built_in_python_as_the_deck(self):
         deck = taut.run(taut.new("clamped_load"), {"analyses": [{"equilibrium": {"carriage": "car", "x": 125}}]})

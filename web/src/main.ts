@@ -308,10 +308,10 @@ function showChecks(): void {
   const rows = (page?.checks ?? []).map((c) => {
     const bar = el('span', { class: 'bar' });
     bar.style.setProperty('--share', String(Math.min(c.utilisation ?? 0, 1)));
-    return el('tr', { class: c.passes ? 'passes' : 'fails' },
+    return el('tr', { class: c.outcome },
       el('td', {}, c.name),
       el('td', {}, c.value), el('td', {}, `${c.sense} ${c.limit}`),
-      el('td', {}, bar, ` ${c.share}`), el('td', {}, c.passes ? 'passes' : 'fails'),
+      el('td', {}, bar, ` ${c.share}`), el('td', {}, c.outcome),
       el('td', { class: 'rule' }, c.rule, c.where ? ` (${c.where})` : '', c.trust.startsWith('UNVERIFIED') ? ' - unverified' : ''));
   });
   list('checks', rows.length === 0 ? [el('p', { class: 'empty' }, 'Nothing is checked: the deck asks for no limit.')]

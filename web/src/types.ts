@@ -23,7 +23,7 @@ export interface Check {
   sense: string;
   utilisation: number | null;
   share: string;
-  passes: boolean;
+  outcome: string;
   rule: string;
   trust: string;
   where: string;

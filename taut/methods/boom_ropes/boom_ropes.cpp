@@ -158,10 +158,10 @@ void corrected(const Input& in, const Span<T>& F, const Tensioned<T>& F_0, Sheet
     s.warn([&] {
       return fmt::format(
           "C1 = {:.4g} MN/m contradicts the ratio of tension changes {:.3g}: the retraction rope needs S20 > {:.1f} "
-          "kN, "
-          "not {:.1f} kN. The smaller value is unsafe: the rope would go slack when case {} ({}) is lifted.",
-          in.extension_stiffness / 1e6, *ratio, out.S20_min_corrected / 1e3, out.S20_min / 1e3, out.lowest_case + 1,
-          in.cases[out.lowest_case].name);
+          "kN, not {:.1f} kN. The smaller value is unsafe: the rope would go slack when case {} ({}) is lifted.",
+          // what is needed is rounded up
+          in.extension_stiffness / 1e6, *ratio, std::ceil(out.S20_min_corrected / 100) / 10, out.S20_min / 1e3,
+          out.lowest_case + 1, in.cases[out.lowest_case].name);
     });
   }
 }

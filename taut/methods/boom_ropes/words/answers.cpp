@@ -18,7 +18,7 @@ std::vector<Answer> answers(const Input& in, const Result& r, const Display& dis
   const auto has = [&](const char* value) { return r.find_value(value) != nullptr; };
   if (has("S10_set") && has("S20_set")) {
     const auto given = [&](const std::optional<double>& tension, const char* set) {
-      if (!tension) return shown(set);
+      if (!tension) return shown(set, Rounding::up);
       const std::string own = display.brief(*tension, si::N.in("kN"));
       return own == shown(set) ? own : fmt::format("{}, settles at {}", own, shown(set));
     };
