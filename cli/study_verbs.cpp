@@ -65,6 +65,10 @@ tl::expected<Opened, int> open_study(const StudyVerbOptions& options, bool first
   return Opened{.study = std::move(*study), .folder = std::move(*folder)};
 }
 
+app::StudyOptions with_progress(const StudyVerbOptions& options, ProgressLine& line) {
+  return {.threads = options.threads, .progress = [&line](const Progress& progress) { return line(progress); }};
+}
+
 /// Reads all cases and writes the report.
 int merge(const Opened& opened, const StudyVerbOptions& options) {
   const app::StudyState state = app::state_of(opened.folder);
@@ -76,14 +80,15 @@ int merge(const Opened& opened, const StudyVerbOptions& options) {
   const auto data = app::read_cases(opened.study, opened.folder);
   if (!data) return no_file(data.error());
   warn_without_chromium(options.run);
-  return tell(app::study_result(opened.study, *data, options.threads), options.run);
+  ProgressLine line(!options.run.quiet && isatty(STDERR_FILENO) != 0);
+  const Result r = app::study_result(opened.study, *data, with_progress(options, line));
+  line.clear();
+  return tell(r, options.run);
 }
 
 int calculate(const Opened& opened, const StudyVerbOptions& options) {
   ProgressLine line(!options.run.quiet && isatty(STDERR_FILENO) != 0);
-  app::StudyOptions how;
-  how.threads = options.threads;
-  how.progress = [&line](const Progress& progress) { return line(progress); };
+  app::StudyOptions how = with_progress(options, line);
   if (!options.shard.empty()) std::tie(how.shard, how.of) = *shard_of(options.shard);
   const auto state = app::run_cases(opened.study, opened.folder, how);
   line.clear();

@@ -133,7 +133,7 @@ py::tuple study(const std::string& text, const std::string& name, const std::vec
     if (state.interrupted || !state.whole()) return {};
     const auto data = app::read_cases(*study, *place);
     if (!data) return tl::unexpected(data.error());
-    result = std::make_shared<Result>(app::study_result(*study, *data, threads));
+    result = std::make_shared<Result>(app::study_result(*study, *data, {.threads = threads, .progress = ask}));
     return {};
   };
   const py::object raised = watched(

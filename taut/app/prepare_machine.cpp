@@ -137,15 +137,15 @@ Result solve_more(const std::vector<study::Asked>& asked, results::MachineRun& r
 }
 
 /// All that was asked, as deep as wanted. `run`: what it rests on, for whoever goes on from there.
-Result compute(const MachineDeck& deck, const machine::Model& model, const study::AskedAll& asked, RunDepth depth,
+Result compute(const MachineDeck& deck, machine::Model model, study::AskedAll asked, RunDepth depth,
                const std::function<bool(const Progress&)>& progress, results::MachineRun& run) {
   const bool report = depth == RunDepth::report;
-  run.model = model;
-  run.equilibria = asked.equilibria;
-  run.paths = asked.paths;
+  run.several = asked.equilibria.size() + asked.paths.size() + asked.more.size() > 1;
+  run.model = std::move(model);
+  run.equilibria = std::move(asked.equilibria);
+  run.paths = std::move(asked.paths);
   run.progress = progress;
   run.display = deck.display;
-  run.several = asked.equilibria.size() + asked.paths.size() + asked.more.size() > 1;
   Result r;
   r.method_title = "Machine";
   if (report) r.given = given_of(MachineDeck::describe(), &deck);
@@ -288,7 +288,7 @@ Result run_machine(const MachineDeck& deck, RunDepth depth, const std::function<
     asked.equilibria[i].near = (*states)[i];
   }
   results::MachineRun run;
-  Result r = compute(deck, *model, asked, depth, progress, run);
+  Result r = compute(deck, std::move(*model), std::move(asked), depth, progress, run);
   if (r.status == Status::ok && !r.missing.empty()) {
     r.status = Status::infeasible;
     r.message =

@@ -1,5 +1,4 @@
 #pragma once
-#include <memory>
 #include <string>
 #include <vector>
 
@@ -42,7 +41,7 @@ struct CheckedParts {
   /// Whether there are any of them.
   bool any_shown() const;
 
-  std::shared_ptr<const CheckedDeck> deck;
+  const CheckedDeck* deck;
   bool judged = true;  ///< false: the analysis that runs says `judge: false`, and its states do not count
   Judge judge;
   RopeUses ropes;

@@ -95,13 +95,14 @@ FoundParameter parameter_of(MachineDeck& deck, const std::string& path) {
 
 CaseAnswer answer_of(const MachineModel& model, std::span<const double> values) {
   CaseAnswer answer{.outputs = std::vector<double>(model.outputs, std::nan("")), .outcome = {}};
-  const auto deck = deck_with(model.deck, model.inputs, model.parameters, parameter_of, values);
+  auto deck = deck_with(model.deck, model.inputs, model.parameters, parameter_of, values);
   if (!deck) answer.outcome = deck.error();
   std::vector<double> found = answer.outputs;
   for (const DeckPart& part : model.parts) {
     if (!answer.outcome.ok()) return answer;
     States near = part.states;
-    const Result r = run_part(model, part, *deck, near.empty() ? nullptr : &near);
+    const bool last = &part == &model.parts.back();
+    const Result r = run_part(model, part, last ? std::move(*deck) : *deck, near.empty() ? nullptr : &near);
     answer.outcome = take_values(r, part.wanted, found);
   }
   if (answer.outcome.ok()) answer.outputs = std::move(found);

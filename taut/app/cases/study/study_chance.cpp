@@ -24,6 +24,7 @@ struct LimitAnswer {
   chance::LimitProbability sampled;
   std::optional<chance::Form> form;
   std::optional<chance::ImportanceSampling> importance;
+  bool interrupted = false;  ///< before both had ended: they have no numbers
 
   /// The one that decides, failed cases counted as beyond: of importance sampling where there is one.
   Estimate decisive(double confidence) const {
@@ -37,19 +38,26 @@ struct LimitAnswer {
 };
 
 /// FORM, and what goes on from its design points. Not ok: the limit state has no answer.
-Outcome add_reliability(const Study& study, const StudyLimit& limit, int threads, LimitAnswer& answer) {
-  const chance::LimitState state(study.inputs, parallel(study.model, threads), limit.output, limit.limit);
+Outcome add_reliability(const Study& study, const StudyLimit& limit, const StudyOptions& options, LimitAnswer& answer) {
+  chance::ImportanceOptions sampling;
+  CaseCounter counter("FORM and importance sampling", sampling.most_samples + sampling.plain_samples, false,
+                      options.progress);
+  const chance::LimitState state(study.inputs, parallel(study.model, options.threads, &counter), limit.output,
+                                 limit.limit);
   const auto seed = static_cast<std::uint64_t>(study.request.seed);
-  chance::FormOptions options;
-  options.seed = seed;
-  answer.form = chance::form(state, options);
+  chance::FormOptions search;
+  search.seed = seed;
+  answer.form = chance::form(state, search);
+  answer.interrupted = counter.ended();
+  if (answer.interrupted) return {};
   if (answer.form->status != chance::FormStatus::found) {
     return not_converged(fmt::format("FORM of '{}': {}", beyond_in_words(study, limit), answer.form->reason));
   }
   // Breitung's and FORM's numbers are asymptotic: a sample around the design points always stands beside them
-  chance::ImportanceOptions sampling;
   sampling.seed = seed;
   answer.importance = chance::importance_sampling(state, *answer.form, sampling, answer.sampled);
+  answer.interrupted = counter.ended();
+  if (answer.interrupted) return {};
   if (answer.importance->status != chance::ImportanceStatus::found) {
     return not_converged(
         fmt::format("importance sampling of '{}': {}", beyond_in_words(study, limit), answer.importance->reason));
@@ -117,7 +125,8 @@ void judge(const Study& study, std::size_t k, const LimitAnswer& answer, Result&
                                  needed ? fmt::format(": about {} samples would tell", *needed) : std::string{}));
 }
 
-void add_limits(const Study& study, const StudyData& data, int threads, ChanceSummary& summary, Result& r) {
+void add_limits(const Study& study, const StudyData& data, const StudyOptions& options, ChanceSummary& summary,
+                Result& r) {
   if (study.limits.empty()) return;
   Table t{.name = "probabilities",
           .title = "How probable it is that a limit is not kept; cases without an answer count as beyond it",
@@ -138,9 +147,14 @@ void add_limits(const Study& study, const StudyData& data, int threads, ChanceSu
                        .importance = {}};
     summary.probabilities.push_back(answer.sampled);
     if (reliability) {
-      if (const Outcome outcome = add_reliability(study, limit, threads, answer); !outcome.ok()) {
+      if (const Outcome outcome = add_reliability(study, limit, options, answer); !outcome.ok()) {
         r.status = outcome.status;
         r.message = outcome.message;
+        continue;
+      }
+      if (answer.interrupted) {
+        r.interrupted = true;
+        r.unmade.push_back(fmt::format("the probability of {}: FORM was interrupted", words));
         continue;
       }
       add_design_points(study, k, *answer.form, r);
@@ -235,8 +249,9 @@ chance::Sample sample_of(const Study& study, const StudyData& data, std::size_t 
           .confidence = study.request.confidence};
 }
 
-void add_chance(const Study& study, const StudyData& data, int threads, ChanceSummary& summary, Result& r) {
-  add_limits(study, data, threads, summary, r);
+void add_chance(const Study& study, const StudyData& data, const StudyOptions& options, ChanceSummary& summary,
+                Result& r) {
+  add_limits(study, data, options, summary, r);
   add_indices(study, data, summary, r);
   add_tornado(study, data, r);
 }

@@ -25,6 +25,7 @@ struct ChanceSummary {
 chance::Sample sample_of(const Study& study, const StudyData& data, std::size_t output);
 
 /// Probabilities of the limits with their verdicts, Sobol indices, tornado, FORM, SORM, importance sampling.
-void add_chance(const Study& study, const StudyData& data, int threads, ChanceSummary& summary, Result& r);
+void add_chance(const Study& study, const StudyData& data, const StudyOptions& options, ChanceSummary& summary,
+                Result& r);
 
 }  // namespace taut::app

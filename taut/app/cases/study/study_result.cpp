@@ -210,7 +210,7 @@ void add_given(const Study& study, Result& r) {
 
 }  // namespace
 
-Result study_result(const Study& study, const StudyData& data, int threads) {
+Result study_result(const Study& study, const StudyData& data, const StudyOptions& options) {
   Result r;
   r.title = study.title.empty() ? "Study" : study.title;
   r.method = study.method;
@@ -229,7 +229,7 @@ Result study_result(const Study& study, const StudyData& data, int threads) {
     add_grid_limits(study, data, r);
   }
   ChanceSummary rest;
-  if (study.points) add_chance(study, data, threads, rest, r);
+  if (study.points) add_chance(study, data, options, rest, r);
   for (const ChanceSummary::Line& line : rest.lines) summary.add(line.of, line.what, line.unit, line.estimate);
   add_failed(study, data, r);
   r.tables.push_back(std::move(summary).table());

@@ -3,6 +3,7 @@
 
 #include "taut/app/cases/study/study.hpp"
 #include "taut/app/cases/study/study_folder.hpp"
+#include "taut/app/cases/study/study_run.hpp"
 #include "taut/base/long_rows.hpp"
 #include "taut/calc/result.hpp"
 
@@ -25,7 +26,8 @@ struct StudyData {
 tl::expected<StudyData, FileError> read_cases(const Study& study, const StudyFolder& folder);
 
 /// What the cases say: tables, figures, checks of the allowed probabilities, answers. FORM and importance sampling
-/// calculate cases of their own, on `threads`; where they have no answer the result has none.
-Result study_result(const Study& study, const StudyData& data, int threads);
+/// calculate cases of their own, on the threads of the options and with their progress; where they have no answer the
+/// result has none, and where they are interrupted it has no number of them and says so.
+Result study_result(const Study& study, const StudyData& data, const StudyOptions& options);
 
 }  // namespace taut::app

@@ -1,41 +1,14 @@
 #include "taut/app/cases/study/study_run.hpp"
 
-#include <fmt/format.h>
-
-#include <atomic>
+#include <cmath>
 #include <mutex>
 #include <optional>
 
 #include "taut/app/cases/on_threads.hpp"
+#include "taut/app/cases/study/case_counter.hpp"
 
 namespace taut::app {
 namespace {
-
-/// Tells how many cases are done, one thread at a time, and remembers that it shall end.
-class CaseCounter {
- public:
-  CaseCounter(std::uint64_t cases, const std::function<bool(const Progress&)>& ask) : cases_(cases), ask_(ask) {}
-
-  /// After each case; false: it is to end.
-  bool go_on() {
-    const std::uint64_t done = ++done_;
-    if (ended_) return false;
-    if (!ask_) return true;
-    const std::unique_lock turn(turn_, std::try_to_lock);
-    if (!turn.owns_lock()) return true;
-    const double share = static_cast<double>(done) / static_cast<double>(cases_);
-    if (!ask_({.what = "study", .done = share, .words = fmt::format("{} of {} cases", done, cases_)})) ended_ = true;
-    return !ended_;
-  }
-  bool ended() const { return ended_; }
-
- private:
-  std::uint64_t cases_;
-  const std::function<bool(const Progress&)>& ask_;
-  std::atomic<std::uint64_t> done_ = 0;
-  std::atomic<bool> ended_ = false;
-  std::mutex turn_;
-};
 
 /// The rows of a part; empty where it was ended.
 std::vector<KeptCase> rows_of(const Study& study, const CaseBlock& block, CaseCounter& counter) {
@@ -75,7 +48,7 @@ tl::expected<StudyState, FileError> run_cases(const Study& study, const StudyFol
     open.push_back(p);
     cases += folder.parts().of(p).count;
   }
-  CaseCounter counter(cases, options.progress);
+  CaseCounter counter("study", cases, true, options.progress);
   std::mutex turn;
   std::optional<FileError> trouble;
   const auto calculate = [&](std::size_t k) {
@@ -93,10 +66,17 @@ tl::expected<StudyState, FileError> run_cases(const Study& study, const StudyFol
   return state;
 }
 
-chance::Evaluate parallel(const CaseModel& model, int threads) {
-  return [&model, threads](std::span<const chance::Point> points) {
+chance::Evaluate parallel(const CaseModel& model, int threads, CaseCounter* counter) {
+  return [&model, threads, counter](std::span<const chance::Point> points) {
     std::vector<std::vector<double>> rows(points.size());
-    on_threads(threads, points.size(), [&](std::size_t i) { rows[i] = model.answer(points[i]).outputs; });
+    on_threads(threads, points.size(), [&](std::size_t i) {
+      if (counter != nullptr && counter->ended()) {
+        rows[i].assign(model.outputs.size(), std::nan(""));
+        return;
+      }
+      rows[i] = model.answer(points[i]).outputs;
+      if (counter != nullptr) counter->go_on();
+    });
     return rows;
   };
 }

@@ -2,6 +2,7 @@
 #include <functional>
 #include <tl/expected.hpp>
 
+#include "taut/app/cases/study/case_counter.hpp"
 #include "taut/app/cases/study/study.hpp"
 #include "taut/app/cases/study/study_folder.hpp"
 #include "taut/calc/progress.hpp"
@@ -29,7 +30,8 @@ StudyState state_of(const StudyFolder& folder);
 tl::expected<StudyState, FileError> run_cases(const Study& study, const StudyFolder& folder,
                                               const StudyOptions& options);
 
-/// The study's model on several points at once, for what asks for cases of its own.
-chance::Evaluate parallel(const CaseModel& model, int threads);
+/// The study's model on several points at once, for what asks for cases of its own. `counter`: counts them; once it has
+/// ended no case is calculated any more, and its outputs are NaN. May be null.
+chance::Evaluate parallel(const CaseModel& model, int threads, CaseCounter* counter = nullptr);
 
 }  // namespace taut::app

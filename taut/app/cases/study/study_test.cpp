@@ -61,7 +61,7 @@ Result whole(const std::string& text, int threads = 2) {
   if (!folder) throw std::runtime_error(folder.error().message);
   const auto state = run_cases(study, *folder, {.threads = threads});
   if (!state || !state->whole()) throw std::runtime_error("not whole");
-  return study_result(study, *read_cases(study, *folder), threads);
+  return study_result(study, *read_cases(study, *folder), {.threads = threads, .progress = {}});
 }
 
 double value(const Result& r, const std::string& name) {
@@ -240,6 +240,34 @@ TEST(Study, LawsAreReadInTheUnitsOfTheirNumbers) {
   expect("from: 204 m, to: 206 m, steps: 2", 205, std::sqrt(2.0 / 3));
   // cut symmetrically at one standard deviation: variance 1 - 2 phi(1)/(2 Phi(1) - 1)
   expect("normal: {mean: 205 m, sd: 0.3 m}, truncate: [204.7 m, 205.3 m]", 205, 0.3 * std::sqrt(0.29112509));
+}
+
+TEST(Study, AnInterruptedFormLeavesNoNumberAndKeepsTheCases) {
+  const std::string text = deck_with(
+      usual + std::string("  limit: {equilibrium.sky.T_max: {at_most: 35.5 kN, allowed: 0.9}}\n  samples: 64\n"
+                          "  answer: [form]\n"));
+  const taut_test::ScratchFolder scratch;
+  const Study study = read(text);
+  const auto folder =
+      StudyFolder::make(scratch.path().string(), {.text = text, .name = "deck.yaml", .set = {}, .progress = {}}, study);
+  ASSERT_TRUE(folder && run_cases(study, *folder, {})->whole());
+  const StudyData data = *read_cases(study, *folder);
+  int told = 0;
+  const Result ended = study_result(study, data, {.threads = 2, .progress = [&](const Progress& p) {
+                                                    EXPECT_THAT(p.what, HasSubstr("FORM"));
+                                                    EXPECT_LE(p.done, 1);
+                                                    return ++told < 3;
+                                                  }});
+  EXPECT_EQ(told, 3);
+  EXPECT_TRUE(ended.interrupted);
+  EXPECT_EQ(exit_code(ended), 130);
+  EXPECT_TRUE(std::isnan(value(ended, "p")));
+  EXPECT_TRUE(ended.checks.empty());
+  ASSERT_EQ(ended.unmade.size(), 1u);
+  EXPECT_THAT(ended.unmade.front(), HasSubstr("interrupted"));
+  const Result whole_one = study_result(study, data, {});
+  EXPECT_FALSE(whole_one.interrupted);
+  EXPECT_GT(value(whole_one, "p"), 0);
 }
 
 TEST(Study, FormAgreesWithTheSampleAndWithoutAnAnswerThereIsNoNumber) {
