@@ -278,16 +278,18 @@ std::optional<ReadMachine> read_machine(const io::Node& input, const Display& di
 }
 
 Result run_machine(const MachineDeck& deck, RunDepth depth, const std::function<bool(const Progress&)>& progress,
-                   States* states) {
+                   const OneOfMany& many) {
   auto model = machine::compile(deck.machine);
   if (!model) return refused(model.error());
   std::vector<Complaint> complaints;
   study::AskedAll asked = study::resolve(deck.analyses, deck.design.has_value(), deck.machine, *model, complaints);
   if (!complaints.empty()) return refused(complaints);
+  States* const states = many.states;
   for (std::size_t i = 0; states != nullptr && i < std::min(states->size(), asked.equilibria.size()); ++i) {
     asked.equilibria[i].near = (*states)[i];
   }
   results::MachineRun run;
+  run.wants = many.wants;
   Result r = compute(deck, std::move(*model), std::move(asked), depth, progress, run);
   if (r.status == Status::ok && !r.missing.empty()) {
     r.status = Status::infeasible;

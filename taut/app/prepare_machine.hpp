@@ -33,11 +33,16 @@ std::optional<ReadMachine> read_machine(const io::Node& input, const Display& di
 /// The states of a deck's equilibria, in its order.
 using States = std::vector<machine::State>;
 
+/// What makes a run of many cheaper.
+struct OneOfMany {
+  States* states = nullptr;  ///< near which each equilibrium begins; when empty, those found are put there
+  std::function<bool(const std::string& part)> wants = {};  ///< as in results::MachineRun
+};
+
 /// Runs a deck whose mistakes were told when it was read, with other numbers than it had then. Infeasible where a
-/// number makes no machine, and where a state is missing of which the deck asks: it can't be judged. `states`: near
-/// which each equilibrium begins; when empty, those found are put there.
+/// number makes no machine, and where a state is missing of which the deck asks: it can't be judged.
 Result run_machine(const MachineDeck& deck, RunDepth depth, const std::function<bool(const Progress&)>& progress = {},
-                   States* states = nullptr);
+                   const OneOfMany& many = {});
 
 /// Reads such a deck; without mistakes returns the calculation, ready to be called; else an empty one. `progress`: as
 /// in a Job.

@@ -37,6 +37,8 @@ struct MachineRun {
   Display display;                                ///< units for the sentences of the result
   KeyFigure key_figure;
   bool several = false;  ///< the deck has several analyses: each has its heading
+  /// Whether values of the part of that name are wanted; empty: of all.
+  std::function<bool(const std::string& part)> wants;
 };
 
 /// An equilibrium that was found.

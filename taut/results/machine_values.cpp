@@ -11,13 +11,15 @@
 namespace taut::results {
 namespace {
 
+bool wanted(const MachineRun& run, const std::string& part) { return !run.wants || run.wants(part); }
+
 void add_places(const MachineRun& run, Result& r) {
   const auto first = std::find_if(run.equilibria.begin(), run.equilibria.end(),
                                   [](const study::EquilibriumRun& one) { return one.result.outcome.ok(); });
   if (first == run.equilibria.end()) return;
   for (std::size_t i = 0; i < run.model.bodies.size(); ++i) {
     const machine::Body& body = run.model.bodies[i];
-    if (body.free.empty() || body.of_rope || !is_listed(body)) continue;
+    if (body.free.empty() || body.of_rope || !is_listed(body) || !wanted(run, body.name)) continue;
     const solve::BodyRow row{.model = first->model, .at = first->result, .body = static_cast<int>(i)};
     for (const char* axis : {"x", "y", "z"}) {
       r.values.push_back(make_value(named(solve::body_quantities(), axis), row, body.name, "", first->words));
@@ -26,6 +28,7 @@ void add_places(const MachineRun& run, Result& r) {
   for (std::size_t i = 0; i < run.model.reevings.size(); ++i) {
     const solve::RopeRow row{.model = first->model, .at = first->result, .reeving = static_cast<int>(i)};
     const std::string& name = run.model.reevings[i].name;
+    if (!wanted(run, name)) continue;
     r.values.push_back(make_value(named(solve::rope_quantities(), "unstretched"), row, name, "", first->words));
   }
 }
@@ -36,6 +39,7 @@ void add_ends(const MachineRun& run, Result& r) {
     if (!one.result.outcome.ok()) continue;
     for (std::size_t i = 0; i < run.model.reevings.size(); ++i) {
       const machine::Reeving& rope = one.model.reevings[i];
+      if (!wanted(run, rope.name)) continue;
       const solve::RopeRow row{.model = one.model, .at = one.result, .reeving = static_cast<int>(i)};
       for (const auto& q : as_details(solve::rope_end_tensions())) {
         Value value = make_value(q, row, rope.name, one.ending, one.words);

@@ -75,11 +75,19 @@ void prune(const DeckPart& part, MachineDeck& deck) {
   if (!deck.analyses.empty()) deck.analyses = {std::move(deck.analyses[part.analysis.index])};
 }
 
-Result run_part(const MachineModel& model, const DeckPart& part, MachineDeck deck, States* states) {
+/// `whole`: with all values, to know which there are.
+Result run_part(const MachineModel& model, const DeckPart& part, MachineDeck deck, States* states, bool whole) {
   prune(part, deck);
   if (part.kind != DeckPart::Kind::design) {
     const RunDepth depth = part.kind == DeckPart::Kind::checks ? RunDepth::checks : RunDepth::values;
-    return run_machine(deck, depth, {}, states);
+    OneOfMany many{.states = states};
+    if (!whole && part.kind == DeckPart::Kind::analysis) {
+      many.wants = [&part](const std::string& name) {
+        return std::any_of(part.wanted.begin(), part.wanted.end(),
+                           [&](const WantedValue& one) { return one.name.starts_with(name); });
+      };
+    }
+    return run_machine(deck, depth, {}, many);
   }
   const auto run = [](const MachineDeck& one, RunDepth depth, const std::function<bool(const Progress&)>& ask) {
     return run_machine(one, std::min(depth, RunDepth::checks), ask);
@@ -102,7 +110,7 @@ CaseAnswer answer_of(const MachineModel& model, std::span<const double> values) 
     if (!answer.outcome.ok()) return answer;
     States near = part.states;
     const bool last = &part == &model.parts.back();
-    const Result r = run_part(model, part, last ? std::move(*deck) : *deck, near.empty() ? nullptr : &near);
+    const Result r = run_part(model, part, last ? std::move(*deck) : *deck, near.empty() ? nullptr : &near, false);
     answer.outcome = take_values(r, part.wanted, found);
   }
   if (answer.outcome.ok()) answer.outputs = std::move(found);
@@ -170,7 +178,7 @@ MadeCases machine_cases(const ReadMachine& read, const CaseQuestion& question,
   if (!wrong.complaints.empty()) return tl::unexpected(std::move(wrong));
   for (const CaseName& one : question.outputs) made.outputs.push_back({.name = one.name, .unit = {}, .label = {}});
   for (DeckPart& part : model->parts) {
-    const Result r = run_part(*model, part, model->deck, &part.states);
+    const Result r = run_part(*model, part, model->deck, &part.states, true);
     add_outputs(r, part.wanted, made, wrong);
     if (!wrong.complaints.empty() || !wrong.outcome.ok()) return tl::unexpected(std::move(wrong));
   }
