@@ -24,7 +24,7 @@ struct Prepared {
 
 Prepared prepare(const Job& job) {
   Prepared p;
-  p.deck = io::read_deck(job.text, job.name, job.set, method_names(), p.mistakes);
+  p.deck = io::read_deck(job.text, job.name, job.set, method_names(), p.mistakes, job.read);
   if (!p.deck) return p;
   const Display& display = p.deck->display;
   if (p.deck->is_machine) p.calculate = prepare_machine(p.deck->input, p.mistakes, job.progress, display);

@@ -6,6 +6,7 @@
 
 #include "taut/calc/progress.hpp"
 #include "taut/calc/result.hpp"
+#include "taut/io/file_reader.hpp"
 
 namespace taut::app {
 
@@ -17,6 +18,9 @@ struct Job {
   /// Called from time to time by long calculations, from the thread that runs the job. When it returns false the
   /// calculation ends; the result then holds what was computed until then and is marked as interrupted. May be empty.
   std::function<bool(const Progress&)> progress = {};
+  /// Gives the files that the deck names, in place of the disk: a door that takes decks of others says here which files
+  /// they may have. May be empty.
+  io::FileReader read = {};
 };
 
 /// Reads the deck, runs its method or machine, and returns everything a report needs. The program calls it for every

@@ -2,6 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "test/paths.hpp"
+
 namespace taut::app::job_test {
 
 const std::string mast =
@@ -38,6 +45,51 @@ TEST(Job, AMissingIncludeIsAMistake) {
       Job{.text = "taut: 1\ninclude: nowhere.part.yaml\nmethod: mast_section\ninput: {}\n", .name = "m", .set = {}});
   EXPECT_EQ(r.status, Status::bad_deck);
   EXPECT_GE(r.errors.size(), 1U);
+}
+
+/// Gives the files of a map, and notes what it was asked for.
+struct Given {
+  std::map<std::string, std::string> files;
+  std::vector<std::string> asked = {};
+  io::FileReader reader() {
+    return [this](const std::string& path) -> tl::expected<std::string, io::Unreadable> {
+      asked.push_back(path);
+      const auto found = files.find(path);
+      if (found == files.end()) return tl::unexpected(io::Unreadable{.message = "not given", .missing = true});
+      return found->second;
+    };
+  }
+};
+
+TEST(Job, FilesThatADeckNamesComeFromItsReader) {
+  Given given{.files = {{"decks/mast.part.yaml", mast}}};
+  const Result r =
+      run(Job{.text = "include: mast.part.yaml\n", .name = "decks/a.yaml", .set = {}, .progress = {}, .read = given.reader()});
+  EXPECT_EQ(r.status, Status::ok) << to_text(r.errors);
+  EXPECT_EQ(given.asked, std::vector<std::string>{"decks/mast.part.yaml"});
+  EXPECT_EQ(r.deck_hash, run(Job{.text = "include: mast.part.yaml\n",
+                                 .name = "decks/a.yaml",
+                                 .set = {},
+                                 .progress = {},
+                                 .read = given.reader()})
+                             .deck_hash);
+}
+
+TEST(Job, NoDeckReachesTheDiskPastItsReader) {
+  // included decks, terrain, states, also those that --set names
+  const std::string place = (taut_test::source_dir() / "LICENSE").string();
+  const std::string machine =
+      "taut: 1\nmachine:\n  terrain: {file: " + place + "}\nanalyses:\n  - {type: equilibrium}\n";
+  for (const auto& [text, set] : std::vector<std::pair<std::string, std::string>>{
+           {mast + "include: " + place + "\n", "title=b"},
+           {machine, "title=b"},
+           {"taut: 1\nmachine: {}\nanalyses: []\n", "machine.terrain={file: " + place + "}"}}) {
+    Given given;
+    const Result r = run(Job{.text = text, .name = "a.yaml", .set = {set}, .progress = {}, .read = given.reader()});
+    EXPECT_EQ(r.status, Status::bad_deck);
+    EXPECT_EQ(given.asked, std::vector<std::string>{place}) << text;
+    EXPECT_NE(to_text(r.errors).find("not given"), std::string::npos) << to_text(r.errors);
+  }
 }
 
 TEST(Job, MissingFileIsAFileError) { EXPECT_FALSE(read_job("/nowhere/at/all.yaml").has_value()); }

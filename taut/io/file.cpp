@@ -77,10 +77,15 @@ tl::expected<std::string, Unreadable> read_file(const std::string& path) {
   return read_open(file.get(), path);
 }
 
+tl::expected<std::string, Unreadable> read_beside(const Source& source, const std::string& path) {
+  if (source.reading && source.reading->read) return source.reading->read(path);
+  return read_file(path);
+}
+
 std::optional<NamedFile> read_named(const Node& node, const std::string& name, Diagnostics& mistakes) {
   const fs::path deck = node.spot.source ? fs::path(node.spot.source->name) : fs::path();
   NamedFile file{.path = (deck.parent_path() / name).string(), .text = {}};
-  auto text = read_file(file.path);
+  auto text = node.spot.source ? read_beside(*node.spot.source, file.path) : read_file(file.path);
   if (!text) {
     Diagnostic mistake = at(node.spot, text.error().message);
     mistake.unreadable_file = !text.error().missing;

@@ -4,14 +4,9 @@
 #include <tl/expected.hpp>
 
 #include "taut/io/deck/node.hpp"
+#include "taut/io/file_reader.hpp"
 
 namespace taut::io {
-
-/// Why a file can't be read. `missing`: there is none of that name.
-struct Unreadable {
-  std::string message;
-  bool missing = false;
-};
 
 /// The text of a regular file, cut one byte behind largest_deck. Everything else is refused unopened, as it could hold
 /// the program up for ever or have side effects: folders, pipes, sockets, devices.
@@ -19,6 +14,9 @@ tl::expected<std::string, Unreadable> read_file(const std::string& path);
 
 /// The same from a descriptor that is open already, whatever stands behind it: standard input, a pipe of the shell.
 tl::expected<std::string, Unreadable> read_open(int descriptor, const std::string& name);
+
+/// The text of a file that a deck with that source names: by the reader of its reading, else by read_file.
+tl::expected<std::string, Unreadable> read_beside(const Source& source, const std::string& path);
 
 /// A file that a deck names: its text, and what messages call it.
 struct NamedFile {

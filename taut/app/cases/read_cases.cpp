@@ -100,7 +100,7 @@ Result refusal(const NoCases& why, const io::Node& blocks) {
 tl::expected<ReadCases, Result> read_cases(const Job& job) {
   ReadCases read;
   Diagnostics mistakes;
-  auto deck = io::read_deck(job.text, job.name, job.set, method_names(), mistakes);
+  auto deck = io::read_deck(job.text, job.name, job.set, method_names(), mistakes, job.read);
   if (!deck) return tl::unexpected(bad_deck(std::move(mistakes)));
   read.deck = std::move(*deck);
   read.job = job;

@@ -171,13 +171,14 @@ Deck read_deck(const Document& document, const std::vector<std::string>& methods
 }
 
 std::optional<Deck> read_deck(std::string_view text, const std::string& name, const std::vector<std::string>& set,
-                              const std::vector<std::string>& methods, Diagnostics& mistakes) {
+                              const std::vector<std::string>& methods, Diagnostics& mistakes, FileReader read) {
   auto document = parse(text, name);
   if (!document) {
     for (Diagnostic& d : document.error()) add(mistakes, std::move(d));
     return std::nullopt;
   }
   for (Diagnostic& d : document->mistakes) add(mistakes, std::move(d));
+  document->source->reading->read = std::move(read);
   resolve_includes(*document, mistakes);
   for (const std::string& one : set) override_value(*document, one, deck_keys, mistakes);
   resolve_parameters(*document, mistakes);

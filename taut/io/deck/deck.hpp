@@ -36,8 +36,9 @@ struct Deck {
 ///         a name without a folder)
 ///   set: "input.cases[0].falls=6" and so on, in order
 ///   methods: names that `method:` may have
+///   read: gives the files that the deck names, now and later on; empty: they are read from disk
 std::optional<Deck> read_deck(std::string_view text, const std::string& name, const std::vector<std::string>& set,
-                              const std::vector<std::string>& methods, Diagnostics& mistakes);
+                              const std::vector<std::string>& methods, Diagnostics& mistakes, FileReader read = {});
 
 /// The same from a document whose includes, overrides and parameters are done.
 Deck read_deck(const Document& document, const std::vector<std::string>& methods, Diagnostics& mistakes);

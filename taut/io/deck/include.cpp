@@ -98,7 +98,7 @@ class Includer {
   }
 
   SourcePtr read_source(const Node& place, const fs::path& path) {
-    auto text = read_file(path.string());
+    auto text = read_beside(*place.spot.source, path.string());
     if (!text) {
       // of a file that the deck includes the place alone is shown: it may be no deck at all
       const std::string why = under_way_.size() > 1 ? "the file named here can't be read" : text.error().message;

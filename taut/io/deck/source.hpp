@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "taut/base/diagnostic.hpp"
+#include "taut/io/file_reader.hpp"
 
 namespace taut::io {
 
@@ -17,6 +18,7 @@ inline constexpr std::size_t most_mistakes = 100;
 /// What the reading of one deck has read besides the deck itself, in that order. Shared by all sources of that reading.
 struct Reading {
   std::vector<std::string> texts;
+  FileReader read;  ///< of the files that the deck names; empty: read_file
 };
 
 /// A text with the name that messages give it. Shared by every value that was read from it.
