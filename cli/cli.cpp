@@ -19,6 +19,7 @@
 #include "cli/completion.hpp"
 #include "cli/progress.hpp"
 #include "cli/say.hpp"
+#include "cli/serve_verb.hpp"
 #include "cli/study_verbs.hpp"
 #include "cli/verbs.hpp"
 #include "taut/base/suggest.hpp"
@@ -142,6 +143,21 @@ void add_study(CLI::App& app, std::function<int()>& action) {
   verb->add_flag("-a,--all", options->run.all, "print every check, value and short table, not the summary of 40 lines");
   add_report_options(*verb, options->run);
   verb->callback([options, &action] { action = [options] { return study(*options); }; });
+}
+
+void add_serve(CLI::App& app, std::function<int()>& action) {
+  auto* verb = app.add_subcommand("serve", "Show decks of a folder in the browser, calculated by this program");
+  auto options = std::make_shared<ServeVerbOptions>();
+  verb->add_option("folder", options->folder, "the folder whose decks the page opens and saves; the current one")
+      ->type_name("DIR")
+      ->check(a_name());
+  verb->add_option("--port", options->port, "port of 127.0.0.1; 0, the default, takes a free one")
+      ->type_name("N")
+      ->check(CLI::Range(0, 65535));
+  verb->add_option("--page", options->page, "the folder of the page that './dev web' makes; else the installed one")
+      ->type_name("DIR")
+      ->check(a_name());
+  verb->callback([options, &action] { action = [options] { return serve(*options); }; });
 }
 
 void add_check(CLI::App& app, std::function<int()>& action) {
@@ -300,6 +316,7 @@ int main(int argc, char** argv) {
   add_compare(app, action);
   add_study(app, action);
   add_export(app, action);
+  add_serve(app, action);
   add_list(app, action);
   add_texts(app, action);
   add_descriptions(app, action);

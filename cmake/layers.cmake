@@ -30,9 +30,9 @@ set(may_io ${may_catalogue} catalogue)
 set(may_app ${may_results} results design methods report io)
 
 # The doors: they parse, call app::run and print; no mechanics.
-set(may_cli ${may_catalogue} catalogue report io app)
-set(may_web ${may_cli})
-set(may_python ${may_cli})
+set(may_web ${may_catalogue} catalogue report io app)
+set(may_python ${may_web})
+set(may_cli ${may_web} web) # taut serve
 
 # What only the layers at work in it may include, beside tests: "<regular expression of the header> <inside of> <layers>".
 set(closed_rooms
