@@ -16,8 +16,7 @@ int serve(const ServeVerbOptions& options) {
     say("taut serves '{}' to this machine only; open the address in a browser. Ctrl-C ends it.\n", options.folder);
   };
   const auto goes_on = [&] { return printed == computed && InterruptHeld::goes_on(); };
-  const auto done =
-      web::serve({.folder = options.folder, .port = options.port, .page = options.page}, ready, goes_on);
+  const auto done = web::serve({.folder = options.folder, .port = options.port, .page = options.page}, ready, goes_on);
   if (done) return printed;
   say("taut: {}\n", done.error().message);
   return done.error().of_files ? file_trouble : usage_or_deck;

@@ -1,7 +1,7 @@
 # Test programs, found by where their files lie. One per layer would instantiate the same templates a dozen times, so
 # layers share a program (the table below); a layer that it does not name makes one of its own:
 #   taut/<layer>/**/*_test.cpp           -> taut_<layer>_test
-#   cli/*_test.cpp                       -> taut_cli_test
+#   cli/*_test.cpp, web/*_test.cpp       -> taut_cli_test
 #   test/<folder>/*_test.cpp             -> taut_whole_test
 #   test/<folder>/*_test.py, *_test.sh   -> run with TAUT_PROGRAM and TAUT_SOURCE_DIR in the environment
 # A folder that does not exist yet is simply no test. Several files are compiled as one (TAUT_UNITY), which more than
@@ -61,10 +61,10 @@ target_link_libraries(taut_parts_test PRIVATE UDUNITS2::UDUNITS2)
 taut_embed(TARGET taut_whole_test NAMESPACE taut_test::embedded NAME bytes FILE test/house/bytes.bin)
 taut_embed(TARGET taut_whole_test NAMESPACE taut_test::embedded NAME table FILES LICENSE test/house/bytes.bin)
 
-file(GLOB cli_tests CONFIGURE_DEPENDS cli/*_test.cpp)
+file(GLOB cli_tests CONFIGURE_DEPENDS cli/*_test.cpp web/*_test.cpp)
 if(cli_tests)
   taut_add_test(taut_cli_test ${cli_tests})
-  target_link_libraries(taut_cli_test PRIVATE taut_cli_parts)
+  target_link_libraries(taut_cli_test PRIVATE taut_cli_parts taut_serve_parts taut_serve_http)
   add_dependencies(taut_cli_test taut_cli)
 endif()
 

@@ -52,6 +52,7 @@ AskedDeck asked_deck(std::string_view json) {
     deck.text = asked.at("text").get<std::string>();
     deck.name = asked.value("name", deck.name);
     const Json files = asked.value("files", Json::object());
+    if (!files.is_object()) throw std::invalid_argument("no deck: its files are no map");
     for (const auto& [name, text] : files.items()) {
       if (!leads_out(name)) deck.files[normal(name)] = text.get<std::string>();
     }
@@ -67,8 +68,8 @@ std::string to_json(const AskedDeck& deck) {
 }
 
 app::Job job_of(const AskedDeck& deck, io::FileReader beyond) {
-  auto read = [files = deck.files, beyond = std::move(beyond)](const std::string& path)
-      -> tl::expected<std::string, io::Unreadable> {
+  auto read = [files = deck.files,
+               beyond = std::move(beyond)](const std::string& path) -> tl::expected<std::string, io::Unreadable> {
     const auto found = files.find(normal(path));
     if (found != files.end()) return found->second;
     if (beyond) return beyond(path);

@@ -24,7 +24,8 @@ struct JobLimits {
   int threads = 1;            ///< jobs at work at the same time
   std::size_t waiting = 200;  ///< jobs in the queue
   std::size_t ended = 100;    ///< of the jobs that have ended so many are kept, the latest
-  /// Of the decks in the queue, and of the decks and answers of the jobs that have ended; the latest one is kept always.
+  /// Of the decks in the queue, and of the decks and answers of the jobs that have ended; the latest one is kept
+  /// always.
   std::size_t bytes = std::size_t{256} * 1024 * 1024;
 };
 
@@ -33,10 +34,10 @@ std::string_view to_text(JobState state);
 
 /// What there is to say of a job at one moment.
 struct JobNews {
-  std::string id;
-  std::string name;  ///< of its deck
+  std::string id = {};
+  std::string name = {};  ///< of its deck
   JobState state = JobState::waiting;
-  Progress progress;
+  Progress progress = {};
   bool stopping = false;  ///< it was asked to stop
   double took = 0;        ///< time at work, s
   long version = 0;       ///< changes with everything above

@@ -99,8 +99,8 @@ io::FileReader reader_of(const Folder& folder) {
   return [&folder](const std::string& path) -> tl::expected<std::string, io::Unreadable> {
     auto text = folder.read(path);
     if (text) return std::move(*text);
-    return tl::unexpected(io::Unreadable{.message = text.error().message,
-                                         .missing = text.error().kind == FolderError::Kind::missing});
+    return tl::unexpected(
+        io::Unreadable{.message = text.error().message, .missing = text.error().kind == FolderError::Kind::missing});
   };
 }
 
@@ -148,7 +148,10 @@ class Server {
       const int yes = 1;
       setsockopt(socket, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes);
     });
-    http_.set_keep_alive_max_count(1);  // an idle connection would keep a thread
+    // a connection keeps a thread: one that is idle, or is read by nobody, has it not for long
+    http_.set_keep_alive_max_count(1);
+    http_.set_keep_alive_timeout(1);
+    http_.set_read_timeout(2);
     http_.set_payload_max_length(largest_body);
     http_.set_default_headers({{"Content-Security-Policy", policy(page_.nonce)},
                                {"X-Content-Type-Options", "nosniff"},
@@ -172,8 +175,8 @@ class Server {
 
   /// The port that it listens at; empty: that port is taken.
   std::optional<int> bind(int port) {
-    const bool bound = port == 0 ? (port = http_.bind_to_any_port("127.0.0.1")) > 0
-                                 : http_.bind_to_port("127.0.0.1", port);
+    const bool bound =
+        port == 0 ? (port = http_.bind_to_any_port("127.0.0.1")) > 0 : http_.bind_to_port("127.0.0.1", port);
     if (!bound) return std::nullopt;
     access_.port = port;
     return port;
@@ -210,8 +213,8 @@ class Server {
       put(response, refusal(414, "the path is too long"));
       return true;
     }
-    const bool known = request.method == "GET" || request.method == "POST" || request.method == "PUT" ||
-                       request.method == "DELETE";
+    const bool known =
+        request.method == "GET" || request.method == "POST" || request.method == "PUT" || request.method == "DELETE";
     if (!known) {
       put(response, refusal(405, "there is no such method here"));
       return true;
@@ -282,18 +285,20 @@ tl::expected<void, ServeError> serve(const ServeOptions& options,
   const auto places = page_places(options.page, fs::read_symlink("/proc/self/exe", failed));
   const auto place = page_in(places);
   if (!place) {
-    return no_files(fmt::format(
-        "the page is not there: it is neither in {} nor in {}; './dev web' in the source tree makes it, --page names it",
-        places[0].string(), places[1].string()));
+    return no_files(
+        fmt::format("the page is not there: it is neither in {} nor in {}; './dev web' in the source tree makes it, "
+                    "--page names it",
+                    places[0].string(), places[1].string()));
   }
   try {
     const std::string token = new_token();
     Server server(Folder(options.folder), {.port = 0, .token = token}, read_page(*place, token));
     const auto port = server.bind(options.port);
     if (!port) {
-      return tl::unexpected(ServeError{
-          .message = fmt::format("port {} of 127.0.0.1 is taken, or not yours to take; without --port a free one is chosen",
-                                 options.port)});
+      return tl::unexpected(
+          ServeError{.message = fmt::format(
+                         "port {} of 127.0.0.1 is taken, or not yours to take; without --port a free one is chosen",
+                         options.port)});
     }
     ready(fmt::format("http://127.0.0.1:{}/?token={}", *port, token));
     server.run(goes_on);

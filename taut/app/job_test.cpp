@@ -63,8 +63,8 @@ struct Given {
 
 TEST(Job, FilesThatADeckNamesComeFromItsReader) {
   Given given{.files = {{"decks/mast.part.yaml", mast}}};
-  const Result r =
-      run(Job{.text = "include: mast.part.yaml\n", .name = "decks/a.yaml", .set = {}, .progress = {}, .read = given.reader()});
+  const Result r = run(Job{
+      .text = "include: mast.part.yaml\n", .name = "decks/a.yaml", .set = {}, .progress = {}, .read = given.reader()});
   EXPECT_EQ(r.status, Status::ok) << to_text(r.errors);
   EXPECT_EQ(given.asked, std::vector<std::string>{"decks/mast.part.yaml"});
   EXPECT_EQ(r.deck_hash, run(Job{.text = "include: mast.part.yaml\n",
