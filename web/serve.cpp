@@ -34,6 +34,7 @@ constexpr std::size_t http_threads = 48;
 constexpr int most_readers = 24;
 /// A reader that is gone is noticed when something is written to it.
 constexpr std::chrono::milliseconds heartbeat{1000};
+constexpr std::size_t short_body = std::size_t{1024} * 1024;
 constexpr std::size_t longest_path = 1000;  // the server's own matching of paths goes as deep as they are long
 
 /// The threads of the server. Its matching of a header takes a frame of the stack for each letter.
@@ -114,28 +115,43 @@ void put(httplib::Response& response, const ApiReply& reply) {
   response.set_content(reply.body, reply.type);
 }
 
-/// Why the body of a request is not read, as a status; empty: it is.
-std::optional<ApiReply> unreadable_body(const httplib::Request& request) {
-  if (request.method == "GET" || request.method == "DELETE") {
-    const bool body = request.has_header("Transfer-Encoding") || request.get_header_value("Content-Length", 0) != "";
-    if (body && request.get_header_value("Content-Length") != "0") return refusal(400, "this request has no body");
+/// Bytes of the body of a request; empty where the request does not say it, or says it twice.
+std::optional<std::size_t> length_of(const httplib::Request& request) {
+  if (request.has_header("Transfer-Encoding") || request.get_header_value_count("Content-Length") != 1) {
     return std::nullopt;
   }
-  // its length is known before it is read: the server bounds no other body
   const std::string length = request.get_header_value("Content-Length");
   std::size_t bytes = 0;
   const auto [end, code] = std::from_chars(length.data(), length.data() + length.size(), bytes);
   const bool number = code == std::errc{} && end == length.data() + length.size();
-  if (request.has_header("Transfer-Encoding") || request.get_header_value_count("Content-Length") != 1 || !number) {
-    return refusal(411, "the length of the body is missing");
+  return number ? std::optional(bytes) : std::nullopt;
+}
+
+/// Why the body of a request is not read; empty: it is.
+std::optional<ApiReply> unreadable_body(const httplib::Request& request) {
+  const auto bytes = length_of(request);
+  if (request.method == "GET" || request.method == "DELETE") {
+    const bool says_so = request.has_header("Transfer-Encoding") || request.has_header("Content-Length");
+    if (says_so && bytes != 0) return refusal(400, "this request has no body");
+    return std::nullopt;
   }
-  if (bytes > largest_body) return refusal(413, fmt::format("more than {} MB", largest_body / 1024 / 1024));
+  // its length is known before it is read: the server bounds no other body
+  if (!bytes) return refusal(411, "the length of the body is missing");
+  if (*bytes > largest_body) return refusal(413, fmt::format("more than {} MB", largest_body / 1024 / 1024));
   if (request.has_header("Content-Encoding")) return refusal(415, "a packed body is not read");
   const std::string type = request.get_header_value("Content-Type");
-  if (bytes > 0 && !type.starts_with("application/json") && !type.starts_with("text/plain")) {
+  if (*bytes > 0 && !type.starts_with("application/json") && !type.starts_with("text/plain")) {
     return refusal(415, "the body is neither application/json nor text/plain");
   }
   return std::nullopt;
+}
+
+/// Reads what is short and throws it away: of a connection that is closed with something unread the answer may be lost.
+void throw_away(const httplib::Request& request, const httplib::ContentReader& reader) {
+  const std::size_t bytes = length_of(request).value_or(0);
+  if (bytes > 0 && bytes <= short_body && !request.has_header("Content-Encoding")) {
+    reader([](const char*, std::size_t) { return true; });
+  }
 }
 
 class Server {
@@ -160,14 +176,31 @@ class Server {
                                {"Cross-Origin-Opener-Policy", "same-origin"},
                                {"Cross-Origin-Resource-Policy", "same-origin"},
                                {"Cache-Control", "no-store"}});
+    // before the server looks for a handler, as far as no body is to be read
     http_.set_pre_routing_handler([this](const httplib::Request& request, httplib::Response& response) {
-      return turned_away(request, response) ? httplib::Server::HandlerResponse::Handled
-                                            : httplib::Server::HandlerResponse::Unhandled;
+      const bool handler_reads = has_body(request) && request.path.size() <= longest_path;
+      const auto why = handler_reads ? std::nullopt : turned_away(request);
+      if (why) put(response, *why);
+      return why ? httplib::Server::HandlerResponse::Handled : httplib::Server::HandlerResponse::Unhandled;
     });
-    const auto handler = [this](const httplib::Request& request, httplib::Response& response) {
-      handle(request, response);
+    http_.Get(".*",
+              [this](const httplib::Request& request, httplib::Response& response) { handle(request, {}, response); });
+    const auto with_body = [this](const httplib::Request& request, httplib::Response& response,
+                                  const httplib::ContentReader& reader) {
+      if (const auto why = turned_away(request)) {
+        throw_away(request, reader);
+        return put(response, *why);
+      }
+      std::string body;
+      const auto take = [&body](const char* data, std::size_t bytes) {
+        body.append(data, bytes);
+        return body.size() <= largest_body;
+      };
+      if (length_of(request).value_or(0) > 0 && !reader(take))
+        return put(response, refusal(400, "the body ends early"));
+      handle(request, std::move(body), response);
     };
-    http_.Get(".*", handler).Post(".*", handler).Put(".*", handler).Delete(".*", handler);
+    http_.Post(".*", with_body).Put(".*", with_body).Delete(".*", with_body);
     http_.set_exception_handler([](const httplib::Request&, httplib::Response& response, std::exception_ptr) {
       put(response, refusal(500, "an error of taut"));
     });
@@ -197,42 +230,31 @@ class Server {
   }
 
  private:
-  bool turned_away(const httplib::Request& request, httplib::Response& response) {
+  static bool has_body(const httplib::Request& request) {
+    return request.method == "POST" || request.method == "PUT" || request.method == "DELETE";
+  }
+
+  /// Why a request is not answered; empty: it is.
+  std::optional<ApiReply> turned_away(const httplib::Request& request) const {
     const Caller caller{.host = request.get_header_value("Host"),
                         .origin = request.get_header_value("Origin"),
                         .token = token_of(request)};
     if (request.get_header_value_count("Host") > 1 || request.get_header_value_count("Origin") > 1) {
-      put(response, refusal(400, "a header stands twice"));
-      return true;
+      return refusal(400, "a header stands twice");
     }
-    if (const auto why = refused(caller, access_)) {
-      put(response, refusal(403, *why));
-      return true;
-    }
-    if (request.path.size() > longest_path) {
-      put(response, refusal(414, "the path is too long"));
-      return true;
-    }
-    const bool known =
-        request.method == "GET" || request.method == "POST" || request.method == "PUT" || request.method == "DELETE";
-    if (!known) {
-      put(response, refusal(405, "there is no such method here"));
-      return true;
-    }
-    if (const auto why = unreadable_body(request)) {
-      put(response, *why);
-      return true;
-    }
-    return false;
+    if (const auto why = refused(caller, access_)) return refusal(403, *why);
+    if (request.path.size() > longest_path) return refusal(414, "the path is too long");
+    if (request.method != "GET" && !has_body(request)) return refusal(405, "there is no such method here");
+    return unreadable_body(request);
   }
 
-  void handle(const httplib::Request& request, httplib::Response& response) {
+  void handle(const httplib::Request& request, std::string body, httplib::Response& response) {
     const auto file = page_.files.find(request.path);
     if (request.method == "GET" && file != page_.files.end()) {
       response.set_content(file->second.text, file->second.type);
       return;
     }
-    ApiRequest asked{.method = request.method, .path = request.path, .query = {}, .body = request.body};
+    ApiRequest asked{.method = request.method, .path = request.path, .query = {}, .body = std::move(body)};
     for (const auto& [key, value] : request.params) asked.query.emplace(key, value);
     const ApiReply reply = answer(asked, folder_, jobs_);
     if (reply.events_of.empty()) return put(response, reply);

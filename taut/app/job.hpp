@@ -6,7 +6,10 @@
 
 #include "taut/calc/progress.hpp"
 #include "taut/calc/result.hpp"
-#include "taut/io/file_reader.hpp"
+
+namespace taut::io {
+struct Unreadable;  // of taut/io/file_reader.hpp: needed by whoever gives files himself, and by no one else
+}
 
 namespace taut::app {
 
@@ -20,7 +23,7 @@ struct Job {
   std::function<bool(const Progress&)> progress = {};
   /// Gives the files that the deck names, in place of the disk: a door that takes decks of others says here which files
   /// they may have. May be empty.
-  io::FileReader read = {};
+  std::function<tl::expected<std::string, io::Unreadable>(const std::string& path)> read = {};
 };
 
 /// Reads the deck, runs its method or machine, and returns everything a report needs. The program calls it for every

@@ -1,4 +1,5 @@
 #include "taut/app/job.hpp"
+#include "taut/io/file_reader.hpp"
 
 #include <gtest/gtest.h>
 

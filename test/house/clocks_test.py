@@ -19,7 +19,7 @@ def places(text):
 
 def main():
     me = pathlib.Path(__file__).resolve()
-    files = [f for folder in ("test", "taut", "cli") for f in (ROOT / folder).rglob("*") if f.suffix in (".py", ".cpp", ".hpp", ".sh")]
+    files = [f for folder in ("test", "taut", "cli", "web") for f in (ROOT / folder).rglob("*") if f.suffix in (".py", ".cpp", ".hpp", ".sh")]
     tests = [f for f in files if f != me and ("_test." in f.name or ROOT / "test" in f.parents)]
     found = [f"{f.relative_to(ROOT)}:{line}" for f in tests for line in places(f.read_text(encoding="utf-8"))]
     print("\n".join(found) or f"{len(tests)} files, none looks at the clock on the wall")
