@@ -44,7 +44,7 @@ Json entry_of(const JobNews& news) {
           {"name", news.name},
           {"state", to_text(news.state)},
           {"stopping", news.stopping},
-          {"took", news.took},
+          {"took", 1000 * news.took},
           {"progress", {{"what", news.progress.what}, {"done", news.progress.done}, {"words", news.progress.words}}}};
 }
 

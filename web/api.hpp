@@ -13,8 +13,8 @@
 ///   GET    /api/files              {names: [..], whole}: the decks and tables of the folder
 ///   GET    /api/file?name=NAME     its text
 ///   PUT    /api/file?name=NAME     writes it
-///   GET    /api/jobs               {jobs: [{id, name, state, stopping, took, progress: {what, done, words}}]}, the
-///                                  oldest first
+///   GET    /api/jobs               {jobs: [{id, name, state, stopping, took (ms), progress: {what, done,
+///                                  words}}]}, the oldest first
 ///   POST   /api/jobs               {text, name, files, set} -> 201 {id}; 503 while too many wait
 ///   GET    /api/jobs/ID            {page, places} or {failure}, as the engine of a browser answers; 202 with the
 ///                                  job's entry of the list while it has not ended

@@ -13,10 +13,12 @@ import { Completer } from './complete';
 import { Drawing, type View, written } from './drawing';
 import { Engine, Stopped } from './engine';
 import { Form } from './form';
+import { FolderFiles } from './folder';
 import { Plots } from './plots';
+import { RemoteEngine, served } from './remote';
 import { longestLink, packed, unpacked } from './share';
 import { Space } from './space';
-import type { Answer, Deck, Handle, Page, Picture, Places, Scene } from './types';
+import type { Answer, Deck, Handle, Page, PageEngine, Picture, Places, Scene } from './types';
 
 interface Example extends Deck {
   title: string;
@@ -29,7 +31,8 @@ const gallery: Example[] = JSON.parse(byId('taut-gallery').textContent ?? '[]');
 const address = document.documentElement.dataset.address ?? '';
 const nonce = document.documentElement.dataset.nonce ?? '';
 
-const engine = new Engine();
+const remote = served ? new RemoteEngine() : null;
+const engine: PageEngine = remote ?? new Engine();
 let files: Record<string, string> = {};
 let name = 'deck.yaml';
 let space: Space | null = null;
@@ -427,9 +430,10 @@ function open(d: Deck): void {
 }
 
 async function share(): Promise<void> {
-  const base = location.protocol === 'file:' ? address : location.href.replace(/#.*$/, '');
+  // an address of taut serve holds its token
+  const base = location.protocol === 'file:' || served ? address : location.href.replace(/#.*$/, '');
   const hash = `#deck=${await packed(deck())}`;
-  if (!base) return announce('This page is a file and has no web address to link to: save the deck and send it.');
+  if (!base) return announce('This page has no web address to link to: save the deck and send it.');
   if (base.length + hash.length > longestLink) return announce('This deck is too long for a link: save it and send the file.');
   if (location.protocol !== 'file:') history_.replaceState(null, '', hash);
   await navigator.clipboard.writeText(base + hash).then(
@@ -498,13 +502,14 @@ async function begin(): Promise<void> {
     const chosen = (event.target as HTMLInputElement).files;
     if (chosen) void openFiles(chosen);
   });
-  byId('save').addEventListener('click', () => save(name.split('/').at(-1) ?? name, editor.state.doc.toString(), 'text/yaml'));
+  const folder = served ? new FolderFiles({ open, deck, announce, renamed: (as) => { name = as; byId('deck-name').textContent = as; } }) : null;
+  byId('save').addEventListener('click', () => folder ? void folder.save() : save(name.split('/').at(-1) ?? name, editor.state.doc.toString(), 'text/yaml'));
   byId('share').addEventListener('click', () => void share());
   byId('theme').addEventListener('click', theme);
   byId('play').addEventListener('click', play);
   byId('time').addEventListener('input', () => { stopPlaying(); setFrame(Number(byId<HTMLInputElement>('time').value), true); });
   byId('view').addEventListener('change', () => setView(byId<HTMLSelectElement>('view').value));
-  byId('stop').addEventListener('click', () => { void engine.stop().then(() => say('Stopped', 'no_answer')); });
+  byId('stop').addEventListener('click', () => { void engine.stop().then((comes) => comes || say('Stopped', 'no_answer')); });
   engine.onProgress = (p) => {
     byId('working').hidden = p === null;
     if (p) {
@@ -518,7 +523,7 @@ async function begin(): Promise<void> {
   });
   const started = engine.start();
   const linked = await unpacked(location.hash);
-  const first = linked ?? gallery.find((e) => e.name.endsWith('running_skyline.yaml')) ?? gallery[0];
+  const first = linked ?? await remote?.earlier() ?? gallery.find((e) => e.name.endsWith('running_skyline.yaml')) ?? gallery[0];
   if (first) open(first);
   try {
     await started;

@@ -119,6 +119,18 @@ export interface Answer {
   took: number;
 }
 
+/** What calculates for the page: a worker (engine.ts), or the program that sent the page (remote.ts). */
+export interface PageEngine {
+  onProgress: (progress: Progress | null) => void;
+  version: string;
+  start(): Promise<void>;
+  /** True: solve answers with what is done. */
+  stop(): Promise<boolean | void>;
+  /** Null: a later deck was given meanwhile. */
+  solve(deck: Deck): Promise<Answer | null>;
+  ask(what: string): Promise<string>;
+}
+
 export interface Progress {
   what: string;
   done: number;
