@@ -1,52 +1,8 @@
 // The page in Chromium, opened from disk, with the network off.
 import assert from 'node:assert/strict';
-import { mkdirSync } from 'node:fs';
 import { join } from 'node:path';
-import { after, before, test } from 'node:test';
-import { pathToFileURL } from 'node:url';
-import { chromium } from 'playwright-core';
-import { root } from './engine.mjs';
-
-const address = pathToFileURL(join(root, 'build-web/page/taut.html')).href;
-const pictures = join(root, 'build-web/screenshots');
-mkdirSync(pictures, { recursive: true });
-let browser;
-
-before(async () => {
-  browser = await chromium.launch({ executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium', args: ['--no-sandbox'] });
-});
-after(() => browser?.close());
-
-/** A page with the network off that has solved its first deck; what it asks for and complains of is kept. */
-async function opened(hash = '', options = {}) {
-  const context = await browser.newContext({ viewport: { width: 1280, height: 800 }, offline: true, ...options });
-  const page = await context.newPage();
-  const asked = [];
-  const said = [];
-  page.on('request', (r) => /^(blob|data|file):/.test(r.url()) || asked.push(r.url()));
-  page.on('console', (m) => m.type() === 'error' && said.push(m.text()));
-  page.on('pageerror', (e) => said.push(e.message));
-  await page.goto(address + hash);
-  await settled(page);
-  return { page, context, asked, said };
-}
-const settled = (page) => page.waitForFunction(() => document.getElementById('took').textContent !== '' &&
-  !document.getElementById('machine').classList.contains('old'), null, { timeout: 300000 });
-const text = (page) => page.evaluate(() => document.querySelector('.cm-content').cmTile?.view?.state.doc.toString() ??
-  document.querySelector('.cm-content').cmView.view.state.doc.toString());
-const verdict = (page) => page.locator('#verdict').innerText();
-
-async function write(page, deck) {
-  await page.locator('.cm-content').click();
-  await page.keyboard.press('Control+a');
-  await page.keyboard.insertText(deck);
-  await page.waitForTimeout(50);
-}
-async function example(page, title) {
-  await page.evaluate(() => { document.getElementById('took').textContent = ''; });
-  await page.locator('#examples').selectOption({ label: title });
-  await settled(page);
-}
+import { test } from 'node:test';
+import { example, opened, pictures, settled, text, verdict, write } from './page.mjs';
 
 test('it opens from disk without a network and asks nobody', async () => {
   const { page, context, asked, said } = await opened();
@@ -154,32 +110,6 @@ test('the form of the part under the cursor writes into the deck', async () => {
   await context.close();
 });
 
-test('a hostile link runs nothing; files of a deck travel in it', async () => {
-  const bad = '</script><img src=x onerror="window.hit=1"><svg onload="window.hit=1"></svg>';
-  const deck = {
-    name: `<img src=x onerror=window.hit=1>.yaml`,
-    text: 'include: base.part.yaml\ntitle: ' + JSON.stringify(bad) + '\n',
-    files: {
-      'base.part.yaml': ['taut: 1', 'machine:', `  points: {${JSON.stringify(bad)}: [0 m, 0 m, 0 m], b: [10 m, 0 m, 0 m]}`,
-        '  ropes: {r: {diameter: 10 mm, mass_per_length: 0.4 kg/m, stiffness: 5 MN}}',
-        `  reevings: [{rope: r, path: [{anchor: ${JSON.stringify(bad)}}, {anchor: b}], length: 10.1 m}]`,
-        'analyses: [{equilibrium: {}}]', ''].join('\n'),
-    },
-  };
-  const { deflateRawSync } = await import('node:zlib');
-  const hash = '#deck=' + deflateRawSync(JSON.stringify(deck)).toString('base64url');
-  const context = await browser.newContext({ viewport: { width: 1280, height: 800 }, offline: true });
-  const page = await context.newPage();
-  await page.goto(address + hash);
-  await page.waitForFunction(() => document.querySelector('#verdict').dataset.kind);
-  assert.equal(await text(page), deck.text);
-  await page.click('#choose-report');
-  await page.waitForTimeout(500);
-  assert.equal(await page.evaluate(() => window.hit), undefined);
-  for (const frame of page.frames()) assert.equal(await frame.locator('img[onerror]').count(), 0);
-  await context.close();
-});
-
 test('the report stands in a frame of its own', async () => {
   const { page, context, said } = await opened();
   await page.click('#choose-report');
@@ -233,16 +163,6 @@ test('at 390 px nothing is wider than the screen', async () => {
     await page.screenshot({ path: join(pictures, `start-${colorScheme}-390.png`), fullPage: true });
     await context.close();
   }
-});
-
-test('every control has a name', async () => {
-  const { page, context } = await opened();
-  const nameless = await page.evaluate(() => [...document.querySelectorAll('button, select, input, textarea, [role=textbox]')]
-    .filter((e) => !e.hidden && e.getClientRects().length > 0)
-    .filter((e) => !(e.getAttribute('aria-label') || e.textContent.trim() || e.labels?.[0]?.textContent.trim()))
-    .map((e) => e.outerHTML.slice(0, 80)));
-  assert.deepEqual(nameless, []);
-  await context.close();
 });
 
 test('200 edits take no more memory than 100', async () => {
