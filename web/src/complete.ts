@@ -16,6 +16,17 @@ interface Schema {
   enum?: unknown[];
   const?: unknown;
   description?: string;
+  type?: string | string[];
+  default?: unknown;
+  minItems?: number;
+  maxItems?: number;
+}
+
+/** A key that may be written into a map, with the value that it starts with. */
+export interface NewKey {
+  name: string;
+  words: string;
+  value: string;
 }
 
 /** The keys above the cursor; `key`: one may be written here, else a value of the last of them. */
@@ -106,6 +117,21 @@ export function spotAt(text: string): Spot {
   return { path, key: isKey, from: start };
 }
 
+/** What a key starts with; null for what is a map or a list of maps. */
+function first(forms: Schema[]): string | null {
+  const given = forms.find((f) => f.default !== undefined)?.default;
+  if (given !== undefined) return String(given);
+  const choices = forms.find((f) => f.enum)?.enum;
+  if (choices) return String(choices[0]);
+  const unit = /\[([^\]]+)\]/.exec(forms.find((f) => f.description)?.description ?? '')?.[1];
+  const zero = unit ? `0 ${unit}` : '0';
+  const is = (type: string) => forms.some((f) => [f.type].flat().includes(type));
+  if (forms.some((f) => f.minItems === 3 && f.maxItems === 3)) return `[${zero}, ${zero}, ${zero}]`;
+  if (is('boolean') && !is('string')) return 'true';
+  if (unit || is('number') && !is('boolean') || is('integer')) return zero;
+  return is('string') ? '""' : null;
+}
+
 export class Completer {
   private root: Schema | null = null;
   private asked: Promise<void> | null = null;
@@ -151,6 +177,23 @@ export class Completer {
     if (!this.root) return '';
     const here = this.spread(path.reduce((all, step) => this.below(all, step), [this.root]));
     return here.find((s) => s.description)?.description ?? '';
+  }
+
+  /** The keys of a map that hold one value: its default, else zero of its unit, else an empty text. */
+  async keys(path: string[]): Promise<NewKey[]> {
+    await this.load();
+    if (!this.root) return [];
+    const here = this.spread(path.reduce((all, step) => this.below(all, step), [this.root]));
+    const found = new Map<string, NewKey>();
+    for (const s of here) {
+      for (const [name, one] of Object.entries(s.properties ?? {})) {
+        const forms = this.spread([one]);
+        const value = first(forms);
+        if (value === null || found.has(name)) continue;
+        found.set(name, { name, words: forms.find((f) => f.description)?.description ?? '', value });
+      }
+    }
+    return [...found.values()];
   }
 
   async complete(context: CompletionContext): Promise<CompletionResult | null> {

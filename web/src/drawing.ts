@@ -3,6 +3,7 @@
 import { el } from './dom';
 import type { Handle, Page, Scene } from './types';
 import { tensionColour } from './colour';
+import { type Second, dragged, largestForce, movable, placed, spoken, stepped, tip, valuesOf, written } from './handles';
 
 export type View = 'side' | 'plan';
 
@@ -12,19 +13,36 @@ interface Fit {
   top: number;
 }
 
-/** Cell of a drag: the handle and its place in metres. */
-export type Moved = (handle: Handle, at: [number, number, number], done: boolean) => void;
+/** A drag: the handle and its numbers, in SI. */
+export type Moved = (handle: Handle, values: number[], done: boolean) => void;
+
+/** Length of the longest arrow, px: as wide as the margin, so that its end is in the picture. */
+const longestArrow = 42;
+
+interface Drag {
+  handle: Handle;
+  from: number[];
+  values: number[];
+  right: number;
+  up: number;
+  dot: HTMLElement;
+  fit: Fit;
+  /** Where it was taken, and how far its arrow reached: the text follows the drag and changes the handle. */
+  taken: Handle;
+}
 
 export class Drawing {
   readonly canvas = el('canvas', { 'aria-hidden': 'true' });
   readonly layer = el('div', { class: 'handles' });
   private page: Page | null = null;
   private scene: Scene | null = null;
+  private all: Handle[] = [];
   private handles: Handle[] = [];
+  private newtons = 0;
   private fit: Fit = { scale: 1, left: 0, top: 0 };
   private view: View = 'side';
   private frame = 0;
-  private drag: { handle: Handle; at: [number, number, number]; dot: HTMLElement; fit: Fit } | null = null;
+  private drag: Drag | null = null;
   private asked = 0;
 
   constructor(private box: HTMLElement, private moved: Moved, private chosen: (handle: Handle) => void) {
@@ -39,20 +57,38 @@ export class Drawing {
     this.draw();
   }
 
+  /** Handles of the deck whose picture is shown. */
   place(handles: Handle[]): void {
     if (this.drag) return;
-    this.handles = handles;
-    this.draw();
+    this.all = handles;
+    this.find();
   }
 
   setFrame(frame: number): void {
     this.frame = frame;
-    this.draw();
+    if (!this.drag) this.find();
   }
 
   setView(view: View): void {
     this.view = view;
+    this.find();
+  }
+
+  private find(): void {
+    this.handles = placed(this.all, this.scene, this.frame).filter((h) => movable(h, this.second));
+    const largest = largestForce(this.handles);
+    // a load that grows in a drag does not shrink again when it is let go
+    if (largest > 1.5 * this.newtons || largest < 0.3 * this.newtons) this.newtons = largest;
     this.draw();
+  }
+
+  private get second(): Second {
+    return this.view === 'side' ? 2 : 1;
+  }
+
+  /** Metres of the drawing for a newton. */
+  private get arrows(): number {
+    return this.newtons > 0 ? (this.box.clientWidth < 500 ? 0.65 : 1) * longestArrow / (this.newtons * this.fit.scale) : 0;
   }
 
   /** Once for each picture of the screen, however often it is asked for. */
@@ -123,6 +159,7 @@ export class Drawing {
     this.paintGround(g, height, colour);
     this.paintLines(g, colour);
     this.paintPoints(g, colour);
+    this.paintArrows(g, colour);
     if (this.drag) this.paintDrag(g, colour);
     this.placeDots();
   }
@@ -235,19 +272,40 @@ export class Drawing {
     }
   }
 
+  private where(h: Handle): [number, number] {
+    const at = this.drag?.handle === h ? tip(this.drag.taken, this.drag.values, this.arrows) : tip(h, valuesOf(h), this.arrows);
+    return this.pixel(at[0], this.up(at));
+  }
+
+  private paintArrows(g: CanvasRenderingContext2D, colour: (name: string) => string): void {
+    g.strokeStyle = colour('force');
+    g.fillStyle = colour('force');
+    g.lineWidth = 2;
+    for (const h of this.handles) {
+      if (h.kind !== 'load') continue;
+      const from = this.pixel(h.at[0], this.up(h.at));
+      const to = this.where(h);
+      g.beginPath();
+      g.moveTo(...from);
+      g.lineTo(...to);
+      g.stroke();
+    }
+  }
+
   private paintDrag(g: CanvasRenderingContext2D, colour: (name: string) => string): void {
     if (!this.drag) return;
-    const from = this.pixel(this.drag.handle.at[0], this.up(this.drag.handle.at));
-    const to = this.pixel(this.drag.at[0], this.up(this.drag.at));
+    const { handle, taken, from, values } = this.drag;
+    const start = tip(taken, from, this.arrows);
+    const to = this.where(handle);
     g.setLineDash([4, 4]);
     g.lineWidth = 1.5;
     g.strokeStyle = colour('accent');
     g.beginPath();
-    g.moveTo(...from);
+    g.moveTo(...this.pixel(start[0], this.up(start)));
     g.lineTo(...to);
     g.stroke();
     g.setLineDash([]);
-    const words = this.drag.handle.numbers.map((n, i) => written(this.drag!.at[i]!, n)).join(', ');
+    const words = handle.numbers.map((n, i) => written(values[i]!, n)).join(', ');
     g.fillStyle = colour('ink');
     g.fillText(words, to[0] + 12, to[1] - 14);
   }
@@ -263,12 +321,11 @@ export class Drawing {
       }
       dot.dataset.index = String(i);
       dot.dataset.path = handle.path;
-      dot.setAttribute('aria-label',
-        `${handle.kind} ${handle.name}, at ${handle.numbers.map((n, k) => written(handle.at[k]!, n)).join(', ')}; ` +
-        'arrow keys move it');
-      dot.title = handle.name;
-      const at = this.drag?.dot === dot ? this.drag.at : handle.at;
-      const [x, y] = this.pixel(at[0], this.up(at));
+      const values = this.drag?.dot === dot ? this.drag.values : valuesOf(handle);
+      dot.dataset.kind = handle.kind;
+      dot.setAttribute('aria-label', spoken(handle, values));
+      dot.title = spoken(handle, values).replace(/; arrow keys.*/, '');
+      const [x, y] = this.where(handle);
       dot.style.transform = `translate(${x}px, ${y}px)`;
     });
   }
@@ -284,23 +341,23 @@ export class Drawing {
       if (!h || event.button !== 0) return;
       dot.setPointerCapture(event.pointerId);
       dot.focus();
-      this.drag = { handle: h, at: [...h.at], dot, fit: this.fit };
+      const taken = { ...h, at: [...h.at] as Handle['at'], numbers: h.numbers.map((n) => ({ ...n })) };
+      this.drag = { handle: h, taken, from: valuesOf(h), values: valuesOf(h), right: event.clientX, up: event.clientY, dot, fit: this.fit };
       event.preventDefault();
     });
     dot.addEventListener('pointermove', (event) => {
       if (!this.drag || this.drag.dot !== dot) return;
-      const box = this.box.getBoundingClientRect();
-      const x = (event.clientX - box.left - this.fit.left) / this.fit.scale;
-      const up = (this.fit.top - (event.clientY - box.top)) / this.fit.scale;
-      this.drag.at = this.rounded(this.drag.handle, this.view === 'side' ? [x, this.drag.at[1], up] : [x, up, this.drag.at[2]]);
-      this.moved(this.drag.handle, this.drag.at, false);
+      const d = this.drag;
+      d.values = dragged(d.taken, d.from, (event.clientX - d.right) / d.fit.scale, (d.up - event.clientY) / d.fit.scale,
+        this.second, this.arrows, d.fit.scale);
+      this.moved(d.handle, d.values, false);
       this.draw();
     });
     const end = (event: PointerEvent) => {
       if (!this.drag || this.drag.dot !== dot) return;
-      const { handle: h, at } = this.drag;
+      const { handle: h, from, values } = this.drag;
       this.drag = null;
-      this.moved(h, event.type === 'pointercancel' ? h.at : at, true);
+      this.moved(h, event.type === 'pointercancel' ? from : values, true);
       this.draw();
     };
     dot.addEventListener('pointerup', end);
@@ -313,33 +370,7 @@ export class Drawing {
       const step = steps[event.key];
       if (!h || !step) return;
       event.preventDefault();
-      const size = (event.shiftKey ? 10 : 1) * this.step(h);
-      const second = this.view === 'side' ? 2 : 1;
-      const at: [number, number, number] = [...h.at];
-      at[0] += step[0] * size;
-      at[second] += step[1] * size;
-      this.moved(h, this.rounded(h, at), true);
+      this.moved(h, stepped(h, step[0], step[1], event.shiftKey ? 10 : 1, this.second, this.arrows, this.fit.scale), true);
     });
   }
-
-  /** Of a key and of the pointer: a round length of about two pixels, not finer than the deck's own digits. */
-  private step(h: Handle): number {
-    const pixels = 10 ** Math.ceil(Math.log10(1.5 / this.fit.scale));
-    return Math.max(pixels, Math.min(...h.numbers.map((n) => n.factor * 10 ** -Math.max(n.decimals, 1))));
-  }
-
-  private rounded(h: Handle, at: [number, number, number]): [number, number, number] {
-    const step = this.step(h);
-    return at.map((v, i) => (v === h.at[i] ? v : Math.round(v / step) * step)) as [number, number, number];
-  }
-}
-
-/** A place as it is written into the deck, in the unit that stands there. */
-export function written(metres: number, n: Handle['numbers'][number]): string {
-  const text = (metres / n.factor).toFixed(Math.max(n.decimals, 3));
-  const [whole, fraction = ''] = text.split('.');
-  let digits = fraction;
-  while (digits.length > n.decimals && digits.endsWith('0')) digits = digits.slice(0, -1);
-  const number = digits ? `${whole}.${digits}` : `${whole}`;
-  return `${Number(number) === 0 ? number.replace('-', '') : number} ${n.unit}`;
 }

@@ -10,10 +10,11 @@ import { EditorView, drawSelection, highlightActiveLine, keymap, lineNumbers } f
 import { tags } from '@lezer/highlight';
 import { byId, el } from './dom';
 import { Completer } from './complete';
-import { Drawing, type View, written } from './drawing';
+import { Drawing, type View } from './drawing';
 import { Engine, Stopped } from './engine';
 import { Form } from './form';
 import { FolderFiles } from './folder';
+import { take, valuesOf, written } from './handles';
 import { Plots } from './plots';
 import { RemoteEngine, served } from './remote';
 import { longestLink, packed, unpacked } from './share';
@@ -81,15 +82,18 @@ function state(doc: string): EditorState {
   });
 }
 
-/** Tab indents in the editor; after Escape the next Tab leaves it. */
+/** Tab indents in the editor; after Escape the next Tab goes on to the machine. */
 function leave(view: EditorView): boolean {
   view.contentDOM.blur();
-  byId('examples').focus();
+  byId('machine').focus();
   return true;
 }
 
-const form = new Form(byId('form'), (path) => completer.words(path), (change) => {
-  if (editor.state.doc.toString() === placesOf) editor.dispatch({ changes: change });
+const form = new Form(byId('form'), (path) => completer.words(path), (path) => completer.keys(path), (change) => {
+  if (editor.state.doc.toString() !== placesOf) return;
+  const selection = change.select && { anchor: change.select[0], head: change.select[1] };
+  editor.dispatch({ changes: change, selection, scrollIntoView: true });
+  if (selection) editor.focus();
 });
 /** The text whose places these are. */
 let placesOf = '';
@@ -136,38 +140,39 @@ async function solve(): Promise<void> {
 }
 
 /** The picture moves with the pointer; the text follows several times a second, and the solve follows the text. */
-function move(handle: Handle, at: [number, number, number], done: boolean): void {
+function move(handle: Handle, values: number[], done: boolean): void {
   window.clearTimeout(writing);
   if (!done) {
     // the editor takes longer than a pointer may be kept waiting
     const pause = Math.max(0, lastMoved + pauseBeforeSolve - performance.now());
-    writing = window.setTimeout(() => write(handle, at), pause);
+    writing = window.setTimeout(() => write(handle, values), pause);
     return;
   }
-  write(handle, at);
+  write(handle, values);
 }
 let writing = 0;
 
-function write(handle: Handle, at: [number, number, number]): void {
+function write(handle: Handle, values: number[]): void {
   lastMoved = performance.now();
   const text = editor.state.doc.toString();
+  const before = valuesOf(handle);
   const changes = handle.numbers
-    .map((n, i) => ({ from: n.from, to: n.to, insert: written(at[i]!, n) }))
-    .filter((c, i) => at[i] !== handle.at[i] && text.slice(c.from, c.to) !== c.insert);
+    .map((n, i) => ({ from: n.from, to: n.to, insert: written(values[i]!, n) }))
+    .filter((c, i) => values[i] !== before[i] && text.slice(c.from, c.to) !== c.insert);
   if (changes.length === 0) return;
   if (changes.some((c) => c.to > text.length)) return;
   editor.dispatch({ changes, annotations: Transaction.userEvent.of('move.handle') });
   // the text behind has moved: places hold again for the next step of the same drag
   let shift = 0;
-  handle.numbers.forEach((n, i) => {
+  handle.numbers.forEach((n) => {
     const change = changes.find((c) => c.from === n.from && c.to === n.to);
     const inserted = change ? change.insert.length : n.to - n.from;
     const from = n.from + shift;
     shift += inserted - (n.to - n.from);
     n.from = from;
     n.to = from + inserted;
-    handle.at[i] = change ? at[i]! : handle.at[i]!;
   });
+  take(handle, values);
   if (shift !== 0) places.handles?.forEach((h) => {
     if (h === handle) return;
     for (const n of h.numbers) if (n.from > handle.numbers[0]!.from) { n.from += shift; n.to += shift; }
@@ -223,8 +228,8 @@ function show(answer: Answer, text: string): void {
   byId('pictures').hidden = !byId('drawn').hidden;
   if (!byId('drawn').hidden) list('figures', []);
   void showPictures();
-  drawing.place(places.handles ?? []);
   drawing.show(page, scene);
+  drawing.place(places.handles ?? []);
   if (!byId('space').hidden) space?.show(scene, true);
   showScale();
   showMotion();
@@ -517,6 +522,12 @@ async function begin(): Promise<void> {
       byId('words').textContent = `${p.what}: ${p.words}`;
     }
   };
+  // what a reader wants on paper is the report
+  window.addEventListener('keydown', (event) => {
+    if (event.key.toLowerCase() !== 'p' || !(event.ctrlKey || event.metaKey) || event.shiftKey || !page) return;
+    event.preventDefault();
+    void reportText().then(print);
+  });
   window.addEventListener('hashchange', async () => {
     const linked = await unpacked(location.hash);
     if (linked) open(linked);

@@ -90,12 +90,26 @@ export interface Picture {
   svg: string;
 }
 
+export interface HandleNumber {
+  from: number;
+  to: number;
+  unit: string;
+  factor: number;
+  decimals: number;
+  /** In SI, as it stands in the text. */
+  value: number;
+  along: [number, number, number];
+  least?: number;
+}
+
 export interface Handle {
   path: string;
   name: string;
   kind: string;
+  /** The part of the result at which it stands; its `at` comes from the picture. */
+  on?: string;
   at: [number, number, number];
-  numbers: { from: number; to: number; unit: string; factor: number; decimals: number }[];
+  numbers: HandleNumber[];
 }
 
 export interface OutlineNode {
