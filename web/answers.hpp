@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "taut/app/job.hpp"
-#include "taut/io/file_reader.hpp"
 #include "taut/calc/result.hpp"
+#include "taut/io/file_reader.hpp"
 
 /// What a page asks its engine and is answered, whether the engine runs in the browser (engine.cpp) or beside it
 /// (serve.cpp). All texts are UTF-8.

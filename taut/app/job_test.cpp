@@ -1,5 +1,4 @@
 #include "taut/app/job.hpp"
-#include "taut/io/file_reader.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "taut/io/file_reader.hpp"
 #include "test/paths.hpp"
 
 namespace taut::app::job_test {
