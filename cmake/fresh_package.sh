@@ -49,6 +49,23 @@ for deck in "$doc"/examples/*.yaml "$doc"/examples/*/*.yaml; do
   [[ $deck == *.part.yaml ]] || expect 0 taut check "$deck" --quiet
 done
 
+if [[ -e /usr/share/taut/page/site/index.html ]]; then
+  say 'taut serve'
+  taut serve $doc/examples >/tmp/address 2>/tmp/said &
+  server=$!
+  until [[ -s /tmp/address ]]; do
+    kill -0 $server || fail "no server: $(cat /tmp/said)"
+    sleep 0.1
+  done
+  [[ $(cat /tmp/address) =~ ^http://(127.0.0.1:([0-9]+))(/\?token=.*)$ ]] || fail 'no address'
+  exec 3<>"/dev/tcp/127.0.0.1/${BASH_REMATCH[2]}"
+  printf 'GET %s HTTP/1.1\r\nHost: %s\r\n\r\n' "${BASH_REMATCH[3]}" "${BASH_REMATCH[1]}" >&3
+  grep -q data-served <&3 || fail 'no page'
+  exec 3>&-
+  kill -TERM $server
+  expect 0 wait $server
+fi
+
 say 'dpkg -i over itself'
 dpkg -i /taut_*.deb >/dev/null
 

@@ -14,6 +14,8 @@ install(FILES ${pages}/completion.zsh RENAME _taut DESTINATION ${CMAKE_INSTALL_D
 install(FILES ${pages}/completion.fish RENAME taut.fish
   DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d COMPONENT program)
 install(FILES ${pages}/taut.schema.json DESTINATION ${CMAKE_INSTALL_DATADIR}/taut COMPONENT program)
+# What `taut serve` sends, where `./dev web` has made it.
+install(DIRECTORY build-web/page DESTINATION ${CMAKE_INSTALL_DATADIR}/taut COMPONENT program OPTIONAL)
 install(FILES README.md ${pages}/copyright ${pages}/changelog.gz ${pages}/changelog.Debian.gz DESTINATION ${doc_folder}
   COMPONENT program)
 install(DIRECTORY ${pages}/third-party DESTINATION ${doc_folder} COMPONENT program)

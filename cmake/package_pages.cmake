@@ -4,7 +4,13 @@
 # install script runs it (cmake/package.cmake).
 cmake_minimum_required(VERSION 3.25)
 # Libraries that are compiled into the program and whose licences ask to be named.
-set(compiled_in libhdf5-dev libsundials-dev libeigen3-dev libcli11-dev nlohmann-json3-dev)
+set(compiled_in libhdf5-dev libsundials-dev libeigen3-dev libcli11-dev nlohmann-json3-dev libcpp-httplib-dev)
+set(page_there FALSE)
+if(EXISTS ${ROOT}/build-web/page)
+  # its engine holds more of them
+  set(page_there TRUE)
+  list(APPEND compiled_in libyaml-cpp-dev libnlopt-dev libfmt-dev libexpected-dev libboost-dev libkainjow-mustache-dev)
+endif()
 file(REMOVE_RECURSE ${PAGES})
 file(MAKE_DIRECTORY ${PAGES}/third-party)
 
@@ -71,3 +77,18 @@ foreach(package IN LISTS compiled_in)
     message(WARNING "the licence of ${package} is missing; it belongs into a package that is passed on")
   endif()
 endforeach()
+if(page_there)
+  set(modules ${ROOT}/web/node_modules)
+  file(GLOB licences RELATIVE ${modules} ${modules}/@codemirror/*/LICENSE ${modules}/@lezer/*/LICENSE ${modules}/@marijn/*/LICENSE
+    ${modules}/crelt/LICENSE ${modules}/style-mod/LICENSE ${modules}/w3c-keyname/LICENSE ${modules}/three/LICENSE
+    ${modules}/uplot/LICENSE)
+  if(NOT licences)
+    message(WARNING "the licences of the page's parts are missing: npm --prefix web ci")
+  endif()
+  foreach(licence IN LISTS licences)
+    cmake_path(GET licence PARENT_PATH name)
+    string(REGEX REPLACE "^@" "" name "${name}")
+    string(REPLACE "/" "-" name "page-${name}")
+    file(COPY_FILE ${modules}/${licence} ${PAGES}/third-party/${name}.txt)
+  endforeach()
+endif()
