@@ -33,3 +33,7 @@ export function examples() {
   const found = /<script type="application\/json" id="taut-gallery">(.*?)<\/script>/s.exec(html());
   return JSON.parse(found[1]);
 }
+
+/** Whether a deck calculates a motion: its numbers agree to less, and it takes longer. */
+export const isMotion = (deck) => /^\s*(- )?(transient|motion):/m.test(
+  Object.values(deck.files).concat(deck.text).join('\n').replace(/motion: *\{[^}]*\}|motion: *at_rest/g, ''));

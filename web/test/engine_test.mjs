@@ -5,7 +5,7 @@ import { mkdirSync, mkdtempSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { dirname, join } from 'node:path';
 import { test } from 'node:test';
-import { engine, examples, root } from './engine.mjs';
+import { engine, examples, isMotion, root } from './engine.mjs';
 
 const program = join(root, 'build/bin/taut');
 const web = await engine();
@@ -29,9 +29,6 @@ function native(deck, ...more) {
     rmSync(place, { recursive: true });
   }
 }
-
-const isMotion = (deck) => /^\s*(- )?(transient|motion):/m.test(
-  Object.values(deck.files).concat(deck.text).join('\n').replace(/motion: *\{[^}]*\}|motion: *at_rest/g, ''));
 
 /** A design that is found by a search over continuous unknowns ends within the tolerance of the search. */
 const isSearch = (deck) => /^ *design:/m.test(deck.text);
