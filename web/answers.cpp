@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "taut/app/explain/schema.hpp"
+#include "taut/io/deck/source.hpp"
 #include "taut/io/json.hpp"
 #include "taut/report/html.hpp"
 #include "web/deck_places.hpp"
@@ -73,7 +74,8 @@ app::Job job_of(const AskedDeck& deck, io::FileReader beyond) {
     const auto found = files.find(normal(path));
     if (found != files.end()) return found->second;
     if (beyond) return beyond(path);
-    return tl::unexpected(io::Unreadable{.message = fmt::format("there is no file '{}'", path), .missing = true});
+    return tl::unexpected(io::Unreadable{
+        .message = fmt::format("{} can't be read: No such file or directory", io::in_quotes(path)), .missing = true});
   };
   return {.text = deck.text, .name = deck.name, .set = deck.set, .progress = {}, .read = std::move(read)};
 }
