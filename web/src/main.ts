@@ -17,6 +17,7 @@ import { FolderFiles } from './folder';
 import { take, valuesOf, written } from './handles';
 import { Plots } from './plots';
 import { RemoteEngine, served } from './remote';
+import { underPolicy } from './report';
 import { longestLink, packed, unpacked } from './share';
 import { Space } from './space';
 import type { Answer, Deck, Handle, Page, PageEngine, Picture, Places, Scene } from './types';
@@ -387,17 +388,13 @@ function play(): void {
 async function reportText(): Promise<string> {
   return engine.ask('report');
 }
-/** The policy of this page holds in the frame, too: the report's own style is named to it. */
-function withNonce(html: string): string {
-  return html.replace('<style>', `<style nonce="${nonce}">`);
-}
 async function showReport(): Promise<void> {
   if (reportOf === solved) return;
   const mine = solved;
   const html = await reportText();
   if (mine !== solved) return;
   reportOf = mine;
-  const frame = el('iframe', { sandbox: '', title: 'report', srcdoc: withNonce(html) });
+  const frame = el('iframe', { sandbox: '', title: 'report', srcdoc: underPolicy(nonce, html) });
   list('tab-report', [
     el('p', { class: 'tools' },
       el('button', { type: 'button', onclick: () => save('report.html', html, 'text/html') }, 'Save report'),
@@ -406,7 +403,7 @@ async function showReport(): Promise<void> {
   ]);
 }
 function print(html: string): void {
-  const url = URL.createObjectURL(new Blob([withNonce(html)], { type: 'text/html' }));
+  const url = URL.createObjectURL(new Blob([underPolicy(nonce, html)], { type: 'text/html' }));
   const other = window.open(url);
   if (!other) return announce('The browser has blocked the window: save the report and print it.');
   other.addEventListener('load', () => other.print());
