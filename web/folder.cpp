@@ -124,9 +124,9 @@ tl::expected<fs::path, FolderError> Folder::place_of(const std::string& name) co
     return error(Kind::outside, name, "is outside the folder that taut serves");
   }
   if (failed) return error(Kind::missing, name, "can't be read: No such file or directory");
-  const fs::path place = parent / asked.filename();
+  fs::path place = parent / asked.filename();
   if (!fs::is_symlink(place, failed)) return place;
-  const fs::path target = fs::canonical(place, failed);
+  fs::path target = fs::canonical(place, failed);
   if (failed || !inside(path_, target))
     return error(Kind::outside, name, "is a link out of the folder that taut serves");
   return target;

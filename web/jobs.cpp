@@ -84,6 +84,7 @@ std::shared_ptr<Jobs::Kept> Jobs::find(const std::string& id) const {
 std::vector<JobNews> Jobs::list() const {
   const std::lock_guard lock(turn_);
   std::vector<JobNews> all;
+  all.reserve(jobs_.size());
   for (const auto& [_, job] : jobs_) all.push_back(job->news);
   return all;
 }
@@ -206,7 +207,8 @@ void Jobs::forget_old() {
     const Kept& job = *at->second;
     if (!job.news.ended()) continue;
     bytes += size_of(job.deck) + (job.end.answer ? job.end.answer->size() : 0);
-    if (++count > limits_.ended || (count > 1 && bytes > limits_.bytes)) at = jobs_.erase(at);
+    ++count;
+    if (count > limits_.ended || (count > 1 && bytes > limits_.bytes)) at = jobs_.erase(at);
   }
 }
 

@@ -87,6 +87,7 @@ TEST(Jobs, EndWithTheAnswerOfTheirDeck) {
   gate.open();
   Jobs jobs({.threads = 3}, std::ref(gate));
   std::vector<std::string> ids;
+  ids.reserve(50);
   for (int i = 0; i < 50; ++i) ids.push_back(jobs.add(named("deck " + std::to_string(i))).value());
   for (int i = 0; i < 50; ++i) {
     const std::string& id = ids[static_cast<std::size_t>(i)];
@@ -187,6 +188,7 @@ TEST(Jobs, ManyThreadsAskAtTheSameTime) {
   gate.open();
   Jobs jobs({.threads = 4, .ended = 10}, std::ref(gate));
   std::vector<std::thread> askers;
+  askers.reserve(8);
   std::atomic<int> added = 0;
   for (int k = 0; k < 8; ++k) {
     askers.emplace_back([&, k] {

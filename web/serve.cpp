@@ -201,16 +201,16 @@ class Server {
       handle(request, std::move(body), response);
     };
     http_.Post(".*", with_body).Put(".*", with_body).Delete(".*", with_body);
-    http_.set_exception_handler([](const httplib::Request&, httplib::Response& response, std::exception_ptr) {
+    http_.set_exception_handler([](const httplib::Request&, httplib::Response& response, const std::exception_ptr&) {
       put(response, refusal(500, "an error of taut"));
     });
   }
 
   /// The port that it listens at; empty: that port is taken.
   std::optional<int> bind(int port) {
-    const bool bound =
-        port == 0 ? (port = http_.bind_to_any_port("127.0.0.1")) > 0 : http_.bind_to_port("127.0.0.1", port);
-    if (!bound) return std::nullopt;
+    const bool any = port == 0;
+    if (any) port = http_.bind_to_any_port("127.0.0.1");
+    if (port <= 0 || (!any && !http_.bind_to_port("127.0.0.1", port))) return std::nullopt;
     access_.port = port;
     return port;
   }

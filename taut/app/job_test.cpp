@@ -1,5 +1,6 @@
 #include "taut/app/job.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <map>
@@ -80,11 +81,11 @@ TEST(Job, NoDeckReachesTheDiskPastItsReader) {
   // included decks, terrain, states, also those that --set names
   const std::string place = (taut_test::source_dir() / "LICENSE").string();
   const std::string machine =
-      "taut: 1\nmachine:\n  terrain: {file: " + place + "}\nanalyses:\n  - {type: equilibrium}\n";
+      fmt::format("taut: 1\nmachine:\n  terrain: {{file: {}}}\nanalyses:\n  - {{type: equilibrium}}\n", place);
   for (const auto& [text, set] : std::vector<std::pair<std::string, std::string>>{
-           {mast + "include: " + place + "\n", "title=b"},
+           {fmt::format("{}include: {}\n", mast, place), "title=b"},
            {machine, "title=b"},
-           {"taut: 1\nmachine: {}\nanalyses: []\n", "machine.terrain={file: " + place + "}"}}) {
+           {"taut: 1\nmachine: {}\nanalyses: []\n", fmt::format("machine.terrain={{file: {}}}", place)}}) {
     Given given;
     const Result r = run(Job{.text = text, .name = "a.yaml", .set = {set}, .progress = {}, .read = given.reader()});
     EXPECT_EQ(r.status, Status::bad_deck);
