@@ -1,6 +1,7 @@
 // node bench.mjs [WORDS]: CPU time of each example that is no motion (or whose name contains WORDS), engine of the page
 // against native program. Native: best of 8, without the program's start. Page: the first solve, as a reader waits for it,
-// and the best in the steady state: the browser compiles hot code anew for tens of solves, on CPU time that counts here. Needs ./dev web and a build.
+// and the best in the steady state: the browser compiles hot code anew for tens of solves, on CPU time that
+// counts here. Needs ./dev web and ./dev build taut_cli.
 import { execFileSync } from 'node:child_process';
 import { mkdirSync, mkdtempSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
@@ -12,14 +13,18 @@ const rounds = 8;
 const limit = 3;
 const patience = 12000; // ms for a deck
 
-/** User time of a program in ms, best of the rounds: node does not tell that of a child, python does. */
+/** CPU time of a program in ms, best of the rounds: node does not tell that of a child, python does. The sum of user and
+    system is exact where the parts are guessed from ticks. */
 function childTime(folder, ...args) {
   const script = `import resource, subprocess, sys
+def taken():
+    r = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return r.ru_utime + r.ru_stime
 best = 1e9
 for i in range(int(sys.argv[1])):
-    before = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
+    before = taken()
     subprocess.run(sys.argv[2:], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-    best = min(best, resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime - before)
+    best = min(best, taken() - before)
 print(1000 * best)`;
   return Number(execFileSync('python3', ['-c', script, String(rounds), ...args], { cwd: folder, encoding: 'utf8' }));
 }

@@ -27,6 +27,17 @@ function runsBack(plot: PlotData): boolean {
   });
 }
 
+/** The scale of a curve that is level but for its last digits: between two of its numbers there is no room for marks,
+    and uPlot would look for them without an end. */
+function spread(low: number | null, high: number | null): [number | null, number | null] {
+  if (low === null || high === null) return [low, high];
+  const size = Math.max(Math.abs(low), Math.abs(high));
+  if (!(high - low < 1e-9 * size)) {
+    return uPlot.rangeNum(low, high, 0.1, true);
+  }
+  return [low - 0.1 * size, high + 0.1 * size];
+}
+
 export class Plots {
   private shown: { plot: uPlot; overTime: boolean; box: HTMLElement }[] = [];
 
@@ -54,7 +65,7 @@ export class Plots {
         {
           width: Math.max(place.clientWidth, 240),
           height: 240,
-          scales: { x: { time: false } },
+          scales: { x: { time: false }, y: { range: (_, low, high) => spread(low, high) } },
           axes: [
             { ...axis, label: unit(plot.x), size: 34, labelSize: 18 },
             { ...axis, label: unit(plot.y), size: 58, labelSize: 18 },

@@ -35,5 +35,4 @@ export function examples() {
 }
 
 /** Whether a deck calculates a motion: its numbers agree to less, and it takes longer. */
-export const isMotion = (deck) => /^\s*(- )?(transient|motion):/m.test(
-  Object.values(deck.files).concat(deck.text).join('\n').replace(/motion: *\{[^}]*\}|motion: *at_rest/g, ''));
+export const isMotion = (deck) => /^\s*- transient:/m.test(Object.values(deck.files).concat(deck.text).join('\n'));

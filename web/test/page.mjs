@@ -25,7 +25,7 @@ export async function opened(hash = '', options = {}, from = address) {
   const said = [];
   page.on('request', (r) => /^(blob|data|file):/.test(r.url()) || asked.push(r.url()));
   page.on('console', (m) => m.type() === 'error' && said.push(m.text()));
-  page.on('pageerror', (e) => said.push(e.message));
+  page.on('pageerror', (e) => said.push(e.stack ?? e.message));
   await page.goto(from + hash);
   await settled(page);
   return { page, context, asked, said };
