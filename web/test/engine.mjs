@@ -1,6 +1,8 @@
 // The engine in node, as the worker of the page starts it, and the examples of the page.
-import { readFileSync, writeFileSync } from 'node:fs';
+import { execFileSync } from 'node:child_process';
+import { mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
+import { tmpdir } from 'node:os';
 import { dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 
@@ -36,3 +38,23 @@ export function examples() {
 
 /** Whether a deck calculates a motion: its numbers agree to less, and it takes longer. */
 export const isMotion = (deck) => /^\s*- transient:/m.test(Object.values(deck.files).concat(deck.text).join('\n'));
+
+/** The deck with its files in a folder of its own, run there by the native program. */
+export function native(deck, ...more) {
+  const place = mkdtempSync(join(tmpdir(), 'taut-'));
+  try {
+    for (const [name, text] of Object.entries({ ...deck.files, [deck.name]: deck.text })) {
+      mkdirSync(dirname(join(place, name)), { recursive: true });
+      writeFileSync(join(place, name), text);
+    }
+    const options = { cwd: place, encoding: 'utf8', maxBuffer: 2 ** 30, stdio: ['ignore', 'pipe', 'ignore'] };
+    try {
+      return execFileSync(join(root, 'build/bin/taut'), ['run', deck.name, ...more], options);
+    } catch (error) {
+      if (error.status === 3 || error.status === 4) return error.stdout; // an answer with another verdict
+      throw error;
+    }
+  } finally {
+    rmSync(place, { recursive: true });
+  }
+}

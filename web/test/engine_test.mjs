@@ -1,34 +1,13 @@
 // Every example by the engine of the page and by the native program: the same numbers, texts and verdicts.
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
-import { mkdirSync, mkdtempSync, rmSync, writeFileSync } from 'node:fs';
+import { mkdtempSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';
-import { dirname, join } from 'node:path';
+import { join } from 'node:path';
 import { test } from 'node:test';
-import { engine, examples, isMotion, root } from './engine.mjs';
+import { engine, examples, isMotion, native } from './engine.mjs';
 
-const program = join(root, 'build/bin/taut');
 const web = await engine();
-
-/** The deck with its files in a folder of its own, run there by the native program. */
-function native(deck, ...more) {
-  const place = mkdtempSync(join(tmpdir(), 'taut-'));
-  try {
-    for (const [name, text] of Object.entries({ ...deck.files, [deck.name]: deck.text })) {
-      mkdirSync(dirname(join(place, name)), { recursive: true });
-      writeFileSync(join(place, name), text);
-    }
-    const options = { cwd: place, encoding: 'utf8', maxBuffer: 2 ** 30, stdio: ['ignore', 'pipe', 'ignore'] };
-    try {
-      return execFileSync(program, ['run', deck.name, ...more], options);
-    } catch (error) {
-      if (error.status === 3 || error.status === 4) return error.stdout; // an answer with another verdict
-      throw error;
-    }
-  } finally {
-    rmSync(place, { recursive: true });
-  }
-}
 
 /** A design that is found by a search over continuous unknowns ends within the tolerance of the search. */
 const isSearch = (deck) => /^ *design:/m.test(deck.text);
