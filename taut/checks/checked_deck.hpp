@@ -12,7 +12,7 @@
 
 namespace taut::checks {
 
-/// What a deck says of a machine and of its checks. The deck outlives it.
+/// A view of what a deck says of a machine and of its checks: who keeps one copies it, and the deck outlives it.
 struct CheckedDeck {
   const machine::Machine& machine;
   const std::vector<study::AnalysisRequest>& analyses;

@@ -8,7 +8,7 @@
 namespace taut::checks {
 
 CheckedParts::CheckedParts(const CheckedDeck& given, const machine::Model& model)
-    : deck(&given), judge(given, model), ropes(given, model) {
+    : deck(std::make_shared<const CheckedDeck>(given)), judge(given, model), ropes(given, model) {
   carriages = carriage_states(given, model);
   if (!given.checks) return;
   guys = guy_states(given.checks->guys, given, model);

@@ -1,4 +1,5 @@
 #pragma once
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -41,7 +42,7 @@ struct CheckedParts {
   /// Whether there are any of them.
   bool any_shown() const;
 
-  const CheckedDeck* deck;
+  std::shared_ptr<const CheckedDeck> deck;  ///< its own view: who made this one may have given a passing one
   bool judged = true;  ///< false: the analysis that runs says `judge: false`, and its states do not count
   Judge judge;
   RopeUses ropes;
