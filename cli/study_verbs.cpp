@@ -131,7 +131,11 @@ int calibrate(const StudyVerbOptions& options) {
   if (!job) return no_file(job.error());
   job->set = options.run.set;
   warn_without_chromium(options.run);
-  return tell(app::calibrate(*job, options.threads), options.run);
+  ProgressLine line(!options.run.quiet && isatty(STDERR_FILENO) != 0);
+  job->progress = [&line](const Progress& progress) { return line(progress); };
+  const Result r = app::calibrate(*job, options.threads);
+  line.clear();
+  return tell(r, options.run);
 }
 
 }  // namespace

@@ -148,13 +148,14 @@ py::tuple study(const std::string& text, const std::string& name, const std::vec
 
 /// (result, exception or None)
 py::tuple calibrate(const std::string& text, const std::string& name, const std::vector<std::string>& set,
-                    int threads) {
+                    int threads, const py::object& progress) {
   std::shared_ptr<Result> result;
   const py::object raised = watched(
-      [&](const Ask&) {
-        result = std::make_shared<Result>(app::calibrate({.text = text, .name = name, .set = set}, threads));
+      [&](const Ask& ask) {
+        result = std::make_shared<Result>(
+            app::calibrate({.text = text, .name = name, .set = set, .progress = ask}, threads));
       },
-      py::none());
+      progress);
   return py::make_tuple(result, raised);
 }
 

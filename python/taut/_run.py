@@ -115,13 +115,16 @@ def study(
     return finished(native, raised, kept if of else "the study")
 
 
-def calibrate(deck: Deck, set: Mapping[str, Any] | None = None, *, threads: int = 0) -> Result:
+def calibrate(
+    deck: Deck, set: Mapping[str, Any] | None = None, *, threads: int = 0, progress: Progress = None
+) -> Result:
     """Finds the numbers that the deck's `calibrate:` leaves free, by least squares of what was measured.
 
-    attachments["calibrated.yaml"] is the deck with the numbers found. Raises DeckError, FileError, Interrupted.
+    attachments["calibrated.yaml"] is the deck with the numbers found. progress: as in run(). Raises DeckError,
+    FileError, and Interrupted after Ctrl-C or a False of `progress`.
     """
     job = job_of(deck, set)
-    return finished(*_taut.calibrate(job.text, job.name, job.set, threads), "the calibration")
+    return finished(*_taut.calibrate(job.text, job.name, job.set, threads, progress), "the calibration")
 
 
 def show_progress(what: str, done: float, words: str) -> None:

@@ -58,5 +58,5 @@ def study(
     text: str, name: str, set: Sequence[str], folder: str, threads: int, progress: Ask
 ) -> tuple[NativeResult | None, int, int, BaseException | None]: ...
 def calibrate(
-    text: str, name: str, set: Sequence[str], threads: int
+    text: str, name: str, set: Sequence[str], threads: int, progress: Ask
 ) -> tuple[NativeResult, BaseException | None]: ...

@@ -448,7 +448,7 @@ void add_drawings(const machine::Model& m, const solve::EquilibriumResult& e, co
 Plot plot(const study::LoadPathRun& run, const std::string& name, const std::string& title, const Axis& y) {
   Plot p;
   p.name = name + run.ending;
-  p.title = fmt::format("{}, {}", title, run.words);
+  p.title = fmt::format("{}, {}", title, path_words(run));
   p.x = {.label = "x of the carriage", .unit = si::m};
   p.y = y;
   return p;

@@ -14,6 +14,11 @@ std::string heading(const char* kind, const std::string& ending, const std::stri
   return fmt::format("{}{}{}, {}", kind, tells ? " " : "", tells ? name : "", words);
 }
 
+/// "at rest", "inhaul, in": a state by the name of its analysis, where it has one.
+std::string state_words(const char* kind, const std::string& ending, const std::string& words) {
+  return ending.empty() ? words : fmt::format("{}, {}", checks::analysis_words(ending, kind), words);
+}
+
 }  // namespace
 
 std::vector<Answer> answers_of(const MachineRun& run) {
@@ -47,14 +52,13 @@ std::string heading_of(const MachineRun& run, const study::LoadPathRun& one) {
   return run.several ? heading("load path", one.ending, one.words) : std::string();
 }
 
+std::string path_words(const study::LoadPathRun& one) { return state_words("load path", one.ending, one.words); }
+
 void show_answers(const MachineRun& run, checks::CheckedParts& checked) {
   for (const study::EquilibriumRun& one : run.equilibria) {
     if (!one.result.outcome.ok() || !one.judged) continue;
     const std::string name = checks::analysis_name(one.ending, "equilibrium");
-    const std::string words = one.ending.empty()
-                                  ? one.words
-                                  : fmt::format("{}, {}", checks::analysis_words(one.ending, "equilibrium"), one.words);
-    checked.take(one.model, one.result, words, name);
+    checked.take(one.model, one.result, state_words("equilibrium", one.ending, one.words), name);
   }
   for (const study::LoadPathRun& one : run.paths) {
     if (!one.judged) continue;

@@ -57,6 +57,9 @@ std::vector<Answer> answers_of(const MachineRun& run);
 std::string heading_of(const MachineRun& run, const study::EquilibriumRun& one);
 std::string heading_of(const MachineRun& run, const study::LoadPathRun& one);
 
+/// "haulback -1", "sag, haulback -1": how a load path goes, by its name where it has one.
+std::string path_words(const study::LoadPathRun& one);
+
 /// Shows the checks its equilibria and load paths; other analyses show their states themselves.
 void show_answers(const MachineRun& run, checks::CheckedParts& checked);
 

@@ -222,7 +222,7 @@ function show(answer: Answer, text: string): void {
   showForm();
   setOld(false);
   say(page.verdict?.words ?? page.status, page.verdict?.kind ?? 'no_answer', page.verdict?.reason ?? page.message);
-  byId('took').textContent = `${Math.round(answer.took)} ms`;
+  byId('took').textContent = `solved in ${Math.round(answer.took)} ms`;
   document.title = `${page.title || name} - taut`;
   scene = page.scenes.find((s) => s.t.length > 1) ?? page.scenes[0] ?? null;
   byId('drawn').hidden = scene === null && (places.handles ?? []).length === 0;

@@ -89,8 +89,8 @@ tl::expected<Calibrating, Result> read_calibration(const Job& job) {
 }
 
 /// Each point of the free numbers gives one row: the measured outputs, each in its own state.
-chance::Evaluate measured_outputs(const Calibrating& c, int threads) {
-  return [&c, run = parallel(c.model, threads)](std::span<const chance::Point> points) {
+chance::Evaluate measured_outputs(const Calibrating& c, int threads, CaseCounter& counter) {
+  return [&c, run = parallel(c.model, threads, &counter)](std::span<const chance::Point> points) {
     std::vector<chance::Point> cases;
     for (const chance::Point& p : points) {
       for (const auto& state : c.measured.states) {
@@ -107,6 +107,12 @@ chance::Evaluate measured_outputs(const Calibrating& c, int threads) {
     }
     return rows;
   };
+}
+
+/// About so many cases a calibration takes, for its progress: each step needs its point and two for each difference.
+std::uint64_t usual_cases(const Calibrating& c, const chance::CalibrationOptions& options) {
+  constexpr std::uint64_t usual_steps = 10;
+  return options.starts * usual_steps * (2 * c.free.size() + 1) * c.measured.states.size();
 }
 
 const char* words_of(chance::ParameterState state) {
@@ -260,8 +266,15 @@ Result calibrate(const Job& job, int threads) {
   chance::CalibrationOptions options;
   options.confidence = request.confidence;
   options.seed = static_cast<std::uint64_t>(request.seed);
-  const chance::Calibration found = chance::calibrate(measured_outputs(*c, threads), c->free,
+  CaseCounter counter("calibration", usual_cases(*c, options), false, job.progress);
+  const chance::Calibration found = chance::calibrate(measured_outputs(*c, threads, counter), c->free,
                                                       {.values = c->measured.values, .sd = c->measured.sd}, options);
+  if (counter.ended()) {
+    r.status = Status::not_converged;
+    r.interrupted = true;
+    r.message = "the calibration was interrupted before it had found its numbers";
+    return r;
+  }
   if (found.status != chance::CalibrationStatus::found) {
     r.status = Status::not_converged;
     r.message = found.reason;

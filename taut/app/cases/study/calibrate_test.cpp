@@ -105,6 +105,22 @@ TEST_F(Line, TheTruthLiesInTheIntervalAsOftenAsItSays) {
   }
 }
 
+TEST_F(Line, ItTellsHowFarItIsAndAnInterruptLeavesNoNumbers) {
+  write(noisy(1));
+  int told = 0;
+  const Job job{.text = deck_of(), .name = path("deck.yaml"), .set = {}, .progress = [&](const Progress& p) {
+                  EXPECT_EQ(p.what, "calibration");
+                  EXPECT_LE(p.done, 1);
+                  return ++told < 10;
+                }};
+  const Result r = calibrate(job, 1);
+  EXPECT_EQ(told, 10);
+  EXPECT_TRUE(r.interrupted);
+  EXPECT_EQ(exit_code(r), 130);
+  EXPECT_TRUE(r.values.empty());
+  EXPECT_TRUE(r.attachments.empty());
+}
+
 TEST_F(Line, APairThatTheMeasurementsCannotTellApartIsNamed) {
   // one state: a longer rope and a softer one give the same tensions
   write(fmt::format("output,value,sd\nequilibrium.sky.T_start,{:.3f} N,100 N\nequilibrium.sky.T_end,{:.3f} N,100 N\n",
