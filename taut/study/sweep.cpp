@@ -13,7 +13,6 @@
 #include "taut/study/deck/watch.hpp"
 #include "taut/study/put_up.hpp"
 #include "taut/units/display.hpp"
-#include "taut/units/parse.hpp"
 
 namespace taut::study {
 namespace {
@@ -47,11 +46,7 @@ tl::expected<machine::Model, Outcome> model_at(const SweepRun& run, const machin
   }
   machine::Machine machine = *run.machine;
   const auto parameter = find_parameter(machine::Machine::describe(), &machine, run.parameter);
-  if (!parameter) return tl::unexpected(infeasible(parameter.error()));
-  if (!parameter->field->range.contains(value) && !(parameter->unit.is_angle && !parameter->field->unit.is_angle)) {
-    return tl::unexpected(infeasible(fmt::format("'{}' must be {}", run.parameter, range_text(*parameter->field))));
-  }
-  parameter->set(value);
+  if (const Outcome outcome = put(parameter, run.parameter, value); !outcome.ok()) return tl::unexpected(outcome);
   auto model = machine::compile(machine);
   if (!model) return tl::unexpected(infeasible(model.error().front().message));
   const std::size_t guys = machine.reevings.size();
@@ -82,21 +77,11 @@ void resolve_values(const SweepRequest& request, const std::string& path, Names&
                                                              "one there",
                                                              request.parameter)});
   }
-  const auto read = [&](const std::string& text, const char* key, double& value) {
-    const auto number = parse_quantity(text, parameter->unit);
-    if (!number) {
-      p.complaints.push_back({fmt::format("{}.{}", path, key), number.error().message});
-    } else {
-      value = *number;
-      const bool own = parameter->unit.is_angle == parameter->field->unit.is_angle;
-      if (own && !parameter->field->range.contains(value)) {
-        p.complaints.push_back(
-            {fmt::format("{}.{}", path, key), fmt::format("must be {}, not {}", range_text(*parameter->field), text)});
-      }
-    }
-  };
-  read(request.from, "from", run.from);
-  read(request.to, "to", run.to);
+  const auto from = value_of(request.from, *parameter, path + ".from", p.complaints);
+  const auto to = value_of(request.to, *parameter, path + ".to", p.complaints);
+  if (!from || !to) return;
+  run.from = *from;
+  run.to = *to;
   if (run.from == run.to) p.complaints.push_back({path + ".to", "is the same value as 'from'"});
   if (below_machine(request.parameter) == "temperature") {
     require_references(p.machine, path + ".parameter", p.complaints);

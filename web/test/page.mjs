@@ -2,18 +2,17 @@
 import { mkdirSync } from 'node:fs';
 import { join } from 'node:path';
 import { after, before } from 'node:test';
-import { pathToFileURL } from 'node:url';
 import { deflateRawSync } from 'node:zlib';
-import { chromium } from 'playwright-core';
+import { address, launched, settled } from './chromium.mjs';
 import { root } from './engine.mjs';
 
-export const address = pathToFileURL(join(root, 'build-web/page/taut.html')).href;
+export { address, settled };
 export const pictures = join(root, 'build-web/screenshots');
 mkdirSync(pictures, { recursive: true });
 export let browser;
 
 before(async () => {
-  browser = await chromium.launch({ executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium', args: ['--no-sandbox'] });
+  browser = await launched();
 });
 after(() => browser?.close());
 
@@ -29,16 +28,6 @@ export async function opened(hash = '', options = {}, from = address) {
   await page.goto(from + hash);
   await settled(page);
   return { page, context, asked, said };
-}
-/** Waits for the answer of the deck in the editor; a deck with mistakes in place of the first answer is an error. */
-export async function settled(page) {
-  const bad = await page.waitForFunction(() => {
-    const solved = document.getElementById('took').textContent !== '';
-    if (!solved && document.getElementById('verdict').dataset.kind === 'bad') return document.getElementById('notes').innerText;
-    return solved && !document.getElementById('machine').classList.contains('old') ? ' ' : '';
-  }, null, { timeout: 300000 });
-  const words = (await bad.jsonValue()).trim();
-  if (words) throw new Error(words);
 }
 export const text = (page) => page.evaluate(() => document.querySelector('.cm-content').cmTile?.view?.state.doc.toString() ??
   document.querySelector('.cm-content').cmView.view.state.doc.toString());

@@ -6,7 +6,7 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { createInterface } from 'node:readline';
 import { after, afterEach, before, beforeEach, test } from 'node:test';
-import { chromium } from 'playwright-core';
+import { launched, settled } from './chromium.mjs';
 import { root } from './engine.mjs';
 
 const program = process.env.TAUT_PROGRAM ?? join(root, 'build/bin/taut');
@@ -20,7 +20,7 @@ const endless = readFileSync(join(root, 'test/program/serve_test.py'), 'utf8').s
 
 let browser, folder, server, address;
 before(async () => {
-  browser = await chromium.launch({ executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium', args: ['--no-sandbox'] });
+  browser = await launched();
 });
 after(() => browser?.close());
 beforeEach(async () => {
@@ -48,8 +48,6 @@ async function opened(context) {
   await page.goto(address);
   return page;
 }
-const settled = (page) => page.waitForFunction(() => document.getElementById('took').textContent !== '' &&
-  !document.getElementById('machine').classList.contains('old'), null, patience);
 const titled = (page, title) => page.waitForFunction((t) => document.title.startsWith(t), title, patience);
 const working = (page) => page.waitForFunction(() => !document.getElementById('working').hidden &&
   document.getElementById('done').value > 0, null, patience);

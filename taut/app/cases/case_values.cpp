@@ -61,9 +61,7 @@ void add_input(const FoundParameter& parameter, const CaseName& name, CaseModel&
         {name.place, fmt::format("'{}' has no value in the deck that could change: write one there", name.name)});
   }
   made.inputs.push_back(
-      {.path = name.name, .unit = parameter->unit, .range = parameter->field->range, .base = parameter->value});
-  // the range of a vector's field is that of its components, not of its angle
-  if (parameter->unit.is_angle && !parameter->field->unit.is_angle) made.inputs.back().range = {};
+      {.path = name.name, .unit = parameter->unit, .range = parameter->range(), .base = parameter->value});
 }
 
 void add_input(tl::expected<CaseInput, std::string> parameter, const CaseName& name, CaseModel& made, NoCases& wrong) {
@@ -100,16 +98,6 @@ void add_outputs(const Result& r, const std::vector<WantedValue>& wanted, CaseMo
     output.label = found->label;
     output.base = found->value;
   }
-}
-
-Outcome put_number(const FoundParameter& parameter, const std::string& path, double value) {
-  if (!parameter) return infeasible(parameter.error());
-  const bool own_range = parameter->unit.is_angle == parameter->field->unit.is_angle;
-  if (!std::isfinite(value) || (own_range && !parameter->field->range.contains(value))) {
-    return infeasible(fmt::format("'{}' must be {}", path, range_text(*parameter->field)));
-  }
-  parameter->set(value);
-  return {};
 }
 
 Outcome take_values(const Result& r, const std::vector<WantedValue>& wanted, std::vector<double>& outputs) {

@@ -36,9 +36,6 @@ std::string assignment(const CaseInput& input, double value);
 
 using FoundParameter = tl::expected<study::Parameter, std::string>;
 
-/// Puts a number where the parameter is; infeasible outside what its field allows.
-Outcome put_number(const FoundParameter& parameter, const std::string& path, double value);
-
 /// The deck with these numbers, one for each input. `find`: a number of a deck by its path.
 template <class Deck>
 tl::expected<Deck, Outcome> deck_with(const Deck& base, const std::vector<CaseInput>& inputs,
@@ -53,7 +50,7 @@ tl::expected<Deck, Outcome> deck_with(const Deck& base, const std::vector<CaseIn
   for (std::size_t i = 0; i < values.size() && deck; ++i) {
     const std::string& path = inputs[i].path;
     if (is_parameter(path)) continue;
-    Outcome outcome = put_number(find(*deck, path), path, values[i]);
+    Outcome outcome = study::put(find(*deck, path), path, values[i]);
     if (!outcome.ok()) return tl::unexpected(std::move(outcome));
   }
   return deck;

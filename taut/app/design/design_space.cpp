@@ -11,7 +11,6 @@
 #include "taut/catalogue/rope_search.hpp"
 #include "taut/io/deck/read.hpp"
 #include "taut/io/file.hpp"
-#include "taut/units/parse.hpp"
 
 namespace taut::app {
 namespace {
@@ -63,21 +62,6 @@ catalogue::RopeFilter filter_of(const design::DesignRopeRequest& one) {
   return filter;
 }
 
-/// A value of a parameter; nothing with a complaint at `path`.
-std::optional<double> value_of(const std::string& text, const study::Parameter& parameter, const std::string& path,
-                               std::vector<Complaint>& complaints) {
-  const auto number = parse_quantity(text, parameter.unit);
-  if (!number) {
-    complaints.push_back({path, number.error().message});
-    return {};
-  }
-  if (parameter.unit.is_angle == parameter.field->unit.is_angle && !parameter.field->range.contains(*number)) {
-    complaints.push_back({path, fmt::format("must be {}, not {}", range_text(*parameter.field), text)});
-    return {};
-  }
-  return *number;
-}
-
 void complain_of_company(const design::DesignUnknownRequest& one, const study::Parameter& first,
                          const FindParameter& find, const std::string& path, std::vector<Complaint>& complaints) {
   for (std::size_t i = 0; i < one.along_with.size(); ++i) {
@@ -111,15 +95,15 @@ design::UnknownValues values_of_unknown(const design::DesignUnknownRequest& one,
   }
   own.unit = parameter->unit;
   complain_of_company(one, *parameter, find, path, complaints);
-  const auto from = value_of(one.from, *parameter, path + ".from", complaints);
-  const auto to = value_of(one.to, *parameter, path + ".to", complaints);
+  const auto from = study::value_of(one.from, *parameter, path + ".from", complaints);
+  const auto to = study::value_of(one.to, *parameter, path + ".to", complaints);
   if (!from || !to) return own;
   if (*from == *to) complaints.push_back({path + ".to", "is the same as 'from'"});
   std::tie(own.low, own.high) = std::minmax(*from, *to);
   const int steps = one.steps.value_or(one.start ? 0 : 4);
   for (int i = 0; i <= steps && steps > 0; ++i) own.values.push_back(*from + (*to - *from) * i / steps);
   if (!one.start) return own;
-  const auto start = value_of(*one.start, *parameter, path + ".start", complaints);
+  const auto start = study::value_of(*one.start, *parameter, path + ".start", complaints);
   if (!start) return own;
   if (*start < own.low || *start > own.high) {
     complaints.push_back({path + ".start", fmt::format("{} is not between {} and {}", *one.start, one.from, one.to)});
@@ -169,7 +153,7 @@ design::DesignCase case_of(const design::DesignCaseRequest& one, const design::D
         continue;
       complaints.push_back({path, fmt::format("'{}' is free by the unknown '{}'", setting.name, unknown.name)});
     }
-    if (const auto value = value_of(setting.value, *parameter, path, complaints)) {
+    if (const auto value = study::value_of(setting.value, *parameter, path, complaints)) {
       own.settings.emplace_back(setting.name, *value);
     }
   }

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "taut/base/suggest.hpp"
+#include "taut/units/parse.hpp"
 
 namespace taut::study {
 namespace {
@@ -191,6 +192,31 @@ tl::expected<Parameter, std::string> find_parameter(const Description& descripti
 tl::expected<Parameter, std::string> parameter_at(const Description& description, void* object,
                                                   const std::string& path) {
   return Finder(path).find(description, object);
+}
+
+Range Parameter::range() const { return unit.is_angle && !field->unit.is_angle ? Range{} : field->range; }
+
+Outcome put(const Found& parameter, const std::string& path, double value) {
+  if (!parameter) return infeasible(parameter.error());
+  if (!std::isfinite(value) || !parameter->range().contains(value)) {
+    return infeasible(fmt::format("'{}' must be {}", path, range_text(*parameter->field)));
+  }
+  parameter->set(value);
+  return {};
+}
+
+std::optional<double> value_of(const std::string& text, const Parameter& parameter, const std::string& path,
+                               std::vector<Complaint>& complaints) {
+  const auto number = parse_quantity(text, parameter.unit);
+  if (!number) {
+    complaints.push_back({path, number.error().message});
+    return {};
+  }
+  if (!parameter.range().contains(*number)) {
+    complaints.push_back({path, fmt::format("must be {}, not {}", range_text(*parameter.field), text)});
+    return {};
+  }
+  return *number;
 }
 
 }  // namespace taut::study

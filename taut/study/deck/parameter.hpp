@@ -1,9 +1,12 @@
 #pragma once
 #include <functional>
+#include <optional>
 #include <string>
 #include <tl/expected.hpp>
+#include <vector>
 
 #include "taut/calc/field.hpp"
+#include "taut/calc/outcome.hpp"
 
 namespace taut::study {
 
@@ -14,6 +17,9 @@ struct Parameter {
   double value = 0;                 ///< now; NaN where nothing is set
   std::function<void(double)> set;  ///< puts another value into the struct, which must outlive this
   std::string path;                 ///< as the deck would write it: "loads[0].mass"
+
+  /// That a value must lie in; the range of a vector's field is that of its components, not of its angle.
+  Range range() const;
 };
 
 /// The number at a path as `--set` has it, of which 'machine.' may be left away: "temperature", "loads[0].mass" or
@@ -27,5 +33,12 @@ tl::expected<Parameter, std::string> find_parameter(const Description& descripti
 /// The same at a whole path: "machine.loads[0].mass" of a struct with a `machine`.
 tl::expected<Parameter, std::string> parameter_at(const Description& description, void* object,
                                                   const std::string& path);
+
+/// Puts a number where the parameter is; infeasible outside what its field allows.
+Outcome put(const tl::expected<Parameter, std::string>& parameter, const std::string& path, double value);
+
+/// A value of a parameter, SI; nothing with a complaint at `path` where it is none.
+std::optional<double> value_of(const std::string& text, const Parameter& parameter, const std::string& path,
+                               std::vector<Complaint>& complaints);
 
 }  // namespace taut::study
