@@ -284,6 +284,11 @@ class Ends(unittest.TestCase):
         with self.assertRaisesRegex(ZeroDivisionError, "division"):
             taut.run(deck, progress=lambda *_: 1 // 0)
 
+    def test_a_calibration_that_is_ended_has_no_numbers(self):
+        fit = taut.calibrate(EXAMPLES / "study/calibrated_line.yaml", progress=lambda *_: False)
+        self.assertTrue(fit.interrupted)
+        self.assertEqual(list(fit.values), [])
+
 
 if __name__ == "__main__":
     unittest.main()

@@ -101,7 +101,7 @@ for (const deck of examples()) {
       t.diagnostic(`${deck.name}: native parts from itself by ${all.toExponential(1)}`);
       beyond = beyond.filter(([key, share]) =>
         share === Infinity ? !(events && /^(rows of (events|energy)|(events|dynamic|energy)\.)/.test(key)) && !(table(key) > 0)
-          : share > 4 * all);
+          : share > 4 * Math.max(all, parts(key)));
     }
     const finite = [...far].filter(([key, share]) => Number.isFinite(share) && !isPlace(key) && !isEffort(key) && !key.startsWith('events.'));
     const worst = Math.max(0, ...finite.map(([, share]) => share));
