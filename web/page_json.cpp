@@ -146,23 +146,6 @@ Json picture(const Figure& f, const Display& display) {
   return {{"title", words.title}, {"caption", words.caption}, {"scale", words.scale}, {"svg", std::move(svg)}};
 }
 
-std::string_view role_name(Role role) {
-  switch (role) {
-    case Role::rope:
-      return "rope";
-    case Role::second_rope:
-      return "second";
-    case Role::structure:
-      return "structure";
-    case Role::body:
-      return "body";
-    case Role::ground:
-      return "ground";
-    default:
-      return "other";
-  }
-}
-
 /// The least and the largest tension of all times, for the scale of colours; null without ropes.
 Json tension_range(const Scene& s, const Display& display) {
   double least = HUGE_VAL, most = -HUGE_VAL;
@@ -199,10 +182,7 @@ Json scene(const Scene& s, const Display& display) {
       for (const double t : frame) flat.push_back(std::isfinite(t) ? Json(std::round(t)) : Json(nullptr));
       tensions.push_back(std::move(flat));
     }
-    lines.push_back({{"name", line.name},
-                     {"role", role_name(line.role)},
-                     {"points", std::move(frames)},
-                     {"tension", std::move(tensions)}});
+    lines.push_back({{"name", line.name}, {"points", std::move(frames)}, {"tension", std::move(tensions)}});
   }
   Json points = Json::array();
   for (const ScenePoint& p : s.points) {

@@ -12,7 +12,7 @@ namespace taut::web {
 ///    errors [{line, column, width, file, message}], values [{name, label, symbol, text, heading, detail}],
 ///    checks [{name, part, value, limit, sense, utilisation, share, outcome: passes | fails | refused, rule, trust,
 ///    where}], plots [{name, title, caption, x, y, curves, marks}], pictures: how many pictures_of has, scenes [{name,
-///    t, times, tension {least, most, ..}, lines [{name, role, points, tension}], points [{name, radius, at}]}], events
+///    t, times, tension {least, most, ..}, lines [{name, points, tension}], points [{name, radius, at}]}], events
 ///    [{t, text}], ground [x, z, ...], interrupted}
 /// `points` of a line: for each time x, y, z, x, y, z, ... in metres with a millimetre's digits; `tension`: for each
 /// time one number at each point, in newtons.

@@ -19,4 +19,10 @@ NumberAtFront number_at_front(std::string_view text);
 /// The number that the whole text is; empty when it is none, or out of range.
 std::optional<double> parse_double(std::string_view text);
 
+/// The i-th of `steps` equal steps from one number to another, 0 <= i <= steps: from + (to - from) i/steps, the last
+/// exactly `to`, where the formula may miss it by its last digit.
+constexpr double step_between(double from, double to, int i, int steps) {
+  return i == steps ? to : from + (to - from) * i / steps;
+}
+
 }  // namespace taut

@@ -88,4 +88,11 @@ RC_GTEST_PROP(Number, ReadsBackEveryDouble, (const std::uint64_t& bits)) {
   }
 }
 
+TEST(Number, StepsEndWhereTheyAreToEnd) {
+  EXPECT_NE(150.3 + (60.1 - 150.3) * 24 / 24, 60.1) << "what the plain formula does";
+  EXPECT_EQ(step_between(150.3, 60.1, 24, 24), 60.1);
+  EXPECT_EQ(step_between(150.3, 60.1, 0, 24), 150.3);
+  EXPECT_EQ(step_between(2, 4, 1, 4), 2.5);
+}
+
 }  // namespace taut::number_test

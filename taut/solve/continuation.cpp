@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "taut/base/expects.hpp"
+#include "taut/base/number.hpp"
 
 namespace taut::solve {
 namespace {
@@ -38,7 +39,7 @@ class Follow {
 
   Sweep run() {
     for (int i = 0; i <= options_.steps; ++i) {
-      const double value = options_.from + (options_.to - options_.from) * i / options_.steps;
+      const double value = step_between(options_.from, options_.to, i, options_.steps);
       if (options_.go_on && !options_.go_on(value))
         return ends(sweep_.points.empty() ? value : near()->value, SweepEnd::interrupted);
       SweepPoint next;

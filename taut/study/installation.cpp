@@ -7,6 +7,7 @@
 
 #include "taut/base/array.hpp"
 #include "taut/base/expects.hpp"
+#include "taut/base/number.hpp"
 #include "taut/machine/compile/guides.hpp"
 #include "taut/math/index.hpp"
 #include "taut/study/deck/bounds.hpp"
@@ -148,7 +149,7 @@ void resolve_temperatures(const InstallationRequest& request, const std::string&
   } else if (request.from) {
     const int steps = request.steps.value_or(10);
     for (int i = 0; i <= steps; ++i) {
-      run.temperatures.push_back(*request.from + (*request.to - *request.from) * i / steps);
+      run.temperatures.push_back(step_between(*request.from, *request.to, i, steps));
     }
   }
   const std::string key = request.from ? ".from" : ".temperatures";

@@ -8,6 +8,7 @@
 
 #include "taut/base/array.hpp"
 #include "taut/base/expects.hpp"
+#include "taut/base/number.hpp"
 
 namespace taut::study {
 
@@ -87,7 +88,7 @@ LoadPath load_path(const machine::Model& model, const LoadPathOptions& options) 
   path.points.reserve(static_cast<std::size_t>(options.steps) + 1);
   for (int i = 0; i <= options.steps; ++i) {
     LoadPathPoint point;
-    point.x = options.from + (options.to - options.from) * i / options.steps;
+    point.x = step_between(options.from, options.to, i, options.steps);
     if (options.go_on && !options.go_on(point.x)) break;
     solve::EquilibriumOptions here = options.equilibrium;
     here.prescribed = machine::Prescribed{.carriage = options.carriage, .x = point.x, .along = options.along};

@@ -8,6 +8,7 @@
 
 #include "taut/base/array.hpp"
 #include "taut/base/expects.hpp"
+#include "taut/base/number.hpp"
 #include "taut/base/suggest.hpp"
 #include "taut/calc/none.hpp"
 #include "taut/calc/quantity.hpp"
@@ -259,7 +260,7 @@ Array<PayloadPoint> payload_path(const machine::Model& model, const PayloadLimit
   double expected = 0;
   for (int i = 0; i <= options.steps; ++i) {
     PayloadPoint point;
-    point.x = options.from + (options.to - options.from) * i / options.steps;
+    point.x = step_between(options.from, options.to, i, options.steps);
     if (options.go_on && !options.go_on(point.x)) break;
     solve::EquilibriumOptions here = options.equilibrium;
     here.prescribed = machine::Prescribed{.carriage = options.carriage, .x = point.x, .along = options.along};

@@ -49,7 +49,6 @@ export interface PlotData {
 
 export interface SceneLine {
   name: string;
-  role: string;
   points: (number | null)[][];
   tension: (number | null)[][];
 }

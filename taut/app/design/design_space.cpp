@@ -7,6 +7,7 @@
 #include <tuple>
 #include <utility>
 
+#include "taut/base/number.hpp"
 #include "taut/base/suggest.hpp"
 #include "taut/catalogue/rope_search.hpp"
 #include "taut/io/deck/read.hpp"
@@ -101,7 +102,7 @@ design::UnknownValues values_of_unknown(const design::DesignUnknownRequest& one,
   if (*from == *to) complaints.push_back({path + ".to", "is the same as 'from'"});
   std::tie(own.low, own.high) = std::minmax(*from, *to);
   const int steps = one.steps.value_or(one.start ? 0 : 4);
-  for (int i = 0; i <= steps && steps > 0; ++i) own.values.push_back(*from + (*to - *from) * i / steps);
+  for (int i = 0; i <= steps && steps > 0; ++i) own.values.push_back(step_between(*from, *to, i, steps));
   if (!one.start) return own;
   const auto start = study::value_of(*one.start, *parameter, path + ".start", complaints);
   if (!start) return own;

@@ -106,23 +106,27 @@ TEST(CycleAnalysis, PowerIsPullTimesSpeedOfTheRope) {
 }
 
 TEST(CycleAnalysis, AClosedCycleEndsWithTheRopeThatItBeganWith) {
-  for (const double load_down : {800.0, 200.0}) {
-    std::string deck = incline(fmt::format("{{name: up, motion: {{track: -1}}, load: 800 kg}}, "
-                                           "{{name: down, motion: {{track: 1}}, load: {} kg}}",
-                                           load_down),
-                               24);
-    deck.replace(deck.find("length: 211 m"), 13, "tension_at_end: 60 kN");
-    const Result r = run_text(deck, {"machine.carriages.car.friction=0.2"});
-    ASSERT_EQ(r.status, Status::ok) << r.message << to_text(r.errors);
-    const Table& t = table_of(r, "cycle_work");
-    double taken = 0, energy = 0;
-    for (std::size_t i = 0; i < t.rows.size(); ++i) {
-      if (text_cell(t, i, "winch") != "high") continue;
-      taken += cell(t, i, "rope_taken_in");
-      energy += cell(t, i, "energy");
+  // 150.3 + (60.1 - 150.3) is not 60.1 in its last digit: the way back ends at its last place all the same
+  for (const char* way : {"from: 60 m, to: 150 m", "from: 60.1 m, to: 150.3 m"}) {
+    for (const double load_down : {800.0, 200.0}) {
+      std::string deck = incline(fmt::format("{{name: up, motion: {{track: -1}}, load: 800 kg}}, "
+                                             "{{name: down, motion: {{track: 1}}, load: {} kg}}",
+                                             load_down),
+                                 24);
+      deck.replace(deck.find("length: 211 m"), 13, "tension_at_end: 60 kN");
+      deck.replace(deck.find("from: 60 m, to: 150 m"), 21, way);
+      const Result r = run_text(deck, {"machine.carriages.car.friction=0.2"});
+      ASSERT_EQ(r.status, Status::ok) << r.message << to_text(r.errors);
+      const Table& t = table_of(r, "cycle_work");
+      double taken = 0, energy = 0;
+      for (std::size_t i = 0; i < t.rows.size(); ++i) {
+        if (text_cell(t, i, "winch") != "high") continue;
+        taken += cell(t, i, "rope_taken_in");
+        energy += cell(t, i, "energy");
+      }
+      EXPECT_EQ(std::abs(taken) < 1e-6, load_down == 800) << way << ": " << taken;
+      EXPECT_NEAR(energy / (60e3 * (1 + 60e3 / 30e6)), taken / (1 + 60e3 / 30e6), 1e-6);
     }
-    EXPECT_EQ(std::abs(taken) < 1e-6, load_down == 800) << taken;
-    EXPECT_NEAR(energy / (60e3 * (1 + 60e3 / 30e6)), taken / (1 + 60e3 / 30e6), 1e-6);
   }
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "taut/base/number.hpp"
 #include "taut/calc/answers.hpp"
 #include "taut/calc/none.hpp"
 #include "taut/checks/checked_parts.hpp"
@@ -121,7 +122,7 @@ void note_values_lost(const study::SweepRun& run, const solve::Sweep& s, Result&
   int lost = 0;
   double first = run.to;
   for (int i = run.steps; i >= 0; --i) {
-    const double value = run.from + (run.to - run.from) * i / run.steps;
+    const double value = step_between(run.from, run.to, i, run.steps);
     if ((value - s.value) * (run.to - run.from) <= 0) break;
     first = value;
     ++lost;

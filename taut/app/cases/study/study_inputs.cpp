@@ -6,6 +6,7 @@
 #include <cmath>
 #include <optional>
 
+#include "taut/base/number.hpp"
 #include "taut/base/suggest.hpp"
 #include "taut/units/parse.hpp"
 
@@ -97,7 +98,7 @@ class LawReader {
     if (!request_.steps) complain("", "'from' needs 'steps'");
     if (!request_.to || !request_.steps) return {.values = {0}, .weights = {}};
     const double from = value(*request_.from, "from"), to = value(*request_.to, "to");
-    for (int i = 0; i <= *request_.steps; ++i) all.values.push_back(from + (to - from) * i / *request_.steps);
+    for (int i = 0; i <= *request_.steps; ++i) all.values.push_back(step_between(from, to, i, *request_.steps));
     if (from == to) complain("to", "is the same value as 'from'");
     return all;
   }
