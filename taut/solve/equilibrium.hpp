@@ -66,6 +66,7 @@ struct ContactResult {
   int reeving = 0, node = 0;
   double T_in = 0, T_out = 0;       ///< N, by the order of the path
   double wrap = 0;                  ///< angle between the directions of the rope before and after it, rad
+  double unstretched = 0;           ///< rope on its arc, at the reference temperature, m
   Vector3 force = Vector3::Zero();  ///< of one copy of the rope on the support, N
   ContactState state = ContactState::turning;
   double T_in_min = 0, T_in_max = 0, T_out_min = 0, T_out_max = 0;  ///< the band at rest; else the tension itself

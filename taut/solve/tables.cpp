@@ -77,6 +77,7 @@ ContactResult contact_of(const mechanics::System& s, const mechanics::Evaluation
   r.T_in = in.slack ? 0 : in.T_to;
   r.T_out = out.slack ? 0 : out.T_from;
   r.wrap = e.bends[index].wrap;
+  r.unstretched = mechanics::arc(s, e, index).length / (1 + s.model.reevings[turn.reeving].thermal_strain);
   if (!in.slack) r.force -= in.pull_to;
   if (!out.slack) r.force += out.pull_from;
   r.state = state_of(node, e.bends[index], r.force, turn.flow);
@@ -124,7 +125,8 @@ void fill_contacts(const mechanics::System& s, const mechanics::Evaluation& e, c
   }
 }
 
-void fill_ropes(const mechanics::System& s, const mechanics::Evaluation& e, EquilibriumResult& result) {
+/// By its branches and contacts.
+void fill_ropes(const mechanics::System& s, EquilibriumResult& result) {
   for (std::size_t r = 0; r < s.model.reevings.size(); ++r) {
     const mechanics::Layout::Rope& rope = s.layout.ropes[r];
     RopeResult row;
@@ -137,10 +139,9 @@ void fill_ropes(const mechanics::System& s, const mechanics::Evaluation& e, Equi
       row.at_end = branch.T_to > branch.T_from;
       row.T_max = std::max(branch.T_from, branch.T_to);
     }
-    double on_rounds = 0;
-    for (int t = rope.first_turn; t < rope.first_turn + rope.turn_count; ++t)
-      on_rounds += mechanics::arc(s, e, t).length;
-    row.unstretched += on_rounds / (1 + s.model.reevings[r].thermal_strain);
+    for (const ContactResult& contact : result.contacts) {
+      if (contact.reeving == static_cast<int>(r)) row.unstretched += contact.unstretched;
+    }
     const double breaks = s.model.reevings[r].breaking_force;
     row.safety_factor = breaks > 0 && row.T_max > 0 ? breaks / row.T_max : 0;
     result.ropes.push_back(row);
@@ -213,7 +214,7 @@ void fill_tables(const mechanics::System& s, const mechanics::Configuration& c, 
   for (std::size_t k = 0; k < s.layout.branches.size(); ++k) result.branches.push_back(branch_result(s, c, e, k));
   fill_contacts(s, e, state, result);
   fill_rope_loads(s, c, e, result);
-  fill_ropes(s, e, result);
+  fill_ropes(s, result);
   fill_balance(s, c, e, result);
   result.beams = beam_results(s, c);
   const mechanics::Misfit m = mechanics::misfit(s, e);

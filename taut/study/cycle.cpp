@@ -12,15 +12,21 @@
 namespace taut::study {
 namespace {
 
-/// Rope without tension, at its temperature, between a drive and the clamped carriage on it; 0 where nothing is clamped
-/// to it.
+/// Rope without tension, at its temperature, between the middle of a drive's arc and the clamped carriage on it; 0
+/// where nothing is clamped to it.
 double passed(const solve::EquilibriumResult& e, const machine::Model& m, int reeving) {
-  double length = 0;
+  const machine::Reeving& rope = m.reevings[reeving];
+  const auto on_arc = [&](int node) {
+    const auto contact = std::find_if(e.contacts.begin(), e.contacts.end(),
+                                      [&](const auto& c) { return c.reeving == reeving && c.node == node; });
+    return contact == e.contacts.end() ? 0.0 : contact->unstretched;
+  };
+  double length = on_arc(0) / 2;
   for (const auto& s : e.branches) {
     if (s.reeving != reeving) continue;
-    const machine::Reeving& rope = m.reevings[reeving];
-    length += s.unstretched * (1 + rope.thermal_strain);
-    if (rope.nodes[s.to].kind == machine::NodeKind::clamp) return length;
+    length += s.unstretched;
+    if (rope.nodes[s.to].kind == machine::NodeKind::clamp) return length * (1 + rope.thermal_strain);
+    length += on_arc(s.to);
   }
   return 0;
 }

@@ -30,11 +30,15 @@ std::optional<int> still_node(const machine::Reeving& rope, int reeving, const s
   return has(true) ? 0 : static_cast<int>(rope.nodes.size()) - 1;
 }
 
-/// Unstretched rope between two nodes of its path, m.
+/// Unstretched rope between two nodes of its path, m; of an arc at one of them the half.
 double between(const solve::EquilibriumResult& e, int reeving, int first, int last) {
   double length = 0;
   for (const auto& s : e.branches) {
     if (s.reeving == reeving && s.from >= first && s.from < last) length += s.unstretched;
+  }
+  for (const auto& c : e.contacts) {
+    if (c.reeving != reeving || c.node < first || c.node > last) continue;
+    length += c.node == first || c.node == last ? c.unstretched / 2 : c.unstretched;
   }
   return length;
 }

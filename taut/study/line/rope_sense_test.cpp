@@ -111,6 +111,41 @@ analyses:
   EXPECT_GT(value_of(with, "cycle_energy"), 1.05 * value_of(none, "cycle_energy"));
 }
 
+TEST(RopeSense, RopeOnArcsBelongsToWhatRuns) {
+  // as the carriage goes down, rope leaves the wide crest: the spans beside the jack become longer, and yet rope runs
+  // over the jack towards the far end
+  const auto deck = [](const std::string& down, const std::string& up) {
+    return R"(taut: 1
+machine:
+  points: {low: [0 m, 0 m, 0 m], far: [760 m, 0 m, -130 m], winch: [0 m, 0 m, 2 m]}
+  ropes: {sky: {mass: 2.8 kg/m, stiffness: 28 MN}, main: {mass: 0.44 kg/m, stiffness: 4.5 MN}}
+  supports:
+    crest: {at: [71 m, 0 m, 19 m], diameter: 12 m, friction: 0.0085}
+    jack: {at: [292 m, 0 m, -22 m], diameter: 400 mm, friction: 0.045}
+  carriages: {car: {mass: 1.1 t, rides: sky, hold: rolling, mainline: main}}
+  reevings:
+    - rope: sky
+      path: [{anchor: low}, {over: crest}, {through: car}, {over: jack}, {anchor: far}]
+      tension_at_end: 89 kN
+    - {rope: main, path: [{anchor: winch}, {anchor: car}], length: 185 m}
+analyses:
+  - cycle:
+      carriage: car
+      from: 176 m
+      to: 192 m
+      steps: 6
+      phases: [{name: down, motion: )" +
+           down + "}, {name: up, motion: " + up + "}]\n";
+  };
+  const Result against = run_text(deck("out", "in"));
+  EXPECT_EQ(against.status, Status::infeasible) << "else the winches would gain energy";
+  EXPECT_NE(against.message.find("cycle, down: sky runs 0.0"), std::string::npos) << against.message;
+  EXPECT_NE(against.message.find("'motion: {sky: 1}'"), std::string::npos) << against.message;
+  const Result with = run_text(deck("{sky: 1}", "{sky: -1}"));
+  ASSERT_EQ(with.status, Status::ok) << with.message << to_text(with.errors);
+  EXPECT_GT(value_of(with, "cycle_energy"), 5);
+}
+
 TEST(RopeSense, NamesTheRopeWhereAllOfItIsWrongElseTheContact) {
   const std::vector<RopeSense> one = {{.rope = "line", .contact = "a", .declared = 1, .with = 0, .against = 3},
                                       {.rope = "line", .contact = "b", .declared = 1, .with = 2, .against = 0}};
