@@ -4,6 +4,8 @@
 
 #include <set>
 
+#include "taut/results/machine_beams.hpp"
+#include "taut/results/machine_figures.hpp"
 #include "taut/results/machine_tables.hpp"
 
 namespace taut::results {
@@ -42,7 +44,19 @@ Scene scene_of(const study::EquilibriumRun& one) {
   scene.name = "machine" + one.ending;
   scene.t = {0};
   for (const auto& s : one.result.branches) scene.lines.push_back(line_of(one.model, s));
+  const std::vector<std::vector<Vector3>> beams = beam_lines(one.result);
+  for (std::size_t i = 0; i < beams.size(); ++i) {
+    SceneLine line{
+        .name = one.model.beams[one.result.beams[i].beam].name, .role = Role::structure, .points = {{}}, .tension = {}};
+    for (const Vector3& v : beams[i]) line.points.front().push_back(scene_point(v));
+    scene.lines.push_back(std::move(line));
+  }
+  const auto in_ground = [&](std::size_t, const machine::Place& place) {
+    return machine::in_ground(one.result.state, place);
+  };
+  for (SceneLine& line : body_scene_lines(one.model, 1, in_ground)) scene.lines.push_back(std::move(line));
   for (std::size_t i = 0; i < one.model.bodies.size(); ++i) {
+    if (one.model.bodies[i].beam) continue;  // the beam's line goes through its sections
     scene.points.push_back({one.model.bodies[i].name, 0, {scene_point(one.result.state.bodies[i].position)}, {}});
   }
   std::set<std::string> known;
@@ -57,6 +71,21 @@ Scene scene_of(const study::EquilibriumRun& one) {
 }
 
 }  // namespace
+
+std::vector<SceneLine> body_scene_lines(const machine::Model& m, std::size_t frames,
+                                        const std::function<Vector3(std::size_t, const machine::Place&)>& in_ground) {
+  std::vector<SceneLine> all;
+  for (std::size_t frame = 0; frame < frames; ++frame) {
+    const auto now = body_lines(m, [&](const machine::Place& place) { return in_ground(frame, place); });
+    for (std::size_t i = 0; i < now.size(); ++i) {
+      if (frame == 0) {
+        all.push_back({.name = fmt::format("body[{}]", i + 1), .role = Role::structure, .points = {}, .tension = {}});
+      }
+      all[i].points.push_back({scene_point(now[i][0]), scene_point(now[i][1])});
+    }
+  }
+  return all;
+}
 
 void add_scenes(const MachineRun& run, Result& r) {
   for (const study::EquilibriumRun& one : run.equilibria) {

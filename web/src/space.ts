@@ -135,15 +135,28 @@ export class Space {
     geometry.setAttribute('position', new Float32BufferAttribute(places, 3));
     geometry.setAttribute('color', new Float32BufferAttribute(colours, 3));
     this.world.add(new LineSegments(geometry, new LineBasicMaterial({ vertexColors: true })));
+    const named = new Set<string>();
     for (const p of this.scene?.points ?? []) {
       const at = p.at[Math.min(this.frame, p.at.length - 1)];
       if (!at || at[0] == null) continue;
       const ball = new Mesh(new SphereGeometry(Math.max(p.radius, this.near / 150), 16, 12), new MeshBasicMaterial({ color: colour('body') }));
       ball.position.set(...at);
       this.world.add(ball);
-      this.name(p.name, ball.position, 'name');
+      if (!named.has(p.name)) this.name(p.name, ball.position, 'name');
+      named.add(p.name);
     }
     this.draw();
+  }
+
+  /** Of names that lie on each other, as of a tower and the sheave on it, the first is read. */
+  private clear(): void {
+    const taken: DOMRect[] = [];
+    for (const span of this.names.domElement.querySelectorAll('span')) {
+      const r = span.getBoundingClientRect();
+      const covered = taken.some((t) => r.left < t.right && t.left < r.right && r.top < t.bottom && t.top < r.bottom);
+      span.style.visibility = covered ? 'hidden' : '';
+      if (!covered) taken.push(r);
+    }
   }
 
   private name(text: string, at: Vector3, kind: string): void {
@@ -167,6 +180,7 @@ export class Space {
       this.renderer.render(this.world, this.camera);
       this.names.setSize(width, height);
       this.names.render(this.world, this.camera);
+      this.clear();
     });
   }
 }

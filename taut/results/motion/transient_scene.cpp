@@ -7,6 +7,8 @@
 #include <cmath>
 #include <map>
 
+#include "taut/results/machine_scene.hpp"
+
 namespace taut::results {
 namespace {
 
@@ -160,6 +162,12 @@ void add_lines(const study::TransientRun& run, Scene& scene) {
   }
 }
 
+void add_body_lines(const study::TransientRun& run, Scene& scene) {
+  const auto& frames = run.result.frames;
+  const auto in_ground = [&](std::size_t frame, const machine::Place& place) { return place_of(frames[frame], place); };
+  for (SceneLine& line : body_scene_lines(run.model, frames.size(), in_ground)) scene.lines.push_back(std::move(line));
+}
+
 void add_points(const study::TransientRun& run, Scene& scene) {
   const auto& frames = run.result.frames;
   for (const auto& body : run.model.bodies) scene.points.push_back({body.name, 0, {}, {}});
@@ -224,6 +232,7 @@ Scene scene_of(const study::TransientRun& run) {
   scene.name = "motion" + run.ending;
   for (const auto& frame : run.result.frames) scene.t.push_back(frame.t);
   add_lines(run, scene);
+  add_body_lines(run, scene);
   add_points(run, scene);
   return scene;
 }
