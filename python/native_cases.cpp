@@ -147,8 +147,8 @@ py::tuple study(const std::string& text, const std::string& name, const std::vec
 }
 
 /// (result, exception or None)
-py::tuple calibrate(const std::string& text, const std::string& name, const std::vector<std::string>& set,
-                    int threads, const py::object& progress) {
+py::tuple calibrate(const std::string& text, const std::string& name, const std::vector<std::string>& set, int threads,
+                    const py::object& progress) {
   std::shared_ptr<Result> result;
   const py::object raised = watched(
       [&](const Ask& ask) {

@@ -1,4 +1,5 @@
 #include "taut/results/machine_scene.hpp"
+
 #include "test/support/machine_decks.hpp"
 
 namespace machine_scene_test {

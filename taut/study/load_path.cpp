@@ -80,6 +80,8 @@ std::optional<machine::State> ahead(const Array<LoadPathPoint>& points) {
 
 }  // namespace
 
+double Way::x(int i) const { return step_between(from, to, i, steps); }
+
 LoadPath load_path(const machine::Model& model, const LoadPathOptions& options) {
   expects(options.steps >= 1, "a load path has a step");
   const machine::Carriage& carriage = model.carriages.at(static_cast<std::size_t>(options.carriage));

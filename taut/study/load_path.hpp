@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "taut/base/array.hpp"
-#include "taut/base/number.hpp"
 #include "taut/solve/condition.hpp"
 
 namespace taut::study {
@@ -15,7 +14,7 @@ struct Way {
   double from = 0, to = 0;  ///< m
   int steps = 1;
   Vector3 along = Vector3::UnitX();  ///< horizontal unit vector
-  double x(int i) const { return step_between(from, to, i, steps); }
+  double x(int i) const;             ///< of the i-th step
 };
 
 /// Positions first .. last within one span, with the carriage in that span's place of its rope's path. `support`: the
