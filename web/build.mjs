@@ -5,7 +5,7 @@ import { existsSync, mkdirSync, readFileSync, readdirSync, rmSync, writeFileSync
 import { dirname, join, posix, relative } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { gzipSync } from 'node:zlib';
-import { build } from 'vite';
+import { build, minify } from 'vite';
 
 const here = dirname(fileURLToPath(import.meta.url));
 const root = dirname(here);
@@ -51,7 +51,9 @@ const inScript = (text) => text.replaceAll('</script', '<\\/script').replaceAll(
 const inData = (text) => text.replaceAll('<', '\\u003c');
 
 const page = inScript(await bundled('main.ts'));
-const worker = inScript(`${readFileSync(join(engine, 'engine.js'), 'utf8')}\n${await bundled('worker.ts')}`);
+const glue = await minify('engine.js', readFileSync(join(engine, 'engine.js'), 'utf8'), { module: false });
+if (glue.errors.length > 0) throw new Error(`engine.js: ${glue.errors[0].message}`);
+const worker = inScript(`${glue.code}\n${await bundled('worker.ts')}`);
 const wasm = readFileSync(join(engine, 'engine.wasm'));
 const style = readFileSync(join(here, 'node_modules/uplot/dist/uPlot.min.css'), 'utf8') + readFileSync(join(here, 'src/style.css'), 'utf8');
 const data = inData(JSON.stringify(gallery()));
