@@ -204,14 +204,18 @@ WinchWork work_of(const machine::Model& m, const CycleRun& run, std::size_t winc
 }
 
 /// The last position of the phase before (of the last phase before the first), where a phase begins there with the same
-/// load; null elsewhere.
+/// load; null elsewhere. A position on a support is not known: both phases then have the one beside it.
 const CyclePosition* turn_before(const CycleRun& run, std::size_t phase) {
+  constexpr double same_place = 1e-9;  // of the way: the deck may have written it in another unit
   const std::size_t before = (phase + run.phases.size() - 1) % run.phases.size();
-  if (before >= run.answers.size()) return nullptr;
+  if (before >= run.answers.size() || run.phases[before].load != run.phases[phase].load) return nullptr;
   const std::vector<CyclePosition>&ends = run.answers[before].positions, &begins = run.answers[phase].positions;
-  const bool same = !ends.empty() && !begins.empty() && ends.back().known && begins.front().known &&
-                    ends.back().x == begins.front().x && run.phases[before].load == run.phases[phase].load;
-  return same ? &ends.back() : nullptr;
+  const auto known = [](const CyclePosition& p) { return p.known; };
+  const auto last = std::find_if(ends.rbegin(), ends.rend(), known);
+  const auto first = std::find_if(begins.begin(), begins.end(), known);
+  if (last == ends.rend() || first == begins.end()) return nullptr;
+  const Way& way = run.phases[phase].way;
+  return std::abs(last->x - first->x) <= same_place * std::abs(way.to - way.from) ? &*last : nullptr;
 }
 
 }  // namespace

@@ -145,6 +145,15 @@ test('a machine in space is drawn and turns', async () => {
   const { page, context, said } = await opened();
   await page.locator('#view').selectOption('space');
   const canvas = page.locator('#space canvas');
+  await page.waitForFunction(() => document.querySelectorAll('#space .names span').length > 0);
+  const stage = await page.locator('#stage').boundingBox();
+  const seen = [];
+  for (const span of await page.locator('#space .names span:visible').all()) {
+    const name = await span.boundingBox();
+    seen.push(await span.innerText());
+    assert.ok(name.x >= stage.x && name.x + name.width <= stage.x + stage.width && name.y >= stage.y, seen.at(-1));
+  }
+  for (const name of ['tail_block', 'car', 'haulback_drum', 'grid 20 m']) assert.ok(seen.includes(name), seen.join(', '));
   const before = await canvas.screenshot();
   const box = await canvas.boundingBox();
   await page.mouse.move(box.x + 200, box.y + 200);

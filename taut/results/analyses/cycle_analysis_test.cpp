@@ -1,5 +1,8 @@
 #include <fmt/format.h>
 
+#include <array>
+#include <vector>
+
 #include "test/support/machine_decks.hpp"
 
 namespace cycle_analysis_test {
@@ -128,6 +131,59 @@ TEST(CycleAnalysis, AClosedCycleEndsWithTheRopeThatItBeganWith) {
       EXPECT_NEAR(energy / (60e3 * (1 + 60e3 / 30e6)), taken / (1 + 60e3 / 30e6), 1e-6);
     }
   }
+}
+
+/// A line over one support that loses tension, at a place: {T before it, T behind it, rope between start and support}.
+std::array<double, 3> at_support(const std::string& deck, double x, const std::string& motion) {
+  const std::string state =
+      fmt::format("analyses=[{{equilibrium: {{carriage: car, x: {:.17g} m, motion: {}}}}}]", x, motion);
+  const Result r = run_text(deck, {state});
+  EXPECT_EQ(r.status, Status::ok) << r.message << to_text(r.errors);
+  const Table& spans = table_of(r, "spans");
+  return {cell(spans, 1, "T_to"), cell(spans, 2, "T_from"),
+          cell(spans, 0, "unstretched") + cell(spans, 1, "unstretched")};
+}
+
+TEST(CycleAnalysis, TheWinchGivesInACycleWhatFrictionTakes) {
+  // from single states at rest: what the tension loses over the support, times the rope that runs over it, both turns
+  // counted, where the carriage stands and friction changes its sense
+  const std::string deck = R"(taut: 1
+machine:
+  points: {low: [0 m, 0 m, 10 m], high: [385 m, 0 m, 117 m], winch: [385 m, 0 m, 115 m]}
+  ropes: {sky: {mass: 0.96 kg/m, stiffness: 8.8 MN}, main: {mass: 0.3 kg/m, stiffness: 4.5 MN}}
+  supports: {jack: {at: [140.6 m, 0 m, 65 m], diameter: 2 mm, efficiency: 0.914, law: sheave, uplift: hold}}
+  carriages: {car: {mass: 272 kg, rides: sky, hold: rolling, mainline: main}}
+  reevings:
+    - {rope: sky, path: [{anchor: low}, {through: car}, {over: jack}, {anchor: high}], length: 402.5 m}
+    - {rope: main, path: [{anchor: winch}, {anchor: car}], length: 366 m}
+analyses:
+  - cycle:
+      {carriage: car, from: 23.8 m, to: 39.7 m, steps: 24, phases: [{name: up, motion: in}, {name: down, motion: out}]}
+)";
+  const Result r = run_text(deck);
+  ASSERT_EQ(r.status, Status::ok) << r.message << to_text(r.errors);
+  constexpr int steps = 16;
+  constexpr double from = 23.8, to = 39.7;
+  std::vector<std::array<double, 3>> states;
+  for (int i = 0; i <= steps; ++i) states.push_back(at_support(deck, from + (to - from) * i / steps, "in"));
+  for (int i = steps; i >= 0; --i) states.push_back(at_support(deck, from + (to - from) * i / steps, "out"));
+  states.push_back(states.front());
+  double taken = 0;
+  for (std::size_t i = 1; i < states.size(); ++i) {
+    const auto& [T0, U0, L0] = states[i - 1];
+    const auto& [T1, U1, L1] = states[i];
+    taken += (T0 - U0 + T1 - U1) / 2 * (L1 - L0);
+  }
+  EXPECT_GT(taken, 50);
+  EXPECT_NEAR(value_of(r, "cycle_energy"), taken, 0.02 * taken);
+  // a place in another unit, and one on the support, where both phases end beside it
+  const Result other =
+      run_text(deck, {"analyses[0].cycle.phases[1].from=3970 cm", "analyses[0].cycle.phases[1].to=0.0238 km"});
+  EXPECT_NEAR(value_of(other, "cycle_energy"), value_of(r, "cycle_energy"), 1e-6);
+  const Result on_jack = run_text(deck, {"analyses[0].cycle.from=130.6 m", "analyses[0].cycle.to=140.6 m"});
+  const Table& works = table_of(on_jack, "cycle_work");
+  EXPECT_GT(value_of(on_jack, "cycle_energy"), 0);
+  EXPECT_NEAR(cell(works, 0, "rope_taken_in") + cell(works, 1, "rope_taken_in"), 0, 1e-3);
 }
 
 TEST(CycleAnalysis, LossesCostEnergyBothWays) {
