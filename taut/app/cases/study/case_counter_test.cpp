@@ -53,6 +53,7 @@ TEST(CaseCounter, ThreadsAreToldOneAtATime) {
   };
   CaseCounter counter("study", 2000, true, ask);
   std::vector<std::thread> threads;
+  threads.reserve(4);
   for (int t = 0; t < 4; ++t) {
     threads.emplace_back([&] {
       for (int i = 0; i < 500; ++i) counter.go_on();
