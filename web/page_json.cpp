@@ -3,10 +3,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <string>
+#include <string_view>
 #include <variant>
+#include <vector>
 
 #include "taut/base/diagnostic.hpp"
 #include "taut/calc/outcome.hpp"
@@ -30,12 +35,73 @@ Json numbers(const std::vector<double>& all, const ShownUnit& unit) {
   return list;
 }
 
-/// A length to a millimetre of a hundred, else to a hundred thousandth: a picture needs no more, and a motion of a
-/// minute has a million of them.
-Json coarse(double x) {
-  if (!std::isfinite(x)) return nullptr;
-  return std::round(x * 1e4) / 1e4;
-}
+/// A picture's place to 0.1 mm, and a tension to 1 N: a motion of a minute has a million of them, so they are written
+/// as text at once, by their whole number of steps.
+class PictureNumbers {
+ public:
+  explicit PictureNumbers(std::string& text) : text_(text) {}
+
+  void place(double metres) { in_steps(metres, 4); }
+  void tension(double newtons) { in_steps(newtons, 0); }
+  void text(std::string_view piece) { text_ += piece; }
+
+  /// [a,b,..]: `one` writes each.
+  template <class Range, class One>
+  void list(const Range& all, const One& one) {
+    text_ += '[';
+    for (const auto& each : all) {
+      one(each);
+      text_ += ',';
+    }
+    close();
+  }
+  /// [x,y,z,x,y,z,..]
+  template <class Places>
+  void flat(const Places& places) {
+    text_ += '[';
+    for (const auto& at : places) {
+      for (const double x : at) {
+        place(x);
+        text_ += ',';
+      }
+    }
+    close();
+  }
+
+ private:
+  std::string& text_;
+
+  void close() {
+    if (text_.back() == ',') text_.pop_back();
+    text_ += ']';
+  }
+
+  void in_steps(double x, int decimals) {
+    constexpr double most_steps = 1e15;  // whole numbers up to here are doubles
+    const double steps = std::floor(x * (decimals == 0 ? 1 : 1e4) + 0.5);
+    if (!(std::abs(steps) < most_steps)) {
+      text_ += std::isfinite(x) ? fmt::format("{}", x) : "null";
+      return;
+    }
+    std::array<char, 24> digits;
+    char* const end = digits.data() + digits.size();
+    char* at = end;
+    auto left = static_cast<std::uint64_t>(std::abs(steps));
+    bool written = false;  // zeros at the end of a fraction are left out
+    for (int i = 0; i < decimals; ++i, left /= 10) {
+      const auto digit = static_cast<char>('0' + left % 10);
+      written = written || digit != '0';
+      if (written) *--at = digit;
+    }
+    if (written) *--at = '.';
+    do {
+      *--at = static_cast<char>('0' + left % 10);
+      left /= 10;
+    } while (left > 0);
+    if (steps < 0) *--at = '-';
+    text_.append(at, end);
+  }
+};
 
 Json verdict(const Result& r) {
   const std::optional<Verdict> v = verdict_of(r);
@@ -165,52 +231,61 @@ Json tension_range(const Scene& s, const Display& display) {
           {"most_text", report::value_shown(most, si::N, display)}};
 }
 
-Json scene(const Scene& s, const Display& display) {
-  Json lines = Json::array();
-  for (const SceneLine& line : s.lines) {
-    Json frames = Json::array();
-    for (const auto& frame : line.points) {
-      Json flat = Json::array();
-      for (const auto& p : frame) {
-        for (const double x : p) flat.push_back(coarse(x));
-      }
-      frames.push_back(std::move(flat));
-    }
-    Json tensions = Json::array();
-    for (const auto& frame : line.tension) {
-      Json flat = Json::array();
-      for (const double t : frame) flat.push_back(std::isfinite(t) ? Json(std::round(t)) : Json(nullptr));
-      tensions.push_back(std::move(flat));
-    }
-    lines.push_back({{"name", line.name}, {"points", std::move(frames)}, {"tension", std::move(tensions)}});
-  }
-  Json points = Json::array();
-  for (const ScenePoint& p : s.points) {
-    Json at = Json::array();
-    for (const auto& place : p.at) at.push_back({coarse(place[0]), coarse(place[1]), coarse(place[2])});
-    points.push_back({{"name", p.name}, {"radius", p.radius}, {"at", std::move(at)}});
-  }
+/// A deck may hold any bytes in a text; what is no UTF-8 is shown as such.
+std::string dumped(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
+
+/// `json`, an object, with a last entry that is text of JSON already.
+void add_entry(std::string& json, std::string_view key, std::string_view value) {
+  json.pop_back();
+  json += fmt::format(",\"{}\":{}}}", key, value);
+}
+
+std::string scene_lines(const Scene& s) {
+  std::string text;
+  PictureNumbers out(text);
+  out.list(s.lines, [&](const SceneLine& line) {
+    out.text(fmt::format("{{\"name\":{},\"points\":", dumped(line.name)));
+    out.list(line.points, [&](const auto& frame) { out.flat(frame); });
+    out.text(",\"tension\":");
+    out.list(line.tension, [&](const auto& frame) { out.list(frame, [&](double T) { out.tension(T); }); });
+    out.text("}");
+  });
+  return text;
+}
+
+std::string scene_points(const Scene& s) {
+  std::string text;
+  PictureNumbers out(text);
+  out.list(s.points, [&](const ScenePoint& p) {
+    out.text(fmt::format("{{\"name\":{},\"radius\":{},\"at\":", dumped(p.name), dumped(number(p.radius))));
+    out.list(p.at, [&](const auto& place) { out.list(place, [&](double x) { out.place(x); }); });
+    out.text("}");
+  });
+  return text;
+}
+
+std::string scene(const Scene& s, const Display& display) {
   Json t = Json::array(), times = Json::array();
   for (const double moment : s.t) {
     t.push_back(number(moment));
     times.push_back(report::value_shown(moment, si::s, display));
   }
-  return {{"name", s.name},
-          {"t", std::move(t)},
-          {"times", std::move(times)},
-          {"lines", std::move(lines)},
-          {"points", std::move(points)},
-          {"tension", tension_range(s, display)}};
+  std::string text = dumped(
+      {{"name", s.name}, {"t", std::move(t)}, {"times", std::move(times)}, {"tension", tension_range(s, display)}});
+  add_entry(text, "lines", scene_lines(s));
+  add_entry(text, "points", scene_points(s));
+  return text;
 }
 
 /// The line of the ground that a profile draws, for the page's own drawing.
-Json ground(const Profile& p) {
-  Json flat = Json::array();
-  for (const Point& at : p.ground) {
-    flat.push_back(coarse(at.x));
-    flat.push_back(coarse(at.y));
-  }
-  return flat;
+std::string ground(const Profile& p) {
+  std::string text;
+  PictureNumbers out(text);
+  std::vector<std::array<double, 2>> flat;
+  flat.reserve(p.ground.size());
+  for (const Point& at : p.ground) flat.push_back({at.x, at.y});
+  out.flat(flat);
+  return text;
 }
 
 }  // namespace
@@ -219,7 +294,8 @@ std::string to_page(const Result& r) {
   const Display display = display_of(r);
   Json answers = Json::array();
   for (const Answer& a : r.answers) answers.push_back({{"label", a.label}, {"text", a.text}});
-  Json plots = Json::array(), events = Json::array(), ground_line = Json::array();
+  Json plots = Json::array(), events = Json::array();
+  std::string ground_line = "[]", scenes;
   std::size_t pictures = 0;
   for (const Figure& f : r.figures) {
     if (const auto* p = std::get_if<Plot>(&f)) {
@@ -232,27 +308,25 @@ std::string to_page(const Result& r) {
     }
     ++pictures;
   }
-  Json scenes = Json::array();
-  for (const Scene& s : r.scenes) scenes.push_back(scene(s, display));
-  const Json page = {{"title", r.title},
-                     {"method", r.method},
-                     {"status", to_text(r.status)},
-                     {"message", r.message},
-                     {"verdict", verdict(r)},
-                     {"headline", r.headline},
-                     {"answers", std::move(answers)},
-                     {"warnings", warnings(r)},
-                     {"errors", errors(r)},
-                     {"values", values(r, display)},
-                     {"checks", checks(r, display)},
-                     {"plots", std::move(plots)},
-                     {"pictures", pictures},
-                     {"scenes", std::move(scenes)},
-                     {"events", std::move(events)},
-                     {"ground", std::move(ground_line)},
-                     {"interrupted", r.interrupted}};
-  // a deck may hold any bytes in a text; what is no UTF-8 is shown as such
-  return page.dump(-1, ' ', false, Json::error_handler_t::replace);
+  PictureNumbers(scenes).list(r.scenes, [&](const Scene& s) { scenes += scene(s, display); });
+  std::string page = dumped({{"title", r.title},
+                             {"method", r.method},
+                             {"status", to_text(r.status)},
+                             {"message", r.message},
+                             {"verdict", verdict(r)},
+                             {"headline", r.headline},
+                             {"answers", std::move(answers)},
+                             {"warnings", warnings(r)},
+                             {"errors", errors(r)},
+                             {"values", values(r, display)},
+                             {"checks", checks(r, display)},
+                             {"plots", std::move(plots)},
+                             {"pictures", pictures},
+                             {"events", std::move(events)},
+                             {"interrupted", r.interrupted}});
+  add_entry(page, "scenes", scenes);
+  add_entry(page, "ground", ground_line);
+  return page;
 }
 
 std::string pictures_of(const Result& r) {
@@ -263,7 +337,7 @@ std::string pictures_of(const Result& r) {
     Json one = picture(f, display);
     if (!one.is_null()) pictures.push_back(std::move(one));
   }
-  return pictures.dump(-1, ' ', false, Json::error_handler_t::replace);
+  return dumped(pictures);
 }
 
 }  // namespace taut::web

@@ -14,8 +14,8 @@ namespace taut::web {
 ///    where}], plots [{name, title, caption, x, y, curves, marks}], pictures: how many pictures_of has, scenes [{name,
 ///    t, times, tension {least, most, ..}, lines [{name, points, tension}], points [{name, radius, at}]}], events
 ///    [{t, text}], ground [x, z, ...], interrupted}
-/// `points` of a line: for each time x, y, z, x, y, z, ... in metres with a millimetre's digits; `tension`: for each
-/// time one number at each point, in newtons.
+/// `points` of a line: for each time x, y, z, x, y, z, ... in metres, to 0.1 mm; `tension`: for each time one number at
+/// each point, to 1 N.
 std::string to_page(const Result& r);
 
 /// The figures that the page does not draw itself, as a list [{title, caption, scale, svg}].

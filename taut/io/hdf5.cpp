@@ -74,6 +74,15 @@ Handle untimed(hid_t kind) {
   return {list, H5Pclose};
 }
 
+/// How texts are written and read. HDF5 clears the whole of its buffer for them, 1 MiB unless told otherwise, at each
+/// column: many small files would cost little else.
+Handle small_transfer() {
+  constexpr std::size_t bytes = std::size_t{1} << 14U;
+  const hid_t list = H5Pcreate(H5P_DATASET_XFER);
+  H5Pset_buffer(list, bytes, nullptr, nullptr);
+  return {list, H5Pclose};
+}
+
 bool write_attribute(hid_t object, const char* name, hid_t type, const void* data) {
   const Handle space(H5Screate(H5S_SCALAR), H5Sclose);
   const Handle attribute(H5Acreate2(object, name, type, space.get(), H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
@@ -113,7 +122,9 @@ bool write_column(hid_t group, const Table& t, std::size_t column) {
     std::vector<const char*> pointers;
     pointers.reserve(words.size());
     for (const std::string& word : words) pointers.push_back(word.c_str());
-    written = H5Dwrite(set.get(), type.get(), H5S_ALL, H5S_ALL, H5P_DEFAULT, static_cast<const void*>(pointers.data()));
+    const Handle transfer = small_transfer();
+    written =
+        H5Dwrite(set.get(), type.get(), H5S_ALL, H5S_ALL, transfer.get(), static_cast<const void*>(pointers.data()));
   } else {
     std::vector<double> numbers;
     if (t.long_rows) numbers = t.long_rows->column(column);
@@ -170,8 +181,8 @@ bool read_column(hid_t group, const std::string& name, Table& t) {
   for (auto& row : t.rows) row.resize(std::max(row.size(), column + 1), Cell(std::nan("")));
   if (H5Tget_class(type.get()) == H5T_STRING) {
     std::vector<char*> words(rows, nullptr);
-    const Handle own = text_type();
-    if (H5Dread(set.get(), own.get(), H5S_ALL, H5S_ALL, H5P_DEFAULT, static_cast<void*>(words.data())) < 0)
+    const Handle own = text_type(), transfer = small_transfer();
+    if (H5Dread(set.get(), own.get(), H5S_ALL, H5S_ALL, transfer.get(), static_cast<void*>(words.data())) < 0)
       return false;
     for (std::size_t i = 0; i < rows; ++i) t.rows[i][column] = std::string(words[i] == nullptr ? "" : words[i]);
     for (char* word : words) H5free_memory(word);

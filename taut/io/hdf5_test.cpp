@@ -91,6 +91,21 @@ TEST(Hdf5, TheSameSeriesGiveTheSameBytes) {
   fs::remove(b);
 }
 
+// More texts than HDF5 turns over at once.
+TEST(Hdf5, ManyTextsComeBack) {
+  Table t;
+  t.name = "cases";
+  t.columns = {{.name = "reason", .unit = si::one}, {.name = "x", .unit = si::m}};
+  constexpr int rows = 5000;
+  for (int i = 0; i < rows; ++i) t.rows.push_back({i % 3 == 0 ? std::string{} : fmt::format("reason {}", i), 1.0 * i});
+  const fs::path path = fresh_file("many.h5");
+  ASSERT_TRUE(write_hdf5({t}, path.string()));
+  const auto back = read_hdf5(path.string());
+  ASSERT_TRUE(back) << back.error();
+  EXPECT_EQ(back->at(0).rows, t.rows);
+  fs::remove(path);
+}
+
 TEST(Hdf5, SaysWhyNot) {
   EXPECT_FALSE(write_hdf5(made(), "/nowhere/at/all.h5"));
   EXPECT_FALSE(read_hdf5("/nowhere/at/all.h5"));

@@ -5,6 +5,7 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
+#include "taut/rope/exact_end.hpp"
 #include "test/support/dice.hpp"
 
 namespace taut::mechanics::branch_force_test {

@@ -8,6 +8,7 @@
 #include <random>
 
 #include "taut/mechanics/branch_force.hpp"
+#include "taut/rope/exact_end.hpp"
 
 namespace branch_test {
 

@@ -5,6 +5,7 @@
 
 #include "taut/math/index.hpp"
 #include "taut/mechanics/branch_force.hpp"
+#include "taut/rope/exact_end.hpp"
 
 namespace taut::mechanics {
 namespace {
@@ -46,7 +47,7 @@ EndInSpace in_plane(const rope::CatenaryRope& rope, const Vector3& F) {
 Vector3 open_end_of(const rope::CatenaryRope& rope, const Vector3& F, const Vector3& chord) {
   const EndInSpace p = in_plane(rope, F);
   const rope::ExactEnd end = rope::exact_end(rope, p.force);
-  const long double by_force = end.x / p.force.H;
+  const math::TwoDoubles by_force = end.x / p.force.H;
   return {static_cast<double>(by_force * F.x() - chord.x()), static_cast<double>(by_force * F.y() - chord.y()),
           static_cast<double>(end.z - chord.z())};
 }

@@ -3,46 +3,29 @@
 #include <cmath>
 
 #include "taut/base/expects.hpp"
+#include "taut/rope/exact_end.hpp"
 
 namespace taut::rope {
 namespace {
 
 /// log(1 + y)/y, 1 at y = 0.
-template <class T>
-T log1p_ratio(T y) {
-  using std::log1p;
-  return y == 0 ? T(1) : log1p(y) / y;
-}
+double log1p_ratio(double y) { return y == 0 ? 1 : std::log1p(y) / y; }
 
-/// What every formula is made of. V0, V1, T0, T1: at the ends.
-template <class T>
-struct Ends {
-  T V0, V1, T0, T1, sum;  ///< sum = T0 + T1
-  T gap;                  ///< T0 + T1 - w L, a sum of positive terms
-};
-
-template <class T>
-Ends<T> ends_of(const CatenaryRope& rope, T H, T V) {
-  using std::sqrt;
-  const T half = T(rope.weight) * T(rope.length) / 2;
-  Ends<T> e{};
-  e.V0 = V - half;
-  e.V1 = V + half;
-  e.T0 = sqrt(H * H + e.V0 * e.V0);
-  e.T1 = sqrt(H * H + e.V1 * e.V1);
+Ends<double> ends_of(const CatenaryRope& rope, const CatenaryForce& f) {
+  const double half = rope.weight * rope.length / 2;
+  Ends<double> e{};
+  e.V0 = f.V - half;
+  e.V1 = f.V + half;
+  e.T0 = std::sqrt(f.H * f.H + e.V0 * e.V0);
+  e.T1 = std::sqrt(f.H * f.H + e.V1 * e.V1);
   e.sum = e.T0 + e.T1;
-  // T + V loses its digits for V < 0, where it is H^2/(T - V)
-  const T rise = e.V0 >= 0 ? e.T0 + e.V0 : H * H / (e.T0 - e.V0);
-  const T fall = e.V1 <= 0 ? e.T1 - e.V1 : H * H / (e.T1 + e.V1);
-  e.gap = rise + fall;
   return e;
 }
 
-/// I, the integral of ds/T over the unstretched rope: asinh(V1/H) - asinh(V0/H) = 2 atanh(w L/(T0 + T1)).
-template <class T>
-T inverse_tension(const CatenaryRope& rope, const Ends<T>& e) {
-  const T q = 2 * T(rope.length) / e.gap;
-  return std::isinf(q) ? q : q * log1p_ratio<T>(T(rope.weight) * q);
+/// I, the integral of ds/T over the unstretched rope: asinh(V1/H) - asinh(V0/H) = 2 atanh(w L/(T0 + T1)), with the gap.
+double inverse_tension(const CatenaryRope& rope, double gap) {
+  const double q = 2 * rope.length / gap;
+  return std::isinf(q) ? q : q * log1p_ratio(rope.weight * q);
 }
 
 /// Integrals over the unstretched rope: I of 1/T, V^2/T^3 and H^2/T^3.
@@ -53,12 +36,13 @@ struct Integrals {
 Integrals integrals(const CatenaryRope& rope, double H, const Ends<double>& e) {
   const double wL = e.V1 - e.V0;
   const double L = rope.length;
+  const double gap = gap_of(e, H * H);
   Integrals r{};
-  r.I = inverse_tension(rope, e);
+  r.I = inverse_tension(rope, gap);
   const double sin0 = e.T0 > 0 ? e.V0 / e.T0 : 0;
   const double sin1 = e.T1 > 0 ? e.V1 / e.T1 : 0;
   // with u = asinh(V/H) and D = u1 - u0: tanh(D)/w
-  const double tanh_ratio = L / (wL + e.gap / (2 * wL / e.gap + 2));
+  const double tanh_ratio = L / (wL + gap / (2 * wL / gap + 2));
   const double both = e.V0 * e.V1;
   const double TT = e.T0 * e.T1;
   const double across = both > 0 ? H * H * (H * H + e.V0 * e.V0 + e.V1 * e.V1) / (TT * (TT + both)) : 1 - sin0 * sin1;
@@ -98,7 +82,7 @@ std::string_view to_text(NoCatenary why) {
 }
 
 EndPosition end_position(const CatenaryRope& rope, const CatenaryForce& f) {
-  const Ends<double> e = ends_of(rope, f.H, f.V);
+  const Ends<double> e = ends_of(rope, f);
   const Integrals integral = integrals(rope, f.H, e);
   const double compliance = rope.length / rope.stiffness;
   const double TT = e.T0 * e.T1;
@@ -111,15 +95,8 @@ EndPosition end_position(const CatenaryRope& rope, const CatenaryForce& f) {
   return p;
 }
 
-ExactEnd exact_end(const CatenaryRope& rope, const CatenaryForce& f) {
-  const Ends<long double> e = ends_of<long double>(rope, f.H, f.V);
-  const long double compliance = static_cast<long double>(rope.length) / rope.stiffness;
-  return {.x = f.H == 0 ? 0 : f.H * (compliance + inverse_tension(rope, e)),
-          .z = e.sum > 0 ? f.V * (compliance + 2 * static_cast<long double>(rope.length) / e.sum) : 0};
-}
-
 EndRates end_rates(const CatenaryRope& rope, const CatenaryForce& f) {
-  const Ends<double> e = ends_of(rope, f.H, f.V);
+  const Ends<double> e = ends_of(rope, f);
   const EndPosition p = end_position(rope, f);
   EndRates r;
   if (e.T0 > 0 && e.T1 > 0) {
@@ -140,7 +117,7 @@ CatenaryStiffness stiffness(const CatenaryRope& rope, const CatenaryForce& f) {
   k.dV_dz = 1 / (p.dz_dV - p.dx_dV * turn);
   k.dH_dz = -turn * k.dV_dz;
   k.dH_dx = 1 / p.dx_dH - turn * k.dH_dz;
-  k.out_of_plane = 1 / (rope.length / rope.stiffness + inverse_tension(rope, ends_of(rope, f.H, f.V)));
+  k.out_of_plane = 1 / (rope.length / rope.stiffness + inverse_tension(rope, gap_of(ends_of(rope, f), f.H * f.H)));
   k.dH_dlength = -(k.dH_dx * rate.dx_dlength + k.dH_dz * rate.dz_dlength);
   k.dV_dlength = -(k.dH_dz * rate.dx_dlength + k.dV_dz * rate.dz_dlength);
   k.dH_dheat = -(k.dH_dx * rate.dx_dheat + k.dH_dz * rate.dz_dheat);

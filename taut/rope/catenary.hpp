@@ -39,12 +39,6 @@ struct EndPosition {
 /// very slack rope. H >= 0; H = 0: a rope in a vertical line.
 EndPosition end_position(const CatenaryRope& rope, const CatenaryForce& force);
 
-/// x and z of end_position, in extended precision.
-struct ExactEnd {
-  long double x = 0, z = 0;
-};
-ExactEnd exact_end(const CatenaryRope& rope, const CatenaryForce& force);
-
 /// Derivatives of x and z by the unstretched length (m/m) and by the thermal strain (m), at a constant force in the
 /// middle.
 struct EndRates {

@@ -4,6 +4,7 @@
 
 #include "taut/base/expects.hpp"
 #include "taut/rope/catenary.hpp"
+#include "taut/rope/exact_end.hpp"
 
 namespace taut::rope {
 namespace {

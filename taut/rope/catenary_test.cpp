@@ -10,6 +10,7 @@
 #include <random>
 
 #include "taut/base/expects.hpp"
+#include "taut/rope/exact_end.hpp"
 
 namespace taut::rope::catenary_test {
 
@@ -213,7 +214,7 @@ void expect_compliance(const CatenaryRope& rope, const CatenaryForce& f, double 
   const auto slope = [&](double dH, double dV, auto member) {
     const ExactEnd a = exact_end(rope, {.H = f.H + dH, .V = f.V + dV}),
                    b = exact_end(rope, {.H = f.H - dH, .V = f.V - dV});
-    return static_cast<double>((a.*member - b.*member) / (2 * static_cast<long double>(dH + dV)));
+    return static_cast<double>(a.*member - b.*member) / (2 * (dH + dV));
   };
   const double scale = std::max(p.dx_dH, p.dz_dV);
   EXPECT_NEAR(p.dx_dH, slope(h, 0, &ExactEnd::x), tolerance * scale);

@@ -5,6 +5,7 @@
 
 #include "taut/base/array.hpp"
 #include "taut/mechanics/rope_load.hpp"
+#include "taut/rope/exact_end.hpp"
 #include "taut/solve/beam_tables.hpp"
 
 namespace taut::solve {

@@ -1,0 +1,73 @@
+#include "web/page_json.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <random>
+
+namespace taut::web::page_json_test {
+
+using Json = nlohmann::json;
+
+Json page_of(const Scene& scene) {
+  Result r;
+  r.scenes.push_back(scene);
+  return Json::parse(to_page(r));
+}
+
+TEST(PageJson, SceneIsFlatFramesOfPlacesAndTensions) {
+  Scene s;
+  s.name = "machine";
+  s.t = {0, 0.5};
+  s.lines.push_back(
+      {.name = "sky\"line", .points = {{{1, -2.00004, 3.5}, {0, 0, 12}}, {{1, 2, 3}}}, .tension = {{1e3, 7.6}, {}}});
+  s.points.push_back({.name = "P", .radius = 0.25, .at = {{1, 2, 3}, {-1e-5, 0.1234, 1e6}}});
+  const Json page = page_of(s), scene = page.at("scenes").at(0);
+  EXPECT_EQ(scene.at("t"), Json::parse("[0.0, 0.5]"));
+  EXPECT_EQ(scene.at("times").size(), 2U);
+  const Json& line = scene.at("lines").at(0);
+  EXPECT_EQ(line.at("name"), "sky\"line");
+  EXPECT_EQ(line.at("points"), Json::parse("[[1, -2, 3.5, 0, 0, 12], [1, 2, 3]]"));
+  EXPECT_EQ(line.at("tension"), Json::parse("[[1000, 8], []]"));
+  EXPECT_EQ(scene.at("points").at(0).at("at"), Json::parse("[[1, 2, 3], [0, 0.1234, 1000000]]"));
+  EXPECT_EQ(scene.at("points").at(0).at("radius"), 0.25);
+  EXPECT_EQ(scene.at("tension").at("most"), 1e3);
+}
+
+TEST(PageJson, WhatIsNoNumberOrNoTextIsShownAsSuch) {
+  Scene s;
+  s.name = "bad \xff bytes";
+  const double infinite = std::numeric_limits<double>::infinity();
+  s.lines.push_back(
+      {.name = "</script>\x80", .points = {{{std::nan(""), infinite, -1e300}}}, .tension = {{-infinite}}});
+  const Json scene = page_of(s).at("scenes").at(0);
+  EXPECT_EQ(scene.at("lines").at(0).at("points"), Json::parse("[[null, null, -1e300]]"));
+  EXPECT_EQ(scene.at("lines").at(0).at("tension"), Json::parse("[[null]]"));
+  EXPECT_TRUE(scene.at("tension").is_null());
+  EXPECT_EQ(page_of({}).at("scenes").at(0).at("lines"), Json::array());
+  EXPECT_EQ(Json::parse(to_page({})).at("scenes"), Json::array());
+  EXPECT_EQ(Json::parse(to_page({})).at("ground"), Json::array());
+}
+
+TEST(PageJson, PlacesAreGoodToATenthOfAMillimetre) {
+  std::mt19937_64 source(5);
+  Scene s;
+  s.lines.push_back({.name = "rope"});
+  std::vector<std::array<double, 3>> frame;
+  for (int i = 0; i < 2000; ++i) {
+    const double size = std::pow(10, std::uniform_real_distribution<>(-6, 12)(source));
+    frame.push_back({size, -size, std::round(size)});
+  }
+  s.lines[0].points = {frame};
+  const Json page = page_of(s);
+  const Json& written = page.at("scenes").at(0).at("lines").at(0).at("points").at(0);
+  ASSERT_EQ(written.size(), 3 * frame.size());
+  for (std::size_t i = 0; i < written.size(); ++i) {
+    const double x = frame[i / 3][i % 3];
+    EXPECT_NEAR(written[i].get<double>(), x, 0.5e-4 * (1 + 1e-9) + 1e-15 * std::abs(x));
+  }
+}
+
+}  // namespace taut::web::page_json_test
