@@ -23,7 +23,7 @@ TEST(PageJson, SceneIsFlatFramesOfPlacesAndTensions) {
   s.t = {0, 0.5};
   s.lines.push_back(
       {.name = "sky\"line", .points = {{{1, -2.00004, 3.5}, {0, 0, 12}}, {{1, 2, 3}}}, .tension = {{1e3, 7.6}, {}}});
-  s.points.push_back({.name = "P", .radius = 0.25, .at = {{1, 2, 3}, {-1e-5, 0.1234, 1e6}}});
+  s.points.push_back({.name = "P", .radius = 0.25, .at = {{1, 2, 3}, {-1e-5, 0.1234, 1e6}}, .velocity = {}});
   const Json page = page_of(s), scene = page.at("scenes").at(0);
   EXPECT_EQ(scene.at("t"), Json::parse("[0.0, 0.5]"));
   EXPECT_EQ(scene.at("times").size(), 2U);
@@ -54,7 +54,7 @@ TEST(PageJson, WhatIsNoNumberOrNoTextIsShownAsSuch) {
 TEST(PageJson, PlacesAreGoodToATenthOfAMillimetre) {
   std::mt19937_64 source(5);
   Scene s;
-  s.lines.push_back({.name = "rope"});
+  s.lines.emplace_back().name = "rope";
   std::vector<std::array<double, 3>> frame;
   for (int i = 0; i < 2000; ++i) {
     const double size = std::pow(10, std::uniform_real_distribution<>(-6, 12)(source));

@@ -202,7 +202,11 @@ bool is_unverified(std::string_view trust) {
 
 bool decides(const Check& c) { return is_unverified(c.trust) && !c.refused && severity(c) >= deciding; }
 
-double severity(const Check& c) { return std::isnan(c.utilisation) ? HUGE_VAL : c.utilisation; }
+double severity(const Check& c) {
+  constexpr double steps = 1e9;
+  if (std::isnan(c.utilisation)) return HUGE_VAL;
+  return std::abs(c.utilisation) < 1e6 ? std::round(steps * c.utilisation) / steps : c.utilisation;
+}
 
 int exit_code(const Result& r, bool strict) {
   if (r.status == Status::bad_deck) return only_unreadable_files(r.errors) ? 5 : 2;

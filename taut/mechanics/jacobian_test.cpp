@@ -49,14 +49,18 @@ double worst_derivative(const machine::Model& m, std::optional<machine::Prescrib
   const Eigen::MatrixXd J = added.dense();
   double worst = 0;
   for (Eigen::Index j = 0; j < layout.size; ++j) {
-    mechanics::Configuration ahead, back;
-    mechanics::Evaluation e_ahead, e_back;
     const mechanics::Change unit = mechanics::change_of(system, c, e, columns, Eigen::VectorXd::Unit(layout.size, j));
-    mechanics::move(system, c, unit, step, ahead);
-    mechanics::move(system, c, unit, -step, back);
-    settle(system, ahead, e_ahead);
-    settle(system, back, e_back);
-    const Eigen::VectorXd slope = (e_ahead.residual - e_back.residual) / (2 * step);
+    const auto difference = [&](double h) {
+      mechanics::Configuration ahead, back;
+      mechanics::Evaluation e_ahead, e_back;
+      mechanics::move(system, c, unit, h, ahead);
+      mechanics::move(system, c, unit, -h, back);
+      settle(system, ahead, e_ahead);
+      settle(system, back, e_back);
+      return Eigen::VectorXd((e_ahead.residual - e_back.residual) / (2 * h));
+    };
+    // Richardson: without the part that is quadratic in the step
+    const Eigen::VectorXd slope = (4 * difference(step) - difference(2 * step)) / 3;
     for (Eigen::Index i = 0; i < layout.size; ++i) {
       worst = std::max(worst, std::abs(slope[i] - J(i, j)) / J.row(i).cwiseAbs().maxCoeff());
     }
@@ -78,7 +82,7 @@ TEST(Jacobian, MatchesDifferencesWithTurningBodiesAndSkewSheaves) {
   machine::Model m = boom();
   EXPECT_LT(worst_derivative(m, {}, 1e-6), 1e-3);
   m.reevings[1].nodes[1].axis = Vector3::UnitY();
-  EXPECT_LT(worst_derivative(m, {}, 3e-8), 1e-6);
+  EXPECT_LT(worst_derivative(m, {}, 3e-7), 3e-7);
 }
 
 TEST(Jacobian, MatchesDifferencesForGivenTensionsWarmRopesAndCopies) {

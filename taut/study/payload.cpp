@@ -72,9 +72,14 @@ class PayloadSearch {
   std::optional<machine::State> near_;
 };
 
+/// The limit that is reached first: the one that is exactly reached (where the search ends at once, and the least
+/// payload known to be too much may be far above, where another limit is nearest), else the one that is exceeded next.
+const LimitState& first_reached(const PayloadSearch& search) {
+  return search.held.margin == 0 ? search.held : search.stopped;
+}
+
 /// A limit that stops the payload, at the payload that still holds.
-LimitState governing_of(const PayloadSearch& search, const Array<LimitState>& held) {
-  const LimitState& stopped = search.stopped;
+LimitState governing_of(const LimitState& stopped, const Array<LimitState>& held) {
   const auto same = std::find_if(held.begin(), held.end(), [&](const LimitState& one) {
     return one.kind == stopped.kind && one.reeving == stopped.reeving && one.node == stopped.node;
   });
@@ -245,9 +250,10 @@ Payload payload(const machine::Model& model, int body, const PayloadLimits& limi
   static_cast<void>(find_root([&](double mass) { return search.margin(mass); }, *search.holds, search.stops));
   answer.mass = *search.holds;
   answer.at = std::move(search.result);
-  answer.limit = governing_of(search, limits_at(model, body, limits, answer.at, answer.mass));
-  answer.governing = limit_words(model, body, search.stopped);
-  answer.reeving = search.stopped.kind == LimitKind::tension ? search.stopped.reeving : std::nullopt;
+  const LimitState& reached = first_reached(search);
+  answer.limit = governing_of(reached, limits_at(model, body, limits, answer.at, answer.mass));
+  answer.governing = limit_words(model, body, reached);
+  answer.reeving = reached.kind == LimitKind::tension ? reached.reeving : std::nullopt;
   return answer;
 }
 

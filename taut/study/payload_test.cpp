@@ -49,6 +49,30 @@ TEST(Payload, TheFirstLimitReachedGoverns) {
   EXPECT_EQ(payload(m, 0, limits, options).governing, "tension of 'mainline'");
 }
 
+// The search ends at once at a payload that reaches its limit to the last digit; the next one tried is twice as large,
+// and there another limit is farther exceeded.
+TEST(Payload, ALimitReachedToTheLastDigitGoverns) {
+  machine::Model m = with_carriage(true, 0.1, 200);
+  m.terrain = {{.x = 0, .z = 0}, {.x = 300, .z = 60}};
+  solve::EquilibriumOptions options;
+  options.prescribed = machine::Prescribed{.carriage = 0, .x = 150};
+  const double mass = 500, some = 1e4;
+  PayloadLimits limits;
+  limits.tension = {1e9, none};
+  limits.most = mass;
+  const Payload reference = payload(m, 0, limits, options, std::nullopt, some);
+  ASSERT_TRUE(reference.outcome.ok()) << reference.outcome.message;
+  ASSERT_EQ(reference.mass, mass);
+  limits.clearance = reference.at.state.bodies[0].position.z() - 30;
+  limits.tension = {1.2 * reference.at.ropes[0].T_max, none};
+  limits.most = 10 * mass;
+  const Payload p = payload(m, 0, limits, options, std::nullopt, mass / 1.3);
+  EXPECT_NEAR(p.mass, mass, 1e-6 * mass);
+  EXPECT_EQ(p.governing, "clearance of 'car'");
+  EXPECT_EQ(p.limit.kind, LimitKind::clearance);
+  EXPECT_FALSE(p.reeving);
+}
+
 TEST(Payload, SaysWhenNothingCanBeCarried) {
   const machine::Model m = tackle(4, 1, 5000);
   PayloadLimits limits;

@@ -163,17 +163,6 @@ void assemble_flow(Mechanism& m, const Scheme& s, std::size_t i, const Values& b
   law_row(m, s, i, now, pressure(contact, now), w);
 }
 
-/// Moment that ropes and drive have on a spin, less what its inertia takes: what the bearing holds.
-double held_moment(const Mechanism& m, const Spin& spin, const SpinValues& is, const Values& before,
-                   const Values& now) {
-  double moment = drive_torque(m, spin, before, now.when) - spin.inertia * is.alpha;
-  if (spin.body >= 0) {
-    const Vector3 axis = now.bodies[spin.body].R * spin.axis;
-    moment -= spin.inertia * axis.dot(acceleration(m, spin.body, now).second);
-  }
-  return moment + rope_moment(m, spin, before, now);
-}
-
 void assemble_spin(Mechanism& m, const Scheme& s, std::size_t i, const Values& before, const Values& now, Work& w) {
   const Spin& spin = m.spins[i];
   const SpinValues& is = now.spins[i];
@@ -314,6 +303,16 @@ double rope_moment(const Mechanism& m, const Spin& spin, const Values& before, c
     moment += sense * contact.copies * working_radius(m, contact, before) * (T_out - T_in);
   }
   return moment;
+}
+
+double held_moment(const Mechanism& m, const Spin& spin, const SpinValues& is, const Values& before,
+                   const Values& now) {
+  double moment = drive_torque(m, spin, before, now.when) - spin.inertia * is.alpha;
+  if (spin.body >= 0) {
+    const Vector3 axis = now.bodies[spin.body].R * spin.axis;
+    moment -= spin.inertia * axis.dot(acceleration(m, spin.body, now).second);
+  }
+  return moment + rope_moment(m, spin, before, now);
 }
 
 BearingSlope bearing_slope(const Mechanism& m, const Contact& contact, const Values& before, const Values& now) {

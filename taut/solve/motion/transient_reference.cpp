@@ -21,9 +21,10 @@ constexpr double share_of_tolerance = 1e-3;  ///< backward differences leave mor
 constexpr double finest = 1e-12, coarsest = 1e-7;
 constexpr double share_of_places = 1e-3;  ///< tensions follow strains, which are small
 constexpr int halvings = 45;
-constexpr int most_again = 200;      ///< times that it begins anew between two changes of laws
+constexpr int most_again = 200;      ///< times that it begins anew between two changes of laws, or at one time
 constexpr double standstill = 1e-7;  ///< m/s, 1/s: above what a restart leaves of a rate
-constexpr double at_bound = 1e-7;    ///< of the tensions: above what a restart leaves of them
+constexpr double at_bound = 1e-7;    ///< of tensions and moments: above what a restart leaves of them
+constexpr double one_moment = 1e-9;  ///< s: laws that change closer to each other change at one time
 
 /// An end of a line that winds on a round: what it has wound, m, is a state of its own.
 struct Wound {
@@ -216,6 +217,12 @@ bool still_holds(const Contact& contact, const Values& now, const ContactValues&
   return p.in > 0 && p.out > 0 && std::max(p.out - is.ratio * p.in, p.in - is.ratio * p.out) <= within;
 }
 
+/// The same of a spin that rests in its bearing.
+bool still_rests(const Mechanism& m, const Spin& spin, const ReferenceState& of, const Values& now,
+                 const SpinValues& is) {
+  return std::abs(held_moment(m, spin, is, of.base, now)) <= (1 + at_bound) * is.capacity;
+}
+
 /// Whether a law that held in the base no longer does.
 bool law_ends(ReferenceState& of, Values& now) {
   const Mechanism& m = of.run->m;
@@ -242,7 +249,9 @@ bool law_ends(ReferenceState& of, Values& now) {
   }
   for (std::size_t i = 0; i < m.spins.size(); ++i) {
     const double was = of.base.spins[i].turns;
-    ends = ends || (was == 0 ? now.spins[i].turns != 0 : was * now.spins[i].omega < -standstill);
+    const SpinValues& is = now.spins[i];
+    const bool starts = was == 0 && is.turns != 0 && !still_rests(m, m.spins[i], of, now, is);
+    ends = ends || starts || was * is.omega < -standstill;
     now.spins[i].turns = of.base.spins[i].turns;
   }
   return ends;
@@ -374,6 +383,12 @@ StepEnd Reference::step(Run& run, double limit, bool& changed) {
     (law_ends(of, run.now) ? after : before) = middle;
   }
   if (changed && !look(after)) return StepEnd::no_place;
+  if (changed) {
+    // a law that changes and changes back without end
+    changes_ = after - last_change_ <= one_moment ? changes_ + 1 : 0;
+    last_change_ = after;
+    if (changes_ > most_again) return StepEnd::not_converged;
+  }
   for (ContactValues& contact : run.now.contacts) contact.winding = contact.lambda;
   run.scheme.h = after - run.before.t;
   return StepEnd::ok;

@@ -1,4 +1,5 @@
 #pragma once
+#include <limits>
 #include <memory>
 
 #include "taut/solve/motion/transient_run.hpp"
@@ -27,6 +28,8 @@ class Reference {
 
  private:
   std::unique_ptr<ReferenceState> state_;
+  double last_change_ = -std::numeric_limits<double>::infinity();  ///< of a law, s
+  int changes_ = 0;                                                ///< at that time
 };
 
 /// What the reference can't do with a machine.

@@ -310,6 +310,9 @@ inline std::optional<double> given_tension(const Mechanism& m, const Contact& co
 /// Moment of the ropes on a spin, in its sense, N m.
 double rope_moment(const Mechanism& m, const Spin& spin, const Values& before, const Values& now);
 
+/// Moment that ropes and drive have on a spin, less what its inertia takes: what its bearing holds while it rests, N m.
+double held_moment(const Mechanism& m, const Spin& spin, const SpinValues& is, const Values& before, const Values& now);
+
 /// Largest moment of a bearing at one contact, R (1 - eta)/(1 + eta) |F|, N m, and its derivatives by the tensions.
 struct BearingSlope {
   double capacity = 0, in = 0, out = 0;

@@ -21,6 +21,7 @@ constexpr double most_rounding = 1e-8;     // of the largest force: more of it i
 constexpr double least_free = 1e-6;        // of what no row determines: less is rounding
 constexpr double most_fall = 0.7;          // of a rope's force and weight per step
 constexpr double forces_settled = 1e-7;    // of the largest: rounded lengths may leave so much of a last step
+constexpr double finest_step = 1e-12;      // of the machine's length: a smaller step is rounding
 
 /// Calls `f` with each branch and unknown of a force.
 template <class F>
@@ -168,10 +169,11 @@ bool pushes_on(const mechanics::System& s, const Array<FedEnd>& fed, const Eigen
   return !flows && residual.head(freedoms).dot(step.head(freedoms)) > 0;
 }
 
-/// A configuration that is tried, evaluated.
+/// A configuration that is tried, evaluated, and the scaled step that follows by the linear system that led there.
 struct Trial {
   mechanics::Configuration c;
   mechanics::Evaluation e;
+  Eigen::VectorXd next = {};
 };
 
 /// Room for the derivatives of an iteration.
@@ -209,11 +211,25 @@ bool gains(const mechanics::System& s, const NewtonStep& step, double tolerance,
     mechanics::move(s, step.from, step.change, part, tried.c);
     stopped = mechanics::evaluate(s, tried.c, tried.e);
     if (stopped || !tried.e.residual.allFinite()) continue;
-    const double next = step.linear.solve(tried.e.residual).norm();
-    if (!(next <= (1 - part / 4) * step.size) && !settled(s, tried.e, tolerance)) continue;
+    tried.next = step.linear.solve(tried.e.residual);
+    if (!(tried.next.norm() <= (1 - part / 4) * step.size) && !settled(s, tried.e, tolerance)) continue;
     if (fits()) return true;
   }
   return false;
+}
+
+/// Forces in balance to the tolerance leave a soft freedom (the pitch of a carriage) open by much more. The step that
+/// follows is known already, and takes one evaluation more.
+template <class Fits>
+void refine(const mechanics::System& s, const Linear& linear, const Rates& rates, double tolerance,
+            mechanics::Configuration& c, mechanics::Evaluation& e, Trial& tried, const Fits& fits) {
+  if (!tried.next.allFinite() || tried.next.norm() <= finest_step) return;
+  const mechanics::Change change = mechanics::change_of(s, c, e, rates.columns, linear.unscaled(tried.next));
+  if (longest_part(s, c, change.step) < 1) return;
+  mechanics::move(s, c, change, 1, tried.c);
+  if (mechanics::evaluate(s, tried.c, tried.e) || !settled(s, tried.e, tolerance) || !fits()) return;
+  std::swap(c, tried.c);
+  std::swap(e, tried.e);
 }
 
 }  // namespace
@@ -227,11 +243,11 @@ Iteration newton(const mechanics::System& s, mechanics::Configuration& c, mechan
   const Array<FedEnd> fed = fed_ends(s);
   Rates rates;
   Trial tried{.c = c, .e = {}};
+  if (settled(s, e, tolerance)) {
+    it.converged = true;
+    return it;
+  }
   for (; it.steps < most_steps; ++it.steps) {
-    if (settled(s, e, tolerance)) {
-      it.converged = true;
-      return it;
-    }
     const auto step = newton_step(s, c, e, rates, linear);
     it.singular = linear.singular();
     if (!step) return it;
@@ -247,8 +263,14 @@ Iteration newton(const mechanics::System& s, mechanics::Configuration& c, mechan
     }
     std::swap(c, tried.c);
     std::swap(e, tried.e);
+    if (settled(s, e, tolerance)) {
+      ++it.steps;
+      it.converged = true;
+      refine(s, linear, rates, tolerance, c, e, tried, taut);
+      it.deep.reset();
+      return it;
+    }
   }
-  it.converged = settled(s, e, tolerance);
   return it;
 }
 
