@@ -218,18 +218,15 @@ bool gains(const mechanics::System& s, const NewtonStep& step, double tolerance,
   return false;
 }
 
-/// Forces in balance to the tolerance leave a soft freedom (the pitch of a carriage) open by much more. The step that
-/// follows is known already, and takes one evaluation more.
-template <class Fits>
-void refine(const mechanics::System& s, const Linear& linear, const Rates& rates, double tolerance,
-            mechanics::Configuration& c, mechanics::Evaluation& e, Trial& tried, const Fits& fits) {
-  if (!tried.next.allFinite() || tried.next.norm() <= finest_step) return;
+/// Tries the step that follows by the linear system that led to `c`: forces in balance to the tolerance leave a soft
+/// freedom (the pitch of a carriage) open by much more. False where that step is rounding, or too long.
+bool refined(const mechanics::System& s, const Linear& linear, const Rates& rates, const mechanics::Configuration& c,
+             const mechanics::Evaluation& e, Trial& tried) {
+  if (!tried.next.allFinite() || tried.next.norm() <= finest_step) return false;
   const mechanics::Change change = mechanics::change_of(s, c, e, rates.columns, linear.unscaled(tried.next));
-  if (longest_part(s, c, change.step) < 1) return;
+  if (longest_part(s, c, change.step) < 1) return false;
   mechanics::move(s, c, change, 1, tried.c);
-  if (mechanics::evaluate(s, tried.c, tried.e) || !settled(s, tried.e, tolerance) || !fits()) return;
-  std::swap(c, tried.c);
-  std::swap(e, tried.e);
+  return !mechanics::evaluate(s, tried.c, tried.e);
 }
 
 }  // namespace
@@ -266,7 +263,10 @@ Iteration newton(const mechanics::System& s, mechanics::Configuration& c, mechan
     if (settled(s, e, tolerance)) {
       ++it.steps;
       it.converged = true;
-      refine(s, linear, rates, tolerance, c, e, tried, taut);
+      if (refined(s, linear, rates, c, e, tried) && settled(s, tried.e, tolerance) && taut()) {
+        std::swap(c, tried.c);
+        std::swap(e, tried.e);
+      }
       it.deep.reset();
       return it;
     }
