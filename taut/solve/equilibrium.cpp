@@ -33,7 +33,7 @@ namespace {
 
 using Flow = Array<Array<int>>;
 
-constexpr int relaxing_steps = 400;
+constexpr int relaxing_steps = 400;  ///< and one for each branch: a chain let go is drawn taut from its ends inwards
 constexpr double same_place = 1e-6;  ///< of the machine's length: two answers are one
 constexpr int parts_of_losses = 16;
 constexpr double drawn_taut = 0.999;
@@ -166,7 +166,8 @@ Iteration come_to_rest(const mechanics::System& system, const machine::State& st
                          {.growth = any, .ropes = 1, .from_taut = true},
                          {.growth = 3, .ropes = 1, .from_taut = false}}) {
     s.c = way.from_taut ? taut_start(system, state) : start;
-    it = relax(system, s.c, s.e, relaxing_steps, way.growth, way.ropes);
+    it = relax(system, s.c, s.e, relaxing_steps + static_cast<int>(system.layout.branches.size()), way.growth,
+               way.ropes);
     s.steps += it.steps;
     if (it.converged) {
       it = newton(system, s.c, s.e, options.tolerance, options.iterations);

@@ -9,13 +9,13 @@ namespace {
 using namespace taut_test;
 using namespace taut::solve;
 
-/// `n` bodies of together 500 kg on ropes between two places 100 m apart, all drawn from a parabola.
-machine::Model long_chain(int n) {
+/// `n` bodies of together 500 kg on ropes between two places 100 m apart, all drawn from a parabola, or level.
+machine::Model long_chain(int n, double rope = 103, double depth = 10) {
   machine::Model m;
-  const double span = 100, rope = 103;
+  const double span = 100;
   for (int i = 0; i < n; ++i) {
     const double t = (i + 1.0) / (n + 1);
-    m.bodies.push_back(body("b" + std::to_string(i), {span * t, 0, -40 * t * (1 - t)}, 500.0 / n, "xyz"));
+    m.bodies.push_back(body("b" + std::to_string(i), {span * t, 0, -4 * depth * t * (1 - t)}, 500.0 / n, "xyz"));
   }
   for (int i = 0; i <= n; ++i) {
     const machine::Node from = i == 0 ? anchor("A", {0, 0, 0}) : anchor_on("from", i - 1, {0, 0, 0});
@@ -44,6 +44,15 @@ TEST(LongChain, ComesToRestInAsManyStepsAsAShortOne) {
     hangs -= r.branches.back().V_to;
     EXPECT_NEAR(-hangs, 500 * m.gravity + 2 * 9.80665 * 103, 1e-6 * H);
   }
+}
+
+// Let go level, a long chain is drawn taut from its ends inwards, one rope at each end in a step.
+TEST(LongChain, ComesToRestFromALevelStart) {
+  const machine::Model m = long_chain(1000, 120, 0);
+  const EquilibriumResult r = equilibrium(m);
+  ASSERT_TRUE(r.outcome.ok()) << r.outcome.message;
+  EXPECT_NEAR(r.branches.front().V_from, -(500 * m.gravity + 2 * 9.80665 * 120) / 2, 1e-6 * 500 * m.gravity);
+  EXPECT_LT(r.state.bodies[500].position.z(), -25);
 }
 
 }  // namespace
