@@ -155,6 +155,12 @@ TEST(DesignUnknowns, height_and_sag) {
   ASSERT_TRUE(passes(slack)) << slack.message << to_text(slack.errors);
   EXPECT_NEAR(value_of(slack, "design_sag"), 25, 0.05);
   EXPECT_THAT(slack.warnings, testing::Contains(HasSubstr("sag is at an end of its range")));
+  // a search that comes to the end from between may stop short of it, by its last step
+  const Result between = run_text(tower(
+      12, 15, 14,
+      "design: {seek: lightest, unknowns: {height: {parameter: points.head.z, from: 8 m, to: 14 m, start: 11 m}}}"));
+  ASSERT_TRUE(passes(between)) << between.message << to_text(between.errors);
+  EXPECT_THAT(between.warnings, testing::Contains(HasSubstr("height is at an end of its range")));
 }
 
 // The load cases are all kept: the one with twice the load decides, and the design passes each of them by itself.

@@ -74,7 +74,9 @@ void add_warnings(const DesignTask& task, const DesignFound& found, Result& r) {
   for (std::size_t k = 0; k < found.best.values.size(); ++k) {
     const UnknownValues& one = task.space.unknowns[k];
     const double value = found.best.values[k];
-    if (value != one.low && value != one.high) continue;
+    const double from_end = std::min(value - one.low, one.high - value);
+    // as near as the search goes
+    if (!(from_end <= finest_share * (one.high - one.low))) continue;
     r.warnings.push_back(fmt::format("design: {} is at an end of its range, {}: beyond it there may be a better design",
                                      one.name, task.display.quantity(value, one.unit)));
   }

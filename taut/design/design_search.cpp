@@ -22,8 +22,7 @@ constexpr std::size_t starts = 3;            // places of the grid from which th
 constexpr std::size_t most_near_misses = 8;  // cheaper choices that are moved on to see whether they pass
 constexpr double near_enough = 3;            // utilisation up to which a choice that fails is a near miss
 constexpr int trials_of_near_miss = 60;
-constexpr double fine = 2e-4;  // last step, as a share of each range
-constexpr double coarse = 1e-3;
+constexpr double coarse = 1e-3;  // as finest_share, but where a choice is only moved to see whether it passes
 constexpr int most_rounds = 3;
 constexpr double trials_between = 600;  // about, between the places of the grid
 
@@ -240,7 +239,7 @@ class Searching {
       return point;
     };
     design::ConstrainedOptions options;
-    options.tolerance = until_it_passes || !held.empty() ? coarse : fine;
+    options.tolerance = until_it_passes || !held.empty() ? coarse : finest_share;
     if (until_it_passes) options.most_evaluations = trials_of_near_miss;
     design::least_within(look, sought, {.start = start.values, .low = low, .high = high, .step = step}, options);
     return passed;

@@ -6,6 +6,9 @@
 
 namespace taut::design {
 
+/// The last step of the search in an unknown, as a share of its range.
+constexpr double finest_share = 2e-4;
+
 /// The answer where the unknowns have these values.
 struct DesignPoint {
   std::vector<double> values;

@@ -60,11 +60,7 @@ std::vector<PlaneView> views_of(const study::TransientRun& run) {
 }
 
 std::vector<std::array<Vector3, 2>> body_lines_at(const machine::Model& m, const solve::TransientFrame& frame) {
-  return body_lines(m, [&](const machine::Place& place) -> Vector3 {
-    if (place.body == machine::ground) return place.at;
-    const auto& body = frame.bodies[place.body];
-    return body.position + body.orientation * place.at;
-  });
+  return body_lines(m, [&](const machine::Place& place) { return place_in(frame, place); });
 }
 
 Drawing drawing_of(const study::TransientRun& run, std::size_t index, const PlaneView& view, const std::string& title) {

@@ -19,12 +19,6 @@ Matrix3 orientation_of(const solve::TransientFrame& frame, int body) {
   return body == machine::ground ? Matrix3(Matrix3::Identity()) : frame.bodies[body].orientation;
 }
 
-Vector3 place_of(const solve::TransientFrame& frame, const machine::Place& place) {
-  if (place.body == machine::ground) return place.at;
-  const auto& body = frame.bodies[place.body];
-  return body.position + body.orientation * place.at;
-}
-
 const solve::TransientFrame::Contact* contact_at(const solve::TransientFrame& frame, int reeving, int node) {
   for (const auto& c : frame.contacts) {
     if (c.reeving == reeving && c.node == node) return &c;
@@ -36,7 +30,7 @@ const solve::TransientFrame::Contact* contact_at(const solve::TransientFrame& fr
 void add_arc(const machine::Node& node, const solve::TransientFrame& frame, double wrap, double tension,
              RopePart& part) {
   if (node.radius <= 0 || part.points.empty() || !(wrap > 0)) return;
-  const Vector3 centre = place_of(frame, node.at);
+  const Vector3 centre = place_in(frame, node.at);
   const Vector3 axis = orientation_of(frame, node.at.body) * node.axis;
   const Vector3 arm = part.points.back() - centre;
   const int steps = static_cast<int>(std::ceil(std::min(wrap, largest_arc) / arc_step));
@@ -91,7 +85,7 @@ class Parts {
     index_[node.name] = parts_.size();
     HeldPart part;
     part.name = node.name;
-    part.at = place_of(frame_, node.at);
+    part.at = place_in(frame_, node.at);
     part.radius = radius_now(model_, node, frame_);
     part.axis = orientation_of(frame_, node.at.body) * node.axis;
     part.moves = node.at.body != machine::ground && !model_.bodies[node.at.body].free.empty();
@@ -124,7 +118,7 @@ class Parts {
     // of a rope in segments only the outer ones end at a node
     const auto near = [&](int n, const Vector3& end) {
       const machine::Node& node = rope.nodes[n];
-      return (end - place_of(frame_, node.at)).norm() <= 1.5 * radius_now(model_, node, frame_) + 1e-6;
+      return (end - place_in(frame_, node.at)).norm() <= 1.5 * radius_now(model_, node, frame_) + 1e-6;
     };
     if (is_anchor(b.from) && near(b.from, b.start)) {
       part_of(rope.nodes[b.from]).force += rope.copies * b.T_from * b.leaves;
@@ -164,7 +158,7 @@ void add_lines(const study::TransientRun& run, Scene& scene) {
 
 void add_body_lines(const study::TransientRun& run, Scene& scene) {
   const auto& frames = run.result.frames;
-  const auto in_ground = [&](std::size_t frame, const machine::Place& place) { return place_of(frames[frame], place); };
+  const auto in_ground = [&](std::size_t frame, const machine::Place& place) { return place_in(frames[frame], place); };
   for (SceneLine& line : body_scene_lines(run.model, frames.size(), in_ground)) scene.lines.push_back(std::move(line));
 }
 
@@ -186,6 +180,12 @@ void add_points(const study::TransientRun& run, Scene& scene) {
 }
 
 }  // namespace
+
+Vector3 place_in(const solve::TransientFrame& frame, const machine::Place& place) {
+  if (place.body == machine::ground) return place.at;
+  const auto& body = frame.bodies[place.body];
+  return body.position + body.orientation * place.at;
+}
 
 std::vector<RopePart> rope_parts(const machine::Model& m, const solve::TransientFrame& frame) {
   std::vector<RopePart> parts;

@@ -22,6 +22,9 @@ struct RopePart {
   std::vector<double> tension;  ///< N, by point
 };
 
+/// A place of a body in one frame, seen from the ground.
+Vector3 place_in(const solve::TransientFrame& frame, const machine::Place& place);
+
 std::vector<RopePart> rope_parts(const machine::Model& model, const solve::TransientFrame& frame);
 /// In the order of their first node along the ropes; each name once.
 std::vector<HeldPart> held_parts(const machine::Model& model, const solve::TransientFrame& frame,
