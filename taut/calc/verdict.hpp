@@ -39,8 +39,8 @@ bool is_unverified(std::string_view trust);
 /// An unverified limit that decides: its utilisation is 0.5 or more.
 bool decides(const Check& c);
 
-/// How bad a check is, for an order: its utilisation to nine decimals, so that limits which are reached together stay in
-/// the deck's order whatever their last digits. A number that is not there is worse than any.
+/// How bad a check is, for an order: its utilisation to nine decimals, so that limits which are reached together stay
+/// in the deck's order whatever their last digits. A number that is not there is worse than any.
 double severity(const Check& c);
 
 }  // namespace taut

@@ -16,7 +16,8 @@ ExactEnd exact_end(const CatenaryRope& rope, const CatenaryForce& f) {
   e.T1 = sqrt(H_squared + e.V1 * e.V1);
   e.sum = e.T0 + e.T1;
   if (e.sum.high == 0) return {};
-  const TwoDoubles compliance = std::isinf(rope.stiffness) ? TwoDoubles{} : TwoDoubles{.high = rope.length} / rope.stiffness;
+  const TwoDoubles compliance =
+      std::isinf(rope.stiffness) ? TwoDoubles{} : TwoDoubles{.high = rope.length} / rope.stiffness;
   const TwoDoubles by_mean = 2 * rope.length / e.sum;
   ExactEnd end;
   end.z = f.V * (compliance + by_mean);
