@@ -205,7 +205,8 @@ bool decides(const Check& c) { return is_unverified(c.trust) && !c.refused && se
 double severity(const Check& c) {
   constexpr double steps = 1e9;
   if (std::isnan(c.utilisation)) return HUGE_VAL;
-  return std::abs(c.utilisation) < 1e6 ? std::round(steps * c.utilisation) / steps : c.utilisation;
+  if (!(std::abs(c.utilisation) < 1e6)) return c.utilisation;
+  return (std::round(steps * c.utilisation) + (c.passes ? 0 : 0.5)) / steps;
 }
 
 int exit_code(const Result& r, bool strict) {

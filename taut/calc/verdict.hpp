@@ -40,7 +40,8 @@ bool is_unverified(std::string_view trust);
 bool decides(const Check& c);
 
 /// How bad a check is, for an order: its utilisation to nine decimals, so that limits which are reached together stay
-/// in the deck's order whatever their last digits. A number that is not there is worse than any.
+/// in the deck's order whatever their last digits; of two such the one that fails is worse. A number that is not there
+/// is worse than any.
 double severity(const Check& c);
 
 }  // namespace taut

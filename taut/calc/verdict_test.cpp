@@ -113,6 +113,20 @@ TEST(VerdictOf, ExitCodes) {
   EXPECT_EQ(exit_code(r), 2);
 }
 
+TEST(Severity, TheLastDigitsMakeNoOrderButAFailureDoes) {
+  Check reached, beyond, other;
+  reached.utilisation = 1 - 3e-15;
+  other.utilisation = 1;
+  reached.passes = other.passes = true;
+  beyond.utilisation = 1 + 1e-12;
+  EXPECT_EQ(severity(reached), severity(other));
+  EXPECT_GT(severity(beyond), severity(other));
+  other.utilisation = 1 - 1e-8;
+  EXPECT_GT(severity(reached), severity(other));
+  other.utilisation = std::nan("");
+  EXPECT_GT(severity(other), severity(beyond));
+}
+
 TEST(IsUnverified, ByTheFirstWord) {
   EXPECT_TRUE(is_unverified("unverified"));
   EXPECT_TRUE(is_unverified("UNVERIFIED: second hand"));

@@ -45,6 +45,7 @@ TwoDoubles atanh_ratio(const TwoDoubles& u) {
 }
 
 TwoDoubles log(const TwoDoubles& a) {
+  if (!(a.high > 0 && std::isfinite(a.high))) return {.high = std::log(a.high), .low = 0};
   int exponent = 0;
   const double high = std::frexp(a.high, &exponent);
   const TwoDoubles part{.high = high, .low = std::ldexp(a.low, -exponent)};

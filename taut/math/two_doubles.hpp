@@ -82,7 +82,7 @@ inline TwoDoubles sqrt(const TwoDoubles& a) {
 constexpr double most_of_atanh_ratio = 0.1;
 TwoDoubles atanh_ratio(const TwoDoubles& u);
 
-/// The natural logarithm of a > 0: to 1e-22 of the larger of it and 1.
+/// The natural logarithm of a > 0: to 1e-22 of the larger of it and 1. Of others what std::log gives.
 TwoDoubles log(const TwoDoubles& a);
 
 }  // namespace taut::math

@@ -4,6 +4,7 @@
 
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <cmath>
+#include <limits>
 #include <random>
 
 namespace taut::math::two_doubles_test {
@@ -89,6 +90,10 @@ TEST(TwoDoubles, LogarithmOfAnySize) {
     expect_log({.high = high, .low = -high * 0x1p-55});
   }
   EXPECT_NEAR(static_cast<double>(log({.high = 1, .low = 0})), 0, 1e-29);
+  const double infinite = std::numeric_limits<double>::infinity();
+  EXPECT_EQ(static_cast<double>(log({.high = infinite, .low = 0})), infinite);
+  EXPECT_EQ(static_cast<double>(log({})), -infinite);
+  EXPECT_TRUE(std::isnan(static_cast<double>(log({.high = std::nan(""), .low = 0}))));
 }
 
 }  // namespace taut::math::two_doubles_test

@@ -44,4 +44,12 @@ TEST(ExactEnd, HasTwentyDigits) {
   EXPECT_EQ(static_cast<double>(exact_end({.length = 10, .weight = 0, .stiffness = 1e4}, {}).z), 0);
 }
 
+// Squares that underflow or overflow, and what is no number, give no number: nothing is read beyond a table.
+TEST(ExactEnd, BeyondTheRangeOfDoubles) {
+  const CatenaryRope rope{.length = 10, .weight = 5, .stiffness = 1e4};
+  EXPECT_FALSE(std::isfinite(static_cast<double>(exact_end(rope, {.H = 1e-200, .V = 10}).x)));
+  EXPECT_FALSE(std::isfinite(static_cast<double>(exact_end(rope, {.H = std::nan(""), .V = 10}).x)));
+  EXPECT_FALSE(std::isfinite(static_cast<double>(exact_end(rope, {.H = 1e200, .V = 10}).x)));
+}
+
 }  // namespace taut::rope::exact_end_test
