@@ -4,6 +4,7 @@
 #include <benchmark/benchmark.h>
 
 #include <chrono>
+#include <optional>
 #include <stdexcept>
 
 #include "taut/app/cases/read_cases.hpp"
@@ -81,10 +82,11 @@ void case_of_bare(benchmark::State& state) {
     app::MachineDeck deck = *machine.deck;
     study::parameter_at(app::MachineDeck::describe(), &deck, kind.path)->set(value);
     const auto compiled = machine::compile(deck.machine);
-    study::EquilibriumRun again = run;
+    std::optional<study::EquilibriumRun> again = run;
     begin = std::chrono::steady_clock::now();
-    study::solve(*compiled, again);
-    benchmark::DoNotOptimize(again.result.state);
+    study::solve(*compiled, *again);
+    benchmark::DoNotOptimize(again->result.state);
+    again.reset();
     bare += seconds(begin);
     if (value > 1.05 * model->inputs[0].base) value = model->inputs[0].base;
   }

@@ -92,7 +92,7 @@ void warn_of_senses(const machine::Machine& machine, const machine::Model& model
 void solve_states(const MachineDeck& deck, results::MachineRun& run, Result& r) {
   for (study::EquilibriumRun& one : run.equilibria) {
     study::solve(run.model, one);
-    study::note_failure(r, one.result.outcome, fmt::format("equilibrium, {}", one.words));
+    if (!one.result.outcome.ok()) study::note_failure(r, one.result.outcome, "equilibrium, " + one.words);
   }
   for (study::LoadPathRun& one : run.paths) {
     if (r.interrupted) break;
@@ -167,16 +167,18 @@ Result compute(const MachineDeck& deck, machine::Model model, study::AskedAll as
     r.warnings.push_back(std::move(text));
   solve_states(deck, run, r);
   run.checked = std::make_shared<checks::CheckedParts>(deck, run.model);
-  results::show_put_up(run.model, lines, *run.checked);
-  results::show_answers(run, *run.checked);
+  if (run.judges) {
+    results::show_put_up(run.model, lines, *run.checked);
+    results::show_answers(run, *run.checked);
+  }
   Result more = solve_more(asked.more, run, r);
   if (depth != RunDepth::values) {
     results::add_tables(run, r);
     results::add_beam_tables(run, r);
   }
-  run.checked->judge.add_values(r);
+  if (run.judges) run.checked->judge.add_values(r);
   results::add_values(run, r);
-  run.checked->drives.add_checks(r);
+  if (run.judges) run.checked->drives.add_checks(r);
   results::warn_of_friction(run.model, r);
   results::add_put_up(run.model, lines, r);
   results::add_beam_values(deck.machine, run, r);
@@ -194,6 +196,20 @@ Result compute(const MachineDeck& deck, machine::Model model, study::AskedAll as
   }
   if (depth != RunDepth::values || deck.checks) checks::add_checks(deck, run.model, *run.checked, r);
   return r;
+}
+
+/// The names of what a result has only where its states are shown to the verdict: of other analyses and beams all.
+std::set<std::string> judged_names(const results::MachineRun& run, bool more, const Result& whole) {
+  Result own;
+  if (!more && run.model.beams.empty()) {
+    run.checked->judge.add_values(own);
+    run.checked->drives.add_checks(own);
+  }
+  const Result& r = more || !run.model.beams.empty() ? whole : own;
+  std::set<std::string> names;
+  for (const Value& one : r.values) names.insert(one.name);
+  for (const Check& one : r.checks) names.insert(one.name);
+  return names;
 }
 
 /// The machine of a deck with the choice that comes nearest, where no design was found.
@@ -220,6 +236,13 @@ bool all_parts_known(const io::Node& input) {
 void place_in_machine(const io::Node& input, std::vector<Complaint> complaints, Diagnostics& mistakes) {
   for (Complaint& c : complaints) c.path = c.path.empty() ? "machine" : "machine." + c.path;
   io::place(input, complaints, mistakes);
+}
+
+machine::ModelFor use_of(const MachineDeck& deck) {
+  const bool moves = std::any_of(deck.analyses.begin(), deck.analyses.end(), [](const study::AnalysisRequest& one) {
+    return one.transient || one.pretension || one.modes;
+  });
+  return moves ? machine::ModelFor::motion : machine::ModelFor::rest;
 }
 
 /// Infeasible, with the first of these as its reason.
@@ -279,26 +302,28 @@ std::optional<ReadMachine> read_machine(const io::Node& input, const Display& di
 
 Result run_machine(const MachineDeck& deck, RunDepth depth, const std::function<bool(const Progress&)>& progress,
                    const OneOfMany& many) {
-  auto model = machine::compile(deck.machine);
+  auto model = machine::compile(deck.machine, use_of(deck));
   if (!model) return refused(model.error());
   std::vector<Complaint> complaints;
   study::AskedAll asked = study::resolve(deck.analyses, deck.design.has_value(), deck.machine, *model, complaints);
   if (!complaints.empty()) return refused(complaints);
-  States* const states = many.states;
-  for (std::size_t i = 0; states != nullptr && i < std::min(states->size(), asked.equilibria.size()); ++i) {
-    asked.equilibria[i].near = (*states)[i];
+  for (std::size_t i = 0; many.near != nullptr && i < std::min(many.near->size(), asked.equilibria.size()); ++i) {
+    asked.equilibria[i].near = (*many.near)[i];
   }
   results::MachineRun run;
   run.wants = many.wants;
+  run.judges = many.judges;
+  const bool more = !asked.more.empty();
   Result r = compute(deck, std::move(*model), std::move(asked), depth, progress, run);
   if (r.status == Status::ok && !r.missing.empty()) {
     r.status = Status::infeasible;
     r.message =
         fmt::format("{}, {}: {}", r.missing.front().analysis, r.missing.front().first, r.missing.front().reason);
   }
-  if (states != nullptr && states->empty() && r.status == Status::ok) {
-    for (study::EquilibriumRun& one : run.equilibria) states->push_back(std::move(one.result.state));
+  if (many.found != nullptr && r.status == Status::ok) {
+    for (const study::EquilibriumRun& one : run.equilibria) many.found->push_back(one.result.state);
   }
+  if (many.judged != nullptr && r.status == Status::ok) *many.judged = judged_names(run, more, r);
   return r;
 }
 

@@ -2,6 +2,9 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <set>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "taut/app/machine_deck.hpp"
@@ -35,8 +38,12 @@ using States = std::vector<machine::State>;
 
 /// What makes a run of many cheaper.
 struct OneOfMany {
-  States* states = nullptr;  ///< near which each equilibrium begins; when empty, those found are put there
-  std::function<bool(const std::string& part)> wants = {};  ///< as in results::MachineRun
+  const States* near = nullptr;                           ///< where each equilibrium begins
+  States* found = nullptr;                                ///< in which the equilibria are put
+  std::function<bool(std::string_view name)> wants = {};  ///< as in results::MachineRun
+  bool judges = true;                                     ///< the same
+  /// In which the names of all values and checks are put that need `judges`.
+  std::set<std::string>* judged = nullptr;
 };
 
 /// Runs a deck whose mistakes were told when it was read, with other numbers than it had then. Infeasible where a

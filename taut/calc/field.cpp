@@ -82,4 +82,9 @@ std::string range_text(const Field& f) {
   return text;
 }
 
+std::string DeckPlace::text() const {
+  if (up_ == nullptr) return std::string(key_);
+  return key_.empty() ? fmt::format("{}[{}]", up_->text(), index_) : fmt::format("{}.{}", up_->text(), key_);
+}
+
 }  // namespace taut

@@ -271,6 +271,23 @@ class Describe : public DescriptionBuilder {
   }
 };
 
+/// A place in a deck, "reevings[0].path[2].over", that is put into words only where something is wrong there: machines
+/// are compiled by the thousand, mostly without a mistake. It refers to what it is made of, which must outlive it.
+class DeckPlace {
+ public:
+  DeckPlace(const std::string& path) : key_(path) {}  // NOLINT(google-explicit-constructor)
+  DeckPlace(const char* path) : key_(path) {}         // NOLINT(google-explicit-constructor)
+  DeckPlace(const DeckPlace& list, std::size_t index) : up_(&list), index_(index) {}
+  DeckPlace(const DeckPlace& up, std::string_view key) : up_(&up), key_(key) {}
+
+  std::string text() const;
+
+ private:
+  const DeckPlace* up_ = nullptr;
+  std::string_view key_;  ///< empty: an entry of a list
+  std::size_t index_ = 0;
+};
+
 /// A violated rule that concerns several fields. `path`: place below `input` or `machine`, "span.load",
 /// "cases[1].falls".
 struct Complaint {

@@ -93,4 +93,14 @@ TEST(Field, RangesKnowTheirOpenEnds) {
   EXPECT_TRUE(Range{}.contains(-1e300));
 }
 
+TEST(DeckPlace, IsPutTogetherOfListsAndKeys) {
+  const std::string path = "reevings[0]";
+  const DeckPlace reeving(path);
+  const DeckPlace keys(reeving, "path");
+  const DeckPlace element(keys, 2);
+  EXPECT_EQ(reeving.text(), "reevings[0]");
+  EXPECT_EQ(element.text(), "reevings[0].path[2]");
+  EXPECT_EQ(DeckPlace(element, "over").text(), "reevings[0].path[2].over");
+}
+
 }  // namespace taut::field_test

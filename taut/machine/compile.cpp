@@ -47,8 +47,8 @@ std::string hint_for(const Array<Named>& all, const std::string& name) {
 
 class Compiler {
  public:
-  explicit Compiler(const Machine& machine)
-      : machine_(machine), links_(machine, complaints_), ropes_(ropes_of(machine, complaints_)) {}
+  Compiler(const Machine& machine, ModelFor use)
+      : machine_(machine), use_(use), links_(machine, complaints_), ropes_(ropes_of(machine, complaints_)) {}
 
   tl::expected<Model, std::vector<Complaint>> run() {
     model_.gravity = machine_.gravity;
@@ -77,7 +77,7 @@ class Compiler {
     check_guided_loads();
     if (complaints_.empty()) finish_drives(machine_, rope_of_reeving_, model_);
     if (complaints_.empty()) add_rope_loads(machine_, model_, complaints_);
-    if (complaints_.empty()) add_motion(machine_, links_, model_, complaints_);
+    if (complaints_.empty()) add_motion(machine_, links_, use_, model_, complaints_);
     add_loads();
     add_take_ups();
     if (complaints_.empty()) add_put_ups();
@@ -192,7 +192,7 @@ class Compiler {
 
   void add_guy(const description::Guy& given) {
     const std::string path = fmt::format("guys.{}", given.name);
-    const Array<Thing> ends = {Thing::point, Thing::body, Thing::carriage, Thing::sheave};
+    const std::initializer_list<Thing> ends = {Thing::point, Thing::body, Thing::carriage, Thing::sheave};
     Reeving reeving;
     reeving.name = given.name;
     if (const RopeData* data = rope(given.rope, path + ".rope")) set_rope(reeving, *data, machine_.gravity);
@@ -233,13 +233,15 @@ class Compiler {
       for (const Stop& stop : stops) places.push_back(start_of(stop.node.at));
       const bool is_guy = r >= machine_.reevings.size();
       const bool closed = model_.reevings[r].closed;
-      const std::string path =
-          is_guy ? fmt::format("guys.{}", model_.reevings[r].name) : fmt::format("reevings[{}].path", r);
+      const DeckPlace list(is_guy ? "guys" : "reevings");
+      const DeckPlace rope = is_guy ? DeckPlace(list, model_.reevings[r].name) : DeckPlace(list, r);
+      const DeckPlace path = is_guy ? rope : DeckPlace(rope, "path");
       if (!check_apart(stops, places, closed, path, complaints_) || !complaints_.empty()) continue;
       set_sides(stops, places, closed);
       model_.reevings[r].guides = guides_of(stops, places, static_cast<int>(machine_.bodies.size()), complaints_);
       check_room(model_, stops, closed, path, complaints_);
       set_clamps(stops, places, model_.reevings[r]);
+      model_.reevings[r].nodes.reserve(stops.size());
       for (Stop& stop : stops) model_.reevings[r].nodes.push_back(std::move(stop.node));
       if (r < machine_.reevings.size() && machine_.reevings[r].install) set_straight(places, model_.reevings[r]);
     }
@@ -368,6 +370,7 @@ class Compiler {
   }
 
   const Machine& machine_;
+  ModelFor use_;
   std::vector<Complaint> complaints_;
   Links links_;
   Array<RopeData> ropes_;
@@ -378,8 +381,8 @@ class Compiler {
 
 }  // namespace
 
-tl::expected<Model, std::vector<Complaint>> compile(const Machine& machine) {
-  if (!has_places_over_ground(machine)) return Compiler(machine).run();
+tl::expected<Model, std::vector<Complaint>> compile(const Machine& machine, ModelFor use) {
+  if (!has_places_over_ground(machine)) return Compiler(machine, use).run();
   Machine placed = machine;
   std::vector<Complaint> complaints;
   Array<PlaceOverGround> over_ground = stand_on_ground(placed, complaints);
@@ -387,7 +390,7 @@ tl::expected<Model, std::vector<Complaint>> compile(const Machine& machine) {
     for (Complaint& one : unknown_names(machine)) complaints.push_back(std::move(one));
     return tl::unexpected(complaints);
   }
-  auto model = Compiler(placed).run();
+  auto model = Compiler(placed, use).run();
   if (model) model->over_ground = std::move(over_ground);
   return model;
 }

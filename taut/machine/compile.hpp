@@ -9,6 +9,10 @@
 
 namespace taut::machine {
 
+/// What is asked of a model. At rest nothing is written down, so that a deck that names nothing to observe has nothing
+/// observed.
+enum class ModelFor { rest, motion };
+
 /// Resolves the names of a description and checks it. Returns a model, or every mistake, each with its place below
 /// `machine` ("reevings[1].path[0].anchor").
 /// Order of bodies: those of the description, one for each carriage, the sections of beams to which something is fixed.
@@ -16,6 +20,6 @@ namespace taut::machine {
 /// quantity; solve::installed then replaces it by a length.
 /// A terrain file must have been read into x and z before. A clamped carriage without `length_before` divides its rope
 /// at its place, in proportion to the path.
-tl::expected<Model, std::vector<Complaint>> compile(const Machine& machine);
+tl::expected<Model, std::vector<Complaint>> compile(const Machine& machine, ModelFor use = ModelFor::motion);
 
 }  // namespace taut::machine

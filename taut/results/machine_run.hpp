@@ -3,6 +3,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "taut/calc/progress.hpp"
@@ -37,8 +38,9 @@ struct MachineRun {
   Display display;                                ///< units for the sentences of the result
   KeyFigure key_figure;
   bool several = false;  ///< the deck has several analyses: each has its heading
-  /// Whether values of the part of that name are wanted; empty: of all.
-  std::function<bool(const std::string& part)> wants;
+  /// Whether values are wanted whose names begin so, "sky", "sky.T_start"; empty: all are.
+  std::function<bool(std::string_view name)> wants;
+  bool judges = true;  ///< whether equilibria and load paths are shown to the verdict
 };
 
 /// An equilibrium that was found.

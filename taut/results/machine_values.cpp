@@ -11,7 +11,7 @@
 namespace taut::results {
 namespace {
 
-bool wanted(const MachineRun& run, const std::string& part) { return !run.wants || run.wants(part); }
+bool wanted(const MachineRun& run, std::string_view name) { return !run.wants || run.wants(name); }
 
 void add_places(const MachineRun& run, Result& r) {
   const auto first = std::find_if(run.equilibria.begin(), run.equilibria.end(),
@@ -28,7 +28,7 @@ void add_places(const MachineRun& run, Result& r) {
   for (std::size_t i = 0; i < run.model.reevings.size(); ++i) {
     const solve::RopeRow row{.model = first->model, .at = first->result, .reeving = static_cast<int>(i)};
     const std::string& name = run.model.reevings[i].name;
-    if (!wanted(run, name)) continue;
+    if (!wanted(run, name + ".unstretched")) continue;
     r.values.push_back(make_value(named(solve::rope_quantities(), "unstretched"), row, name, "", first->words));
   }
 }
@@ -41,12 +41,16 @@ void add_ends(const MachineRun& run, Result& r) {
       const machine::Reeving& rope = one.model.reevings[i];
       if (!wanted(run, rope.name)) continue;
       const solve::RopeRow row{.model = one.model, .at = one.result, .reeving = static_cast<int>(i)};
-      for (const auto& q : as_details(solve::rope_end_tensions())) {
+      for (const auto& q : solve::rope_end_tensions()) {
+        if (!wanted(run, rope.name + "." + q.about.name)) continue;
         Value value = make_value(q, row, rope.name, one.ending, one.words);
-        const int end = q.about.name == "T_start" ? solve::first_branch(one.result, row.reeving).from
-                                                  : solve::last_branch(one.result, row.reeving).to;
-        value.label = fmt::format("tension of {} at {} ({})", rope.name, rope.nodes[end].name, one.words);
-        value.heading = heading_of(run, one);
+        value.detail = true;
+        if (!run.wants) {  // else numbers are wanted, by the thousand
+          const int end = q.about.name == "T_start" ? solve::first_branch(one.result, row.reeving).from
+                                                    : solve::last_branch(one.result, row.reeving).to;
+          value.label = fmt::format("tension of {} at {} ({})", rope.name, rope.nodes[end].name, one.words);
+          value.heading = heading_of(run, one);
+        }
         r.values.push_back(std::move(value));
       }
     }

@@ -39,14 +39,16 @@ class AnalysesResolver {
  public:
   AnalysesResolver(Names& names, bool must_judge) : names_(names), must_judge_(must_judge) {}
 
-  void resolve(const AnalysisRequest& one, const std::string& path) {
+  void resolve(const AnalysisRequest& one, const DeckPlace& path) {
     if (one.equilibrium) {
-      all.equilibria.push_back(study::resolve(*one.equilibrium, path + ".equilibrium", names_));
-      check_judged(one.equilibrium->judge, path + ".equilibrium");
+      const DeckPlace here(path, "equilibrium");
+      all.equilibria.push_back(study::resolve(*one.equilibrium, here, names_));
+      check_judged(one.equilibrium->judge, here);
     }
     if (one.load_path) {
-      all.paths.push_back(study::resolve(*one.load_path, path + ".load_path", names_));
-      check_judged(one.load_path->judge, path + ".load_path");
+      const DeckPlace here(path, "load_path");
+      all.paths.push_back(study::resolve(*one.load_path, here.text(), names_));
+      check_judged(one.load_path->judge, here);
     }
     add(one.payload, "payload", path);
     add(one.installation, "installation", path);
@@ -61,17 +63,18 @@ class AnalysesResolver {
   AskedAll all;
 
  private:
-  void check_judged(bool judge, const std::string& path) {
+  void check_judged(bool judge, const DeckPlace& path) {
     if (judge || !must_judge_) return;
-    names_.complaints.push_back({path + ".judge", "a design is judged in every state: leave 'judge: false' away"});
+    names_.complaints.push_back(
+        {DeckPlace(path, "judge").text(), "a design is judged in every state: leave 'judge: false' away"});
   }
 
   template <class Request>
-  void add(const std::optional<Request>& request, const std::string& kind, const std::string& path) {
+  void add(const std::optional<Request>& request, const char* kind, const DeckPlace& path) {
     if (!request) return;
-    const std::string here = path + "." + kind;
+    const std::string here = DeckPlace(path, kind).text();
     all.more.push_back({question_of(*request, here), request->name.value_or(kind), request->judge,
-                        request->name ? kind + " " + *request->name : kind});
+                        request->name ? fmt::format("{} {}", kind, *request->name) : kind});
     check_judged(request->judge, here);
   }
   template <class Request>
@@ -109,13 +112,18 @@ const Description& AnalysisRequest::describe() {
 
 AskedAll resolve(const std::vector<AnalysisRequest>& analyses, bool must_judge, const machine::Machine& machine,
                  const machine::Model& model, std::vector<Complaint>& complaints) {
-  std::vector<AnalysisRequest> all = analyses;
-  if (all.empty()) all.emplace_back().equilibrium.emplace();
+  static const std::vector<AnalysisRequest> at_rest = [] {
+    std::vector<AnalysisRequest> one(1);
+    one.front().equilibrium.emplace();
+    return one;
+  }();
+  const std::vector<AnalysisRequest>& all = analyses.empty() ? at_rest : analyses;
   Names names{.machine = machine, .model = model, .complaints = complaints};
   names.has_envelope =
       std::any_of(all.begin(), all.end(), [](const AnalysisRequest& one) { return one.envelope.has_value(); });
   AnalysesResolver resolver(names, must_judge);
-  for (std::size_t i = 0; i < all.size(); ++i) resolver.resolve(all[i], fmt::format("analyses[{}]", i));
+  const DeckPlace list("analyses");
+  for (std::size_t i = 0; i < all.size(); ++i) resolver.resolve(all[i], {list, i});
   check_clamps(resolver.all.equilibria, names);
   return std::move(resolver.all);
 }

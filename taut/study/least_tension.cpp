@@ -157,7 +157,7 @@ std::optional<machine::Model> model_of_case(const machine::Machine& machine, con
                                             const std::string& path, std::vector<Complaint>& complaints) {
   machine::Machine loaded = machine;
   loaded.loads.insert(loaded.loads.end(), request.loads.begin(), request.loads.end());
-  auto model = machine::compile(loaded);
+  auto model = machine::compile(loaded, machine::ModelFor::rest);
   if (model) return std::move(*model);
   for (Complaint& c : model.error()) {
     for (std::size_t i = 0; i < request.loads.size(); ++i) {

@@ -49,12 +49,12 @@ Outcome put_up_lines(machine::Model& model, std::vector<PutUpLine>& lines) {
 
 Outcome install_guys(const machine::Machine& machine, machine::Model& model) {
   const std::size_t first = machine.reevings.size();
+  if (model.reevings.size() == first) return {};
   machine::Model bare;
   bare.gravity = model.gravity;
   bare.bodies = model.bodies;
   for (machine::Body& body : bare.bodies) body.free.clear();
   bare.reevings.assign(model.reevings.begin() + static_cast<std::ptrdiff_t>(first), model.reevings.end());
-  if (bare.reevings.empty()) return {};
   solve::EquilibriumOptions options;
   options.band = false;
   const auto result = solve::equilibrium(bare, options);

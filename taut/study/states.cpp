@@ -38,22 +38,22 @@ const Description& EquilibriumRequest::describe() {
   return d;
 }
 
-EquilibriumRun resolve(const EquilibriumRequest& request, const std::string& path, Names& names) {
+EquilibriumRun resolve(const EquilibriumRequest& request, const DeckPlace& path, Names& names) {
   EquilibriumRun run;
   run.judged = request.judge;
   run.ending = ending_of(names, "equilibrium", request.name, path);
-  run.motion = rope_motion(request.motion, names.model, path + ".motion", names.complaints);
+  run.motion = rope_motion(request.motion, names.model, {path, "motion"}, names.complaints);
   run.words = run.motion.words;
   run.held = request.held;
   run.prescribed = prescribed_of(request.carriage, request.x, request.along, path, names);
-  if (request.z && !request.x) names.complaints.push_back({path, "'z' needs 'carriage' and 'x'"});
+  if (request.z && !request.x) names.complaints.push_back({path.text(), "'z' needs 'carriage' and 'x'"});
   if (run.prescribed) run.prescribed->z = request.z;
   if (request.z && request.given) {
     names.complaints.push_back(
-        {path + ".given", "'z' is in place of what the rope has given already; give one of the two"});
+        {DeckPlace(path, "given").text(), "'z' is in place of what the rope has given already; give one of the two"});
   }
   const auto placed = run.prescribed ? std::optional(run.prescribed->carriage) : std::nullopt;
-  if (request.given) run.given = condition_of(*request.given, placed, path + ".given", names);
+  if (request.given) run.given = condition_of(*request.given, placed, DeckPlace(path, "given").text(), names);
   return run;
 }
 
@@ -144,7 +144,7 @@ LoadPathRun resolve(const LoadPathRequest& request, const std::string& path, Nam
   LoadPathRun run;
   run.judged = request.judge;
   run.ending = ending_of(names, "load_path", request.name, path);
-  run.motion = rope_motion(request.motion, names.model, path + ".motion", names.complaints);
+  run.motion = rope_motion(request.motion, names.model, {path, "motion"}, names.complaints);
   run.words = run.motion.words;
   const auto carriage = carriage_of(names, request.carriage, path + ".carriage");
   run.way = way_of(carriage, request.along, path, names);

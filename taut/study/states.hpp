@@ -43,7 +43,7 @@ struct EquilibriumRun {
 };
 
 /// The request with its names resolved; complaints below `path`.
-EquilibriumRun resolve(const EquilibriumRequest& request, const std::string& path, Names& names);
+EquilibriumRun resolve(const EquilibriumRequest& request, const DeckPlace& path, Names& names);
 
 /// Fills `run.model` and `run.result`.
 void solve(const machine::Model& model, EquilibriumRun& run);

@@ -46,8 +46,9 @@ tl::expected<machine::Model, Outcome> model_at(const SweepRun& run, const machin
   }
   machine::Machine machine = *run.machine;
   const auto parameter = find_parameter(machine::Machine::describe(), &machine, run.parameter);
-  if (const Outcome outcome = put(parameter, run.parameter, value); !outcome.ok()) return tl::unexpected(outcome);
-  auto model = machine::compile(machine);
+  if (!parameter) return tl::unexpected(infeasible(parameter.error()));
+  if (const Outcome outcome = put(*parameter, value); !outcome.ok()) return tl::unexpected(outcome);
+  auto model = machine::compile(machine, machine::ModelFor::rest);
   if (!model) return tl::unexpected(infeasible(model.error().front().message));
   const std::size_t guys = machine.reevings.size();
   if (changes_the_building(run.parameter)) {

@@ -50,7 +50,8 @@ tl::expected<Deck, Outcome> deck_with(const Deck& base, const std::vector<CaseIn
   for (std::size_t i = 0; i < values.size() && deck; ++i) {
     const std::string& path = inputs[i].path;
     if (is_parameter(path)) continue;
-    Outcome outcome = study::put(find(*deck, path), path, values[i]);
+    const FoundParameter number = find(*deck, path);
+    Outcome outcome = number ? study::put(*number, values[i]) : infeasible(number.error());
     if (!outcome.ok()) return tl::unexpected(std::move(outcome));
   }
   return deck;

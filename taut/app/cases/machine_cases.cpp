@@ -5,6 +5,9 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <mutex>
+#include <set>
+#include <string_view>
 
 #include "taut/app/cases/case_values.hpp"
 #include "taut/app/design/design_machine.hpp"
@@ -56,6 +59,7 @@ struct DeckPart {
   NamedAnalysis analysis = {};      ///< the only one that is left
   std::vector<WantedValue> wanted;  ///< by output
   States states = {};               ///< of the deck as it is
+  bool judges = true;               ///< whether the verdict has to see its states
 };
 
 struct MachineModel {
@@ -65,9 +69,36 @@ struct MachineModel {
   DeckParameters<MachineDeck> parameters;
   std::vector<DeckPart> parts;
   std::size_t outputs = 0;
+  bool plain = false;  ///< each input is one number of the machine that depends on no other: decks can be used again
 };
 
-/// The deck with nothing in it but what that part needs. Numbers are put in before, by the paths of the whole deck.
+/// The decks of the parts of one case, and where its inputs stand in each of them.
+struct Desk {
+  std::vector<MachineDeck> decks;
+  std::vector<std::vector<study::Parameter>> numbers;  ///< by part, by input
+};
+
+/// Desks that no case uses now.
+class Desks {
+ public:
+  std::unique_ptr<Desk> take() {
+    const std::lock_guard lock(mutex_);
+    if (free_.empty()) return nullptr;
+    auto desk = std::move(free_.back());
+    free_.pop_back();
+    return desk;
+  }
+  void give_back(std::unique_ptr<Desk> desk) {
+    const std::lock_guard lock(mutex_);
+    free_.push_back(std::move(desk));
+  }
+
+ private:
+  std::mutex mutex_;
+  std::vector<std::unique_ptr<Desk>> free_;
+};
+
+/// The deck with nothing in it but what that part needs. Numbers of analyses and checks are put in before.
 void prune(const DeckPart& part, MachineDeck& deck) {
   if (part.kind != DeckPart::Kind::analysis) return;
   deck.checks.reset();
@@ -75,46 +106,109 @@ void prune(const DeckPart& part, MachineDeck& deck) {
   if (!deck.analyses.empty()) deck.analyses = {std::move(deck.analyses[part.analysis.index])};
 }
 
-/// `whole`: with all values, to know which there are.
-Result run_part(const MachineModel& model, const DeckPart& part, MachineDeck deck, States* states, bool whole) {
-  prune(part, deck);
-  if (part.kind != DeckPart::Kind::design) {
-    const RunDepth depth = part.kind == DeckPart::Kind::checks ? RunDepth::checks : RunDepth::values;
-    OneOfMany many{.states = states};
-    if (!whole && part.kind == DeckPart::Kind::analysis) {
-      many.wants = [&part](const std::string& name) {
-        return std::any_of(part.wanted.begin(), part.wanted.end(),
-                           [&](const WantedValue& one) { return one.name.starts_with(name); });
-      };
-    }
-    return run_machine(deck, depth, {}, many);
-  }
+/// `deck`: pruned.
+Result run_part(const MachineModel& model, const DeckPart& part, const MachineDeck& deck, const OneOfMany& many) {
+  if (part.kind == DeckPart::Kind::checks) return run_machine(deck, RunDepth::checks, {}, many);
+  if (part.kind == DeckPart::Kind::analysis) return run_machine(deck, RunDepth::values, {}, many);
   const auto run = [](const MachineDeck& one, RunDepth depth, const std::function<bool(const Progress&)>& ask) {
     return run_machine(one, std::min(depth, RunDepth::checks), ask);
   };
   const auto no_picture = [](const MachineDeck&, Result&) {};
-  return design::run_design(machine_task(std::make_shared<const MachineDeck>(std::move(deck)), model.space,
-                                         {.run = run, .picture = no_picture}, {}));
+  return design::run_design(
+      machine_task(std::make_shared<const MachineDeck>(deck), model.space, {.run = run, .picture = no_picture}, {}));
 }
 
 FoundParameter parameter_of(MachineDeck& deck, const std::string& path) {
   return study::parameter_at(MachineDeck::describe(), &deck, path);
 }
 
-CaseAnswer answer_of(const MachineModel& model, std::span<const double> values) {
-  CaseAnswer answer{.outputs = std::vector<double>(model.outputs, std::nan("")), .outcome = {}};
-  auto deck = deck_with(model.deck, model.inputs, model.parameters, parameter_of, values);
-  if (!deck) answer.outcome = deck.error();
-  std::vector<double> found = answer.outputs;
+MachineDeck pruned(const DeckPart& part, MachineDeck deck) {
+  prune(part, deck);
+  return deck;
+}
+
+/// Whether a number can be put in without a look at what else was. The angle of a vector keeps its length, so that it
+/// depends on the components; numbers of analyses and checks stand where decks are pruned.
+bool is_plain(const CaseInput& input, MachineDeck& deck) {
+  if (!input.path.starts_with("machine.")) return false;
+  const FoundParameter found = parameter_of(deck, input.path);
+  return found && found->unit.is_angle == found->field->unit.is_angle;
+}
+
+std::unique_ptr<Desk> new_desk(const MachineModel& model) {
+  auto desk = std::make_unique<Desk>();
+  desk->decks.reserve(model.parts.size());
   for (const DeckPart& part : model.parts) {
-    if (!answer.outcome.ok()) return answer;
-    States near = part.states;
-    const bool last = &part == &model.parts.back();
-    const Result r = run_part(model, part, last ? std::move(*deck) : *deck, near.empty() ? nullptr : &near, false);
-    answer.outcome = take_values(r, part.wanted, found);
+    MachineDeck& deck = desk->decks.emplace_back(pruned(part, model.deck));
+    auto& numbers = desk->numbers.emplace_back();
+    for (const CaseInput& input : model.inputs) numbers.push_back(*parameter_of(deck, input.path));
   }
-  if (answer.outcome.ok()) answer.outputs = std::move(found);
+  return desk;
+}
+
+/// Puts the numbers into a deck; what says why not where one is outside its range.
+Outcome put_all(std::span<const double> values, std::vector<study::Parameter>& numbers) {
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    Outcome outcome = study::put(numbers[i], values[i]);
+    if (!outcome.ok()) return outcome;
+  }
+  return {};
+}
+
+/// A run of the deck with other numbers.
+OneOfMany one_of_many(const DeckPart& part) {
+  OneOfMany many{.near = &part.states, .judges = part.judges};
+  if (part.kind == DeckPart::Kind::analysis) {
+    many.wants = [&part](std::string_view name) {
+      return std::any_of(part.wanted.begin(), part.wanted.end(),
+                         [&](const WantedValue& one) { return one.name.starts_with(name); });
+    };
+  }
+  return many;
+}
+
+/// Whether one of its values is among these.
+bool needs(const DeckPart& part, const std::set<std::string>& judged) {
+  return std::any_of(part.wanted.begin(), part.wanted.end(), [&](const WantedValue& one) {
+    return std::any_of(judged.begin(), judged.end(), [&](const std::string& name) {
+      return one.name == name || one.name + one.ending == name || one.name.starts_with(name + ".");
+    });
+  });
+}
+
+/// The answer of the parts of a deck in turn. `deck_of`: the pruned deck of a part, with the numbers in it; not ok: why
+/// there is none.
+template <class DeckOf>
+CaseAnswer answer_by(const MachineModel& model, const DeckOf& deck_of) {
+  CaseAnswer answer{.outputs = std::vector<double>(model.outputs, std::nan("")), .outcome = {}};
+  std::vector<double> found = answer.outputs;
+  for (std::size_t i = 0; i < model.parts.size(); ++i) {
+    const DeckPart& part = model.parts[i];
+    const tl::expected<const MachineDeck*, Outcome> deck = deck_of(i);
+    answer.outcome =
+        deck ? take_values(run_part(model, part, **deck, one_of_many(part)), part.wanted, found) : deck.error();
+    if (!answer.outcome.ok()) return answer;
+  }
+  answer.outputs = std::move(found);
   return answer;
+}
+
+CaseAnswer answer_at(const MachineModel& model, Desk& desk, std::span<const double> values) {
+  return answer_by(model, [&](std::size_t i) -> tl::expected<const MachineDeck*, Outcome> {
+    Outcome outcome = put_all(values, desk.numbers[i]);
+    if (!outcome.ok()) return tl::unexpected(std::move(outcome));
+    return &desk.decks[i];
+  });
+}
+
+CaseAnswer answer_anew(const MachineModel& model, std::span<const double> values) {
+  const auto deck = deck_with(model.deck, model.inputs, model.parameters, parameter_of, values);
+  MachineDeck alone;
+  return answer_by(model, [&](std::size_t i) -> tl::expected<const MachineDeck*, Outcome> {
+    if (!deck) return tl::unexpected(deck.error());
+    alone = pruned(model.parts[i], *deck);
+    return &alone;
+  });
 }
 
 /// Sorts the outputs by what has to be run for them.
@@ -178,12 +272,23 @@ MadeCases machine_cases(const ReadMachine& read, const CaseQuestion& question,
   if (!wrong.complaints.empty()) return tl::unexpected(std::move(wrong));
   for (const CaseName& one : question.outputs) made.outputs.push_back({.name = one.name, .unit = {}, .label = {}});
   for (DeckPart& part : model->parts) {
-    const Result r = run_part(*model, part, model->deck, &part.states, true);
+    std::set<std::string> judged;
+    const OneOfMany first{.found = &part.states, .judged = &judged};
+    const Result r = run_part(*model, part, pruned(part, model->deck), first);
     add_outputs(r, part.wanted, made, wrong);
     if (!wrong.complaints.empty() || !wrong.outcome.ok()) return tl::unexpected(std::move(wrong));
+    part.judges = part.kind == DeckPart::Kind::checks || needs(part, judged);
   }
-  made.answer = [model = std::shared_ptr<const MachineModel>(model)](std::span<const double> values) {
-    return answer_of(*model, values);
+  model->plain = std::all_of(model->inputs.begin(), model->inputs.end(),
+                             [&](const CaseInput& input) { return is_plain(input, model->deck); });
+  made.answer = [model = std::shared_ptr<const MachineModel>(model),
+                 desks = std::make_shared<Desks>()](std::span<const double> values) {
+    if (!model->plain) return answer_anew(*model, values);
+    auto desk = desks->take();
+    if (!desk) desk = new_desk(*model);
+    CaseAnswer answer = answer_at(*model, *desk, values);
+    desks->give_back(std::move(desk));
+    return answer;
   };
   return made;
 }

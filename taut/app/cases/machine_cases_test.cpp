@@ -82,6 +82,57 @@ TEST(MachineCases, EachAnalysisHasTheValuesOfARunWithItAlone) {
   EXPECT_NE(a.outputs[1], a.outputs[2]);
 }
 
+/// The answers of all these cases, to the last bit, asked in this order.
+std::vector<std::vector<double>> answers_in(const CaseModel& m, const std::vector<std::vector<double>>& cases) {
+  std::vector<std::vector<double>> all;
+  for (const std::vector<double>& one : cases) all.push_back(m.answer(one).outputs);
+  return all;
+}
+
+TEST(MachineCases, ACaseDoesNotDependOnThoseBefore) {
+  std::string text = deck;
+  text.replace(text.find("{at: car, mass: 1 t}"), 20, "{at: car, mass: 1 t}, {at: car, force: [1 kN, 0 N, -2 kN]}");
+  const std::vector<std::string> plain = {"machine.loads[0].mass", "machine.points.head.z"};
+  // a direction keeps the length of its force, which a component changes
+  const std::vector<std::string> angle = {"machine.loads[1].force.x", "machine.loads[1].force.angle"};
+  const std::vector<std::string> asked = {"equilibrium.sky.T_start", "equilibrium.sky.T_max", "equilibrium_2.car.z"};
+  const std::vector<std::pair<std::vector<std::string>, std::vector<std::vector<double>>>> questions = {
+      {plain, {{900, 28}, {1300, 31}, {-5, 30}, {900, 28}}},
+      {angle, {{500, -1.2}, {1500, -1.0}, {800, -1.4}, {500, -1.2}}}};
+  for (const auto& [inputs, cases] : questions) {
+    const auto alone = [&](const std::vector<double>& one) {
+      return model_of(text, question_of(inputs, asked)).answer(one).outputs;
+    };
+    const auto one_after_the_other = answers_in(model_of(text, question_of(inputs, asked)), cases);
+    for (std::size_t i = 0; i < cases.size(); ++i) {
+      const std::vector<double> expected = alone(cases[i]);
+      for (std::size_t k = 0; k < expected.size(); ++k) {
+        if (std::isnan(expected[k])) {
+          EXPECT_TRUE(std::isnan(one_after_the_other[i][k]));
+        } else {
+          EXPECT_EQ(one_after_the_other[i][k], expected[k]) << inputs.back() << ", case " << i << ", " << asked[k];
+        }
+      }
+    }
+    EXPECT_EQ(one_after_the_other.front(), one_after_the_other.back());
+  }
+}
+
+TEST(MachineCases, WhatTheVerdictSaysIsThereWhereItIsWanted) {
+  const std::vector<std::string> judged = {"equilibrium.T_max", "equilibrium.sky.T_max",
+                                           "equilibrium.sky.safety_factor", "equilibrium.sky.T_max.utilisation",
+                                           "equilibrium.rope_clearance_min"};
+  std::string text = deck;
+  text.replace(text.find("machine:"), 8, "machine:\n  terrain: {x: [-10 m, 250 m], z: [-40 m, -40 m]}");
+  const CaseModel m = model_of(text, question_of({"machine.loads[0].mass"}, judged));
+  const CaseAnswer a = m.answer(std::vector<double>{1300});
+  ASSERT_TRUE(a.outcome.ok()) << a.outcome.message;
+  EXPECT_NEAR(a.outputs[0], a.outputs[1], 1e-9 * a.outputs[1]) << "one rope";
+  EXPECT_NEAR(a.outputs[2], 300e3 / a.outputs[1], 1e-9 * a.outputs[2]);
+  EXPECT_NEAR(a.outputs[3], a.outputs[1] / 300e3, 1e-9);
+  EXPECT_GT(a.outputs[4], 0);
+}
+
 TEST(MachineCases, ChecksAreOfTheWholeDeck) {
   const CaseModel m = model_of(deck, question_of({"machine.loads[0].mass"},
                                                  {"checks.sky.safety_factor", "checks.sky.safety_factor.utilisation"}));

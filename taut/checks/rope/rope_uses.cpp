@@ -82,8 +82,8 @@ RopeUses::RopeUses(const CheckedDeck& deck, const machine::Model& model)
       bend_at(i, node, met[node.name]++);
     }
     if (model.reevings[i].closed) continue;
-    for (const machine::Node& node : {model.reevings[i].nodes.front(), model.reevings[i].nodes.back()}) {
-      if (!node.drum) uses_[i].ends.push_back({node.name, 0});
+    for (const machine::Node* end : {&model.reevings[i].nodes.front(), &model.reevings[i].nodes.back()}) {
+      if (!end->drum) uses_[i].ends.push_back({end->name, 0});
     }
   }
 }

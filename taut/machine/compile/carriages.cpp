@@ -110,14 +110,15 @@ Array<Stop> stops_of(const description::Carriage& car, int index, const Place& p
   stop.node.law = car.friction > 0 ? ContactLaw{.friction = car.friction, .efficiency = 0} : ContactLaw{};
   stop.node.support = -up();
   Array<Stop> all;
+  all.reserve(static_cast<std::size_t>(car.rollers));
   for (int i = 0; i < car.rollers; ++i) {
     stop.roller = i;
     // a rope sags away from rollers between the outer ones of a rigid carriage
     stop.node.may_lift = i > 0 && i + 1 < car.rollers;
     const double forward = car.rollers > 1 ? car.wheelbase.value_or(0) * (i / (car.rollers - 1.0) - 0.5) : 0;
-    stop.node.at.at = place.at + Vector3(forward, 0, car.height);
-    if (car.rollers > 1) stop.node.name = fmt::format("{}.roller{}", car.name, i + 1);
     all.push_back(stop);
+    all.back().node.at.at = place.at + Vector3(forward, 0, car.height);
+    if (car.rollers > 1) all.back().node.name = fmt::format("{}.roller{}", car.name, i + 1);
   }
   return all;
 }
@@ -183,7 +184,7 @@ Carriage carriage_of(const Machine& machine, std::size_t index, const Array<Reev
   check(given, path, complaints);
   for (std::size_t r = 0; r < stops.size(); ++r) {
     const Passes passes = passes_of(stops[r], static_cast<int>(index));
-    const bool rides = own == static_cast<int>(r), grips = fixed_to == static_cast<int>(r);
+    const bool rides = own == static_cast<int>(r), grips = car.grip && car.grip->reeving == static_cast<int>(r);
     if (rides) car.node = passes.roller;
     if (grips) car.grip->node = passes.grip;
     if (!rides && !grips && own && passes.rolls + passes.grips > 0) {

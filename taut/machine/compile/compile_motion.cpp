@@ -287,7 +287,7 @@ void add_drives(const Machine& machine, Model& model, Complaints& complaints) {
   }
 }
 
-void add_motion(const Machine& machine, const Links& links, Model& model, Complaints& complaints) {
+void add_motion(const Machine& machine, const Links& links, ModelFor use, Model& model, Complaints& complaints) {
   for (const auto& marker : machine.markers) {
     if (!index_of(machine.points, marker.name)) continue;
     complaints.push_back({fmt::format("markers.{}", marker.name), "there is a point of this name already"});
@@ -312,7 +312,7 @@ void add_motion(const Machine& machine, const Links& links, Model& model, Compla
     const auto found = observable(machine.observe[i], model, fmt::format("observe[{}]", i), complaints);
     if (found) model.observed.push_back(*found);
   }
-  if (machine.observe.empty()) model.observed = usual_observables(model);
+  if (machine.observe.empty() && use == ModelFor::motion) model.observed = usual_observables(model);
   observe_measures(model);
   for (std::size_t i = 0; i < machine.events.size(); ++i) {
     model.events.push_back(event_of(machine.events[i], model, fmt::format("events[{}]", i), complaints));

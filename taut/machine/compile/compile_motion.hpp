@@ -2,6 +2,7 @@
 #include <vector>
 
 #include "taut/base/array.hpp"
+#include "taut/machine/compile.hpp"
 #include "taut/machine/description/machine.hpp"
 #include "taut/machine/links/links.hpp"
 #include "taut/machine/model.hpp"
@@ -18,6 +19,6 @@ void add_body_motion(const Machine& machine, Model& model, Complaints& complaint
 void add_drives(const Machine& machine, Model& model, Complaints& complaints);
 
 /// Faces, contacts, actuators, tensioners, then events and observables; the reevings have their nodes by now.
-void add_motion(const Machine& machine, const Links& links, Model& model, Complaints& complaints);
+void add_motion(const Machine& machine, const Links& links, ModelFor use, Model& model, Complaints& complaints);
 
 }  // namespace taut::machine

@@ -198,6 +198,13 @@ TEST(CompileMotion, UsualObservables) {
                                           "winch.speed"));
 }
 
+TEST(CompileMotion, AtRestOnlyWhatTheDeckNamesIsObserved) {
+  Machine m = crane();
+  EXPECT_TRUE(compile(m, ModelFor::rest)->observed.empty());
+  m.observe = {"hook.z"};
+  EXPECT_EQ(compile(m, ModelFor::rest)->observed.size(), 1U);
+}
+
 TEST(CompileMotion, Events) {
   Machine m = crane();
   m.events.resize(5);

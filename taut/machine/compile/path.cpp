@@ -73,45 +73,45 @@ class PathReader {
       : machine_(machine), links_(links), reeving_(std::move(reeving)), rope_(rope), complaints_(complaints) {}
 
   /// An element of an endless rope.
-  void add_closed(const PathElement& e, const std::string& at) {
+  void add_closed(const PathElement& e, const DeckPlace& at) {
     if (e.anchor || e.drum) complain(at, "an endless rope is fixed nowhere: 'over' and 'through' only");
     if (e.parts != 1 || !e.between.empty()) complain(at, "an endless rope has no tackle; write its sheaves one by one");
-    if (e.grip && !e.through) complain(at + ".grip", "belongs to an element with 'through'");
-    if (e.through) carriage(*e.through, e.grip, at + ".through");
+    if (e.grip && !e.through) complain({at, "grip"}, "belongs to an element with 'through'");
+    if (e.through) carriage(*e.through, e.grip, {at, "through"});
     if (!e.over) return;
-    const Target* own = links_.find(*e.over, {Thing::sheave}, at + ".over", complaints_);
+    const Target* own = links_.find(*e.over, {Thing::sheave}, {at, "over"}, complaints_);
     if (own == nullptr) return;
     stops.push_back(round_stop(machine_, *own, e.side));
     if (given_round(machine_, *own).holds) {
-      complain(at + ".over",
+      complain({at, "over"},
                fmt::format("'{}' holds a rope that ends at a carriage ('holds'); this one is endless", *e.over));
     }
   }
 
-  void add(const Array<PathElement>& path, std::size_t i, const std::string& at) {
+  void add(const std::vector<PathElement>& path, std::size_t i, const DeckPlace& at) {
     const PathElement& e = path[i];
     const bool is_end = i == 0 || i + 1 == path.size();
     if (e.anchor || e.drum) {
       if (!is_end) complain(at, "a rope is fixed at its ends only; here it runs on");
-      e.anchor ? anchor(*e.anchor, at + ".anchor") : drum(e, at + ".drum");
+      e.anchor ? anchor(*e.anchor, {at, "anchor"}) : drum(e, {at, "drum"});
     } else if (is_end) {
       complain(at, "a rope's first and last element is an 'anchor' or a 'drum'");
     } else if (e.through) {
-      carriage(*e.through, e.grip, at + ".through");
+      carriage(*e.through, e.grip, {at, "through"});
     } else if (e.over) {
       over(path, i, at);
     }
-    if (e.grip && !e.through) complain(at + ".grip", "belongs to an element with 'through'");
-    if (!e.over && e.parts != 1) complain(at + ".parts", "belongs to an element with 'over'");
-    if (!e.between.empty() && (!e.over || e.parts == 1)) complain(at + ".between", "belongs to 'over' with 'parts'");
+    if (e.grip && !e.through) complain({at, "grip"}, "belongs to an element with 'through'");
+    if (!e.over && e.parts != 1) complain({at, "parts"}, "belongs to an element with 'over'");
+    if (!e.between.empty() && (!e.over || e.parts == 1)) complain({at, "between"}, "belongs to 'over' with 'parts'");
   }
 
   Array<Stop> stops;
 
  private:
-  void complain(const std::string& path, std::string message) { complaints_.push_back({path, std::move(message)}); }
+  void complain(const DeckPlace& at, std::string message) { complaints_.push_back({at.text(), std::move(message)}); }
 
-  void anchor(const std::string& name, const std::string& path) {
+  void anchor(const std::string& name, const DeckPlace& path) {
     const Target* t = links_.find(name, {Thing::point, Thing::body, Thing::carriage, Thing::sheave}, path, complaints_);
     if (t == nullptr) return;
     Stop stop;
@@ -120,7 +120,7 @@ class PathReader {
     stops.push_back(std::move(stop));
   }
 
-  void drum(const PathElement& e, const std::string& path) {
+  void drum(const PathElement& e, const DeckPlace& path) {
     const Target* t = links_.find(*e.drum, {Thing::drum}, path, complaints_);
     if (t == nullptr) return;
     const description::Drum& drum = machine_.drums[static_cast<std::size_t>(t->index)];
@@ -134,7 +134,7 @@ class PathReader {
     stops.push_back(std::move(stop));
   }
 
-  void carriage(const std::string& name, bool grip, const std::string& path) {
+  void carriage(const std::string& name, bool grip, const DeckPlace& path) {
     const Target* t = links_.find(name, {Thing::carriage}, path, complaints_);
     if (t == nullptr) return;
     const description::Carriage& car = machine_.carriages[static_cast<std::size_t>(t->index)];
@@ -147,31 +147,31 @@ class PathReader {
   }
 
   /// One motor per rope with ends.
-  void drive(const std::string& at) {
+  void drive(const DeckPlace& at) {
     const bool another = std::any_of(stops.begin(), stops.end(), [](const Stop& stop) { return stop.drives; });
-    if (another) complain(at + ".over", "another sheave of this rope has a motor already");
+    if (another) complain({at, "over"}, "another sheave of this rope has a motor already");
   }
 
   /// The other sheave of a tackle.
-  std::optional<std::string> partner(const Array<PathElement>& path, std::size_t i, const std::string& at) {
+  std::optional<std::string> partner(const std::vector<PathElement>& path, std::size_t i, const DeckPlace& at) {
     const PathElement& e = path[i];
     if (e.between.empty()) {
       if (path[i - 1].over) return path[i - 1].over;
       if (path[i + 1].over) return path[i + 1].over;
       if (e.parts == 2) return e.over;  // one turn: no other sheave is needed
-      complain(at + ".parts", "no sheave is beside this one in the path; say 'between: [A, B]'");
+      complain({at, "parts"}, "no sheave is beside this one in the path; say 'between: [A, B]'");
       return std::nullopt;
     }
     const bool fits =
         e.between.size() == 2 && e.between[0] != e.between[1] && (e.between[0] == *e.over || e.between[1] == *e.over);
     if (fits) return e.between[0] == *e.over ? e.between[1] : e.between[0];
-    complain(at + ".between", fmt::format("two sheaves are expected, '{}' and another one", *e.over));
+    complain({at, "between"}, fmt::format("two sheaves are expected, '{}' and another one", *e.over));
     return std::nullopt;
   }
 
-  void over(const Array<PathElement>& path, std::size_t i, const std::string& at) {
+  void over(const std::vector<PathElement>& path, std::size_t i, const DeckPlace& at) {
     const PathElement& e = path[i];
-    const Target* own = links_.find(*e.over, {Thing::sheave}, at + ".over", complaints_);
+    const Target* own = links_.find(*e.over, {Thing::sheave}, {at, "over"}, complaints_);
     if (own == nullptr) return;
     const Stop single = round_stop(machine_, *own, e.side);
     const Round& round = given_round(machine_, *own);
@@ -179,17 +179,18 @@ class PathReader {
       if (single.drives) drive(at);
       stops.push_back(single);
       if (single.drives) stops.back().node.kind = NodeKind::drive;
-      if (const auto carriage = ahead_of(machine_, round)) stops.back().ahead_of = AheadOf{*carriage, at + ".over"};
+      if (const auto carriage = ahead_of(machine_, round))
+        stops.back().ahead_of = AheadOf{*carriage, DeckPlace(at, "over").text()};
       if (single.drives && round.holds) {
-        complain(at + ".over", fmt::format("'{}' has a motor; a guide that 'holds' has none", *e.over));
+        complain({at, "over"}, fmt::format("'{}' has a motor; a guide that 'holds' has none", *e.over));
       }
       return;
     }
-    if (round.holds) complain(at + ".over", fmt::format("'{}' has 'holds'; a tackle's sheaves have not", *e.over));
-    if (single.drives) complain(at + ".over", fmt::format("'{}' has a motor; a tackle's sheaves have none", *e.over));
+    if (round.holds) complain({at, "over"}, fmt::format("'{}' has 'holds'; a tackle's sheaves have not", *e.over));
+    if (single.drives) complain({at, "over"}, fmt::format("'{}' has a motor; a tackle's sheaves have none", *e.over));
     const auto name = partner(path, i, at);
     if (!name) return;
-    const Target* other = links_.find(*name, {Thing::sheave}, at + ".between", complaints_);
+    const Target* other = links_.find(*name, {Thing::sheave}, {at, "between"}, complaints_);
     if (other == nullptr) return;
     const bool between = !e.between.empty();
     const int turns = between && !is_over(path[i - 1], *name) ? e.parts : e.parts - 1;
@@ -319,8 +320,11 @@ Array<Stop> stops_of(const Machine& machine, const Links& links, const descripti
                      const RopeData& rope, const std::string& path, std::vector<Complaint>& complaints) {
   PathReader reader(machine, links, reeving.name.value_or(reeving.rope), rope, complaints);
   if (reeving.path.size() < 2) complaints.push_back({path, "a rope runs from one element to another one"});
+  reader.stops.reserve(reeving.path.size());
+  const DeckPlace here(path);
+  const DeckPlace elements(here, "path");
   for (std::size_t i = 0; i < reeving.path.size(); ++i) {
-    const std::string at = fmt::format("{}.path[{}]", path, i);
+    const DeckPlace at(elements, i);
     reeving.closed ? reader.add_closed(reeving.path[i], at) : reader.add(reeving.path, i, at);
   }
   if (reeving.closed) begin_at_drive(reader.stops, path, complaints);

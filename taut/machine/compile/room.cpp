@@ -79,26 +79,26 @@ std::string no_room(const Model& model, const Node& from, const Node& to) {
 
 }  // namespace
 
-bool check_apart(const Array<Stop>& stops, const Array<Vector3>& places, bool closed, const std::string& path,
+bool check_apart(const Array<Stop>& stops, const Array<Vector3>& places, bool closed, const DeckPlace& path,
                  std::vector<Complaint>& complaints) {
   Pairs reported;
   for (std::size_t k = closed ? 0 : 1; k < places.size(); ++k) {
     const std::size_t before = k == 0 ? places.size() - 1 : k - 1;
     const std::string &from = stops[before].node.name, &to = stops[k].node.name;
     if ((places[k] - places[before]).norm() > 0 || !reported.is_new(from, to)) continue;
-    complaints.push_back({path, fmt::format("'{}' and '{}' are at the same place", from, to)});
+    complaints.push_back({path.text(), fmt::format("'{}' and '{}' are at the same place", from, to)});
   }
   return reported.empty();
 }
 
-void check_room(const Model& model, const Array<Stop>& stops, bool closed, const std::string& path,
+void check_room(const Model& model, const Array<Stop>& stops, bool closed, const DeckPlace& path,
                 std::vector<Complaint>& complaints) {
   Pairs reported;
   for (std::size_t k = closed ? 0 : 1; k < stops.size(); ++k) {
     const Node &from = stops[k == 0 ? stops.size() - 1 : k - 1].node, &to = stops[k].node;
     if (!keep_apart(model, from, to)) continue;
     std::string why = no_room(model, from, to);
-    if (!why.empty() && reported.is_new(from.name, to.name)) complaints.push_back({path, std::move(why)});
+    if (!why.empty() && reported.is_new(from.name, to.name)) complaints.push_back({path.text(), std::move(why)});
   }
 }
 

@@ -236,6 +236,7 @@ void check_amounts(const GivenLoad& given, const std::string& path, std::vector<
 }  // namespace
 
 void check_rope_loads(const Machine& machine, std::vector<Complaint>& complaints) {
+  if (machine.rope_loads.empty()) return;
   std::vector<std::string> names;
   names.reserve(machine.reevings.size());
   for (const auto& one : machine.reevings) names.push_back(name_of(one));

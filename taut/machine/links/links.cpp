@@ -27,7 +27,7 @@ std::string_view words(Thing thing) {
   return "";
 }
 
-bool among(const Array<Thing>& kinds, Thing thing) {
+bool among(std::initializer_list<Thing> kinds, Thing thing) {
   return std::find(kinds.begin(), kinds.end(), thing) != kinds.end();
 }
 
@@ -35,11 +35,14 @@ bool among(const Array<Thing>& kinds, Thing thing) {
 
 Links::Links(const Machine& machine, std::vector<Complaint>& complaints)
     : beams_(machine, static_cast<int>(machine.bodies.size() + machine.carriages.size()), complaints) {
-  const auto add = [&](Thing thing, const std::string& list, const auto& one, int index) {
+  all_.reserve(machine.points.size() + machine.markers.size() + machine.bodies.size() + machine.carriages.size() +
+               machine.sheaves.size() + machine.supports.size() + machine.drums.size());
+  const auto add = [&](Thing thing, const char* list, const auto& one, int index) {
     const Vector3 at = vector_of(one.at);
-    const std::string path = fmt::format("{}.{}.body", list, one.name);
-    const Place place = one.body ? place_on(machine, *one.body, at, path, complaints) : Place{.body = ground, .at = at};
-    all_.push_back({thing, one.name, index, place});
+    const auto place = [&] {
+      return place_on(machine, *one.body, at, fmt::format("{}.{}.body", list, one.name), complaints);
+    };
+    all_.push_back({thing, one.name, index, one.body ? place() : Place{.body = ground, .at = at}});
   };
   int index = 0;
   for (const auto& point : machine.points) add(Thing::point, "points", point, index++);
@@ -99,6 +102,7 @@ Place Links::place_on(const Machine& machine, const std::string& body, const Vec
 
 Array<NamedPlace> Links::places() const {
   Array<NamedPlace> all;
+  all.reserve(all_.size());
   for (const Thing kind : {Thing::point, Thing::sheave, Thing::drum}) {
     for (const Target& t : all_) {
       if (t.thing == kind) all.push_back({.name = t.name, .place = t.place});
@@ -107,7 +111,7 @@ Array<NamedPlace> Links::places() const {
   return all;
 }
 
-const Target* Links::find(const std::string& name, const Array<Thing>& kinds, const std::string& path,
+const Target* Links::find(const std::string& name, std::initializer_list<Thing> kinds, const DeckPlace& path,
                           std::vector<Complaint>& complaints) const {
   for (const Thing kind : kinds) {
     const auto at =
@@ -121,13 +125,14 @@ const Target* Links::find(const std::string& name, const Array<Thing>& kinds, co
   const auto other = std::find_if(all_.begin(), all_.end(), [&](const Target& t) { return t.name == name; });
   if (other != all_.end()) {
     complaints.push_back(
-        {path, fmt::format("'{}' is a {}; here a {} is named", name, words(other->thing), kinds_text)});
+        {path.text(), fmt::format("'{}' is a {}; here a {} is named", name, words(other->thing), kinds_text)});
     return nullptr;
   }
   if (beams_.knows(name)) {
-    complaints.push_back({path, fmt::format("'{}' is a beam: name its free top '{}.top', or a point on it, 'points: "
-                                            "{{p: {{body: {}, at: [...]}}}}'",
-                                            name, name, name)});
+    complaints.push_back(
+        {path.text(), fmt::format("'{}' is a beam: name its free top '{}.top', or a point on it, 'points: "
+                                  "{{p: {{body: {}, at: [...]}}}}'",
+                                  name, name, name)});
     return nullptr;
   }
   std::vector<std::string> names;
@@ -136,7 +141,7 @@ const Target* Links::find(const std::string& name, const Array<Thing>& kinds, co
   }
   std::string hint = did_you_mean(name, names);
   if (hint.empty() && !names.empty() && names.size() <= 12) hint = fmt::format("; there is {}", fmt::join(names, ", "));
-  complaints.push_back({path, fmt::format("there is no {} '{}'{}", kinds_text, name, hint)});
+  complaints.push_back({path.text(), fmt::format("there is no {} '{}'{}", kinds_text, name, hint)});
   return nullptr;
 }
 

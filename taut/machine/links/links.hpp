@@ -1,4 +1,5 @@
 #pragma once
+#include <initializer_list>
 #include <string>
 #include <vector>
 
@@ -28,7 +29,7 @@ class Links {
 
   /// The thing of that name, of the first of these kinds that has it; nullptr, with a complaint at `path` that says
   /// what else it is or what may be meant, when there is none.
-  const Target* find(const std::string& name, const Array<Thing>& kinds, const std::string& path,
+  const Target* find(const std::string& name, std::initializer_list<Thing> kinds, const DeckPlace& path,
                      std::vector<Complaint>& complaints) const;
 
   /// Points and markers, then sheaves and supports, then drums.

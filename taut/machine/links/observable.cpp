@@ -97,7 +97,7 @@ const ObservableNames of_energy = {
     {.name = "supplied", .quantity = Observed::supplied, .unit = si::J, .words = "by drives since the start"},
     {.name = "residual", .quantity = Observed::residual, .unit = si::J, .words = "what the ledger leaves open"}};
 
-const Named* find(const ObservableNames& names, const std::string& name) {
+const Named* find(const ObservableNames& names, std::string_view name) {
   const auto at = std::find_if(names.begin(), names.end(), [&](const Named& n) { return name == n.name; });
   return at == names.end() ? nullptr : &*at;
 }
@@ -254,18 +254,15 @@ class Resolver {
   std::vector<std::string> offered_;
 };
 
-/// Of a body's coordinates x, y, z, rx, ry, rz those that are free or driven.
-ObservableNames moving_coordinates(const Body& body) {
-  ObservableNames moving;
+/// Calls `f` with those of a body's coordinates x, y, z, rx, ry, rz that are free or driven.
+template <class F>
+void for_each_moving(const Body& body, const F& f) {
   for (std::size_t k = 0; k < 6; ++k) {
     const auto axis = static_cast<Eigen::Index>(k % 3);
     const auto changes = [&](const auto& way) { return std::abs(k < 3 ? way.along[axis] : way.about[axis]) > 0; };
     const bool free = std::any_of(body.free.begin(), body.free.end(), changes);
-    if (free || std::any_of(body.driven.begin(), body.driven.end(), changes)) {
-      moving.push_back(k < 3 ? of_place[k] : of_body[k - 3]);
-    }
+    if (free || std::any_of(body.driven.begin(), body.driven.end(), changes)) f(k < 3 ? of_place[k] : of_body[k - 3]);
   }
-  return moving;
 }
 
 std::string trimmed(const std::string& text) {
@@ -315,38 +312,40 @@ std::vector<QuantityWords> observable_words() {
 
 Array<Observable> usual_observables(const Model& model) {
   Array<Observable> all;
-  const auto add = [&](const std::string& of, const ObservableNames& named, std::size_t index,
-                       std::optional<int> part = std::nullopt) {
-    for (const Named& one : named) {
-      all.push_back(
-          {fmt::format("{}.{}", of, one.name), one.quantity, one.unit, static_cast<int>(index), part, Vector3::Zero()});
-    }
+  all.reserve(3 * (model.reevings.size() + model.bodies.size()));
+  const auto add_one = [&](const std::string& of, const Named& named, std::size_t index, std::optional<int> part) {
+    Observable& one = all.emplace_back();
+    one.name.reserve(of.size() + 1 + std::string_view(named.name).size());
+    one.name.append(of).append(".").append(named.name);
+    one.quantity = named.quantity;
+    one.unit = named.unit;
+    one.index = static_cast<int>(index);
+    one.part = part;
   };
-  const auto only = [](const ObservableNames& names, std::initializer_list<const char*> wanted) {
-    ObservableNames some;
-    for (const char* name : wanted) some.push_back(*find(names, name));
-    return some;
+  const auto add = [&](const std::string& of, const ObservableNames& names,
+                       std::initializer_list<std::string_view> some, std::size_t index,
+                       std::optional<int> part = std::nullopt) {
+    for (const std::string_view name : some) add_one(of, *find(names, name), index, part);
   };
   for (std::size_t i = 0; i < model.reevings.size(); ++i) {
-    add(model.reevings[i].name, only(of_rope, {"T_start", "T_end", "T_max"}), i);
+    add(model.reevings[i].name, of_rope, {"T_start", "T_end", "T_max"}, i);
   }
   for (std::size_t i = 0; i < model.bodies.size(); ++i) {
     const Body& body = model.bodies[i];
-    if (!body.of_rope) add(body.name, moving_coordinates(body), i);
+    if (body.of_rope) continue;
+    for_each_moving(body, [&](const Named& coordinate) { add_one(body.name, coordinate, i, std::nullopt); });
   }
-  for (std::size_t i = 0; i < model.drums.size(); ++i) add(model.drums[i].name, only(of_drum, {"speed"}), i);
+  for (std::size_t i = 0; i < model.drums.size(); ++i) add(model.drums[i].name, of_drum, {"speed"}, i);
   for (std::size_t r = 0; r < model.reevings.size(); ++r) {
     for (std::size_t n = 0; n < model.reevings[r].nodes.size(); ++n) {
       const Node& node = model.reevings[r].nodes[n];
       const bool load = node.kind == NodeKind::load && !(node.load.part > 0);
-      if (node.motor) add(node.name, only(of_sheave, {"speed"}), r, static_cast<int>(n));
-      if (load) add(node.name, only(of_load, {"T_in", "T_out"}), r, static_cast<int>(n));
+      if (node.motor) add(node.name, of_sheave, {"speed"}, r, static_cast<int>(n));
+      if (load) add(node.name, of_load, {"T_in", "T_out"}, r, static_cast<int>(n));
     }
   }
-  for (std::size_t i = 0; i < model.contacts.size(); ++i) {
-    add(model.contacts[i].name, only(of_contact, {"N", "Ff"}), i);
-  }
-  for (std::size_t i = 0; i < model.actuators.size(); ++i) add(model.actuators[i].name, only(of_actuator, {"F"}), i);
+  for (std::size_t i = 0; i < model.contacts.size(); ++i) add(model.contacts[i].name, of_contact, {"N", "Ff"}, i);
+  for (std::size_t i = 0; i < model.actuators.size(); ++i) add(model.actuators[i].name, of_actuator, {"F"}, i);
   return all;
 }
 

@@ -21,16 +21,16 @@ struct Names {
 };
 
 /// The carriage of that name; a complaint at `path` where there is none.
-std::optional<int> carriage_of(Names& names, const std::string& name, const std::string& path);
+std::optional<int> carriage_of(Names& names, const std::string& name, const DeckPlace& path);
 /// The same for a reeving; a guy is one.
-std::optional<int> reeving_of(Names& names, const std::string& name, const std::string& path);
+std::optional<int> reeving_of(Names& names, const std::string& name, const DeckPlace& path);
 /// A carriage that is put at x, where the deck says both; complains of one without the other, and of a place on a
 /// support.
 std::optional<machine::Prescribed> prescribed_of(const std::optional<std::string>& carriage,
                                                  const std::optional<double>& x, const std::vector<double>& along,
-                                                 const std::string& path, Names& names);
+                                                 const DeckPlace& path, Names& names);
 /// Ending of the tables' names of an analysis of this kind: the deck's own, or the number from the second on.
 std::string ending_of(Names& names, const std::string& kind, const std::optional<std::string>& name,
-                      const std::string& path);
+                      const DeckPlace& path);
 
 }  // namespace taut::study

@@ -196,12 +196,11 @@ tl::expected<Parameter, std::string> parameter_at(const Description& description
 
 Range Parameter::range() const { return unit.is_angle && !field->unit.is_angle ? Range{} : field->range; }
 
-Outcome put(const Found& parameter, const std::string& path, double value) {
-  if (!parameter) return infeasible(parameter.error());
-  if (!std::isfinite(value) || !parameter->range().contains(value)) {
-    return infeasible(fmt::format("'{}' must be {}", path, range_text(*parameter->field)));
+Outcome put(const Parameter& parameter, double value) {
+  if (!std::isfinite(value) || !parameter.range().contains(value)) {
+    return infeasible(fmt::format("'{}' must be {}", parameter.path, range_text(*parameter.field)));
   }
-  parameter->set(value);
+  parameter.set(value);
   return {};
 }
 

@@ -35,7 +35,7 @@ tl::expected<Parameter, std::string> parameter_at(const Description& description
                                                   const std::string& path);
 
 /// Puts a number where the parameter is; infeasible outside what its field allows.
-Outcome put(const tl::expected<Parameter, std::string>& parameter, const std::string& path, double value);
+Outcome put(const Parameter& parameter, double value);
 
 /// A value of a parameter, SI; nothing with a complaint at `path` where it is none.
 std::optional<double> value_of(const std::string& text, const Parameter& parameter, const std::string& path,

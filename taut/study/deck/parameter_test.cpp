@@ -22,25 +22,24 @@ class PutNumber : public testing::Test {
 };
 
 TEST_F(PutNumber, ChangesWhatThePathLeadsTo) {
-  EXPECT_TRUE(put(at("loads[0].mass"), "loads[0].mass", 1200).ok());
+  EXPECT_TRUE(put(*at("loads[0].mass"), 1200).ok());
   EXPECT_EQ(machine.loads[0].mass, 1200);
 }
 
 TEST_F(PutNumber, RefusesWhatTheFieldDoesNotAllowAndLeavesTheOldNumber) {
   for (const double value : {-1.0, std::nan(""), std::numeric_limits<double>::infinity()}) {
-    const Outcome outcome = put(at("loads[0].mass"), "machine.loads[0].mass", value);
+    const Outcome outcome = put(*at("loads[0].mass"), value);
     EXPECT_EQ(outcome.status, Status::infeasible) << value;
-    EXPECT_NE(outcome.message.find("'machine.loads[0].mass' must be"), std::string::npos) << outcome.message;
+    EXPECT_NE(outcome.message.find("'loads[0].mass' must be"), std::string::npos) << outcome.message;
   }
   EXPECT_EQ(machine.loads[0].mass, 900);
-  EXPECT_FALSE(put(at("loads[0].masss"), "loads[0].masss", 1).ok());
 }
 
 TEST_F(PutNumber, AnAngleOfAForceHasNotTheRangeOfItsComponents) {
   const auto angle = at("loads[0].force.angle");
   ASSERT_TRUE(angle.has_value()) << angle.error();
   EXPECT_TRUE(angle->range().contains(-1e3));
-  ASSERT_TRUE(put(angle, "loads[0].force.angle", 0).ok());
+  ASSERT_TRUE(put(*angle, 0).ok());
   EXPECT_NEAR(machine.loads[0].force->at(0), 5e3, 1e-9);
   EXPECT_NEAR(machine.loads[0].force->at(2), 0, 1e-9);
 }

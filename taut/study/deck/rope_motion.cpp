@@ -98,21 +98,22 @@ solve::EquilibriumOptions RopeMotion::options(const machine::Model& model) const
   return options;
 }
 
-RopeMotion rope_motion(const std::vector<MotionRequest>& motion, const machine::Model& model, const std::string& path,
+RopeMotion rope_motion(const std::vector<MotionRequest>& motion, const machine::Model& model, const DeckPlace& path,
                        std::vector<Complaint>& complaints) {
   RopeMotion all;
   if (!motion.empty()) all.words.clear();
   for (const MotionRequest& one : motion) {
-    const std::string at = one.name.empty() ? path : fmt::format("{}.{}", path, one.name);
-    all.words += fmt::format("{}{}{}", all.words.empty() ? "" : ", ", one.name.empty() ? "" : one.name + " ",
-                             sense_words(one.sense));
+    const DeckPlace at = one.name.empty() ? path : DeckPlace(path, one.name);
+    if (!all.words.empty()) all.words += ", ";
+    if (!one.name.empty()) all.words += one.name + " ";
+    all.words += sense_words(one.sense);
     const auto sense = sense_of(one.sense);
     if (!sense) {
-      complaints.push_back({at, unknown_motion(one.sense)});
+      complaints.push_back({at.text(), unknown_motion(one.sense)});
       continue;
     }
     if (!one.name.empty()) {
-      if (auto wrong = unknown_contact(one.name, model)) complaints.push_back({at, std::move(*wrong)});
+      if (auto wrong = unknown_contact(one.name, model)) complaints.push_back({at.text(), std::move(*wrong)});
     }
     all.parts.push_back({one.name, *sense});
   }

@@ -31,7 +31,7 @@ struct RopeMotion {
 };
 
 /// The motion that a deck asks for; complaints at `path` of words and names that there are not.
-RopeMotion rope_motion(const std::vector<MotionRequest>& motion, const machine::Model& model, const std::string& path,
+RopeMotion rope_motion(const std::vector<MotionRequest>& motion, const machine::Model& model, const DeckPlace& path,
                        std::vector<Complaint>& complaints);
 
 /// One word for the whole machine.

@@ -60,9 +60,9 @@ Way way_of(std::optional<int> carriage, const std::vector<double>& along, const 
   return way;
 }
 
-Vector3 direction_of(const Array<double>& along, const std::string& path, std::vector<Complaint>& complaints) {
+Vector3 direction_of(const Array<double>& along, const DeckPlace& path, std::vector<Complaint>& complaints) {
   if (along.size() == 2 && std::hypot(along[0], along[1]) > 0) return Vector3(along[0], along[1], 0).normalized();
-  complaints.push_back({path, "a horizontal direction [x, y] is expected, not zero"});
+  complaints.push_back({path.text(), "a horizontal direction [x, y] is expected, not zero"});
   return Vector3::UnitX();
 }
 

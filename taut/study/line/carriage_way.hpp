@@ -26,7 +26,7 @@ LoadPathOptions path_over(const Way& way, const WayPart& part);
 Way way_of(std::optional<int> carriage, const std::vector<double>& along, const std::string& path, Names& names);
 
 /// The horizontal unit vector of a direction [x, y]; a complaint at `path` where it is none.
-Vector3 direction_of(const Array<double>& along, const std::string& path, std::vector<Complaint>& complaints);
+Vector3 direction_of(const Array<double>& along, const DeckPlace& path, std::vector<Complaint>& complaints);
 
 /// A carriage that is put somewhere can't be held by two ropes of given lengths: a complaint, reported once.
 void check_hold(const machine::Model& model, std::optional<int> carriage, std::vector<Complaint>& complaints);
