@@ -166,7 +166,7 @@ Result compute(const MachineDeck& deck, machine::Model model, study::AskedAll as
   for (std::string& text : results::held_tension_warnings(deck.machine, run.model))
     r.warnings.push_back(std::move(text));
   solve_states(deck, run, r);
-  run.checked = std::make_shared<checks::CheckedParts>(deck, run.model);
+  if (run.judges || !asked.more.empty()) run.checked = std::make_shared<checks::CheckedParts>(deck, run.model);
   if (run.judges) {
     results::show_put_up(run.model, lines, *run.checked);
     results::show_answers(run, *run.checked);

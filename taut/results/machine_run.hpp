@@ -33,7 +33,7 @@ struct MachineRun {
   std::vector<study::EquilibriumRun> equilibria;
   std::vector<study::LoadPathRun> paths;
   std::vector<OtherAnswer> others;
-  std::shared_ptr<checks::CheckedParts> checked;  ///< is shown every state that is judged
+  std::shared_ptr<checks::CheckedParts> checked;  ///< is shown every state that is judged; empty where none is
   std::function<bool(const Progress&)> progress;  ///< as in a Job
   Display display;                                ///< units for the sentences of the result
   KeyFigure key_figure;

@@ -5,7 +5,9 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <optional>
+#include <utility>
 
 #include "taut/base/array.hpp"
 #include "taut/math/index.hpp"
@@ -22,7 +24,8 @@ using Matrix12 = Eigen::Matrix<double, 12, 12>;
 constexpr int elements = 16;  ///< of a whole beam at least
 constexpr double largest_factor = 1000;
 constexpr double factor_precision = 1e-5;
-constexpr double hardly_any = 1e-9;  ///< a factor
+constexpr int most_iterations = 60;
+constexpr double hardly_any = 1e-6;  ///< a factor; below it rounding decides
 constexpr std::optional<int> every;  ///< beam
 
 /// How a cross-section moves: its displacement and turn by each coordinate that moves it.
@@ -106,15 +109,27 @@ class StiffnessAssembly {
     collect();
   }
 
-  /// With the forces of one beam, or of `every` one, multiplied.
-  bool definite(std::optional<int> beam, double factor) const {
-    SkylineMatrix K(inner_ + static_cast<int>(rest_.rows()));
-    for (const Term& t : terms_) {
-      const bool scaled = t.beam && (!beam || beam == t.beam);
-      K.add(t.row, t.column, t.elastic + (scaled ? factor : 1) * t.geometric);
-    }
-    return K.definite();
+  /// Factors of the stiffness with the forces of one beam, or of `every` one, multiplied; empty where it gives way.
+  std::optional<SkylineFactors> factors(std::optional<int> beam, double factor) const {
+    SkylineMatrix K(first_);
+    for (const Term& t : terms_) K.add(t.row, t.column, t.elastic + (scales(t, beam) ? factor : 1) * t.geometric);
+    return K.factors();
   }
+
+  bool definite(std::optional<int> beam, double factor) const { return factors(beam, factor).has_value(); }
+
+  /// What a unit of the factor takes from the stiffness along x.
+  Array<double> softening(std::optional<int> beam, const Array<double>& x) const {
+    Array<double> y(first_.size(), 0.0);
+    for (const Term& t : terms_) {
+      if (!scales(t, beam)) continue;
+      y[t.row] -= t.geometric * x[t.column];
+      if (t.row != t.column) y[t.column] -= t.geometric * x[t.row];
+    }
+    return y;
+  }
+
+  std::size_t size() const { return first_.size(); }
 
  private:
   /// What an entry of the stiffness is made of.
@@ -123,6 +138,8 @@ class StiffnessAssembly {
     std::optional<int> beam;
     double elastic = 0, geometric = 0;
   };
+
+  static bool scales(const Term& t, std::optional<int> beam) { return t.beam && (!beam || beam == t.beam); }
 
   int index(int i) const { return i < 0 ? inner_ - 1 - i : i; }
 
@@ -133,6 +150,12 @@ class StiffnessAssembly {
     }
     for (const Element& e : elements_) add_terms(e);
     for (const Arm& arm : arms_) add_terms(arm);
+    first_.resize(as_size(inner_ + static_cast<int>(rest_.rows())));
+    std::iota(first_.begin(), first_.end(), 0);
+    for (const Term& t : terms_) {
+      if (t.elastic != 0 || t.geometric != 0) first_[t.row] = std::min(first_[t.row], t.column);
+    }
+    std::erase_if(terms_, [](const Term& t) { return t.elastic == 0 && t.geometric == 0; });
   }
 
   void add_terms(const Element& e) {
@@ -242,8 +265,37 @@ class StiffnessAssembly {
   Array<Element> elements_;
   Array<Arm> arms_;
   Array<Term> terms_;
+  Array<int> first_;  ///< by row of the stiffness: the first column with something in it
   int inner_ = 0;
 };
+
+/// The factor nearest above `from` at which a direction loses its stiffness, by inverse iteration: K(from) y = -K' x,
+/// where 1/(factor - from) is the Rayleigh quotient of y. Of several that are near each other the quotient is right all
+/// the same. Where it finds none, or one below, infinite.
+double nearest_factor(const StiffnessAssembly& machine, std::optional<int> beam, double from) {
+  const std::optional<SkylineFactors> K = machine.factors(beam, from);
+  double found = std::numeric_limits<double>::infinity();
+  if (!K) return found;
+  Array<double> x(machine.size());
+  for (std::size_t i = 0; i < x.size(); ++i) x[i] = 1 + std::fmod(0.6180339887 * static_cast<double>(i), 1.0);
+  const auto dot = [](const Array<double>& a, const Array<double>& b) {
+    return std::inner_product(a.begin(), a.end(), b.begin(), 0.0);
+  };
+  Array<double> pushed = machine.softening(beam, x);
+  for (int i = 0; i < most_iterations; ++i) {
+    Array<double> y = pushed;
+    K->solve(y);
+    const double energy = dot(y, pushed);
+    pushed = machine.softening(beam, y);
+    const double quotient = dot(y, pushed) / energy;
+    if (!(quotient > 0)) return std::numeric_limits<double>::infinity();
+    const double before = std::exchange(found, from + 1 / quotient);
+    if (std::abs(found - before) <= factor_precision / 10 * found) break;
+    const double size = std::sqrt(dot(y, y));
+    for (double& one : pushed) one /= size;
+  }
+  return found;
+}
 
 double critical_factor(const StiffnessAssembly& machine, std::optional<int> beam, bool stable) {
   double low = 0, high = 1;
@@ -255,6 +307,11 @@ double critical_factor(const StiffnessAssembly& machine, std::optional<int> beam
     }
   } else if (!machine.definite(beam, hardly_any)) {
     return 0;
+  }
+  // first where it should be, then by halves
+  const double guess = nearest_factor(machine, beam, std::max(low, hardly_any));
+  for (const double beside : {guess * (1 - factor_precision / 3), guess * (1 + factor_precision / 3)}) {
+    if (beside > low && beside < high) (machine.definite(beam, beside) ? low : high) = beside;
   }
   while (high - low > factor_precision * high) {
     const double middle = (low + high) / 2;

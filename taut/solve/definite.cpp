@@ -4,6 +4,8 @@
 #include <cmath>
 
 #include "taut/base/array.hpp"
+#include "taut/base/expects.hpp"
+#include "taut/math/index.hpp"
 
 namespace taut::solve {
 namespace {
@@ -14,46 +16,67 @@ constexpr double undetermined = 1e-14;  ///< of the row as it was
 
 }  // namespace
 
-SkylineMatrix::SkylineMatrix(int size)
-    : values_(decltype(values_)::Zero(size, size)), first_(static_cast<std::size_t>(size), size) {}
-
-void SkylineMatrix::add(int row, int column, double value) {
-  if (value == 0) return;
-  values_(row, column) += value;
-  int& first = first_[row];
-  first = std::min(first, column);
+SkylineMatrix::SkylineMatrix(const Array<int>& first) : first_(first), start_(first.size() + 1, 0) {
+  for (std::size_t i = 0; i < first.size(); ++i) {
+    expects(first[i] >= 0 && first[i] <= static_cast<int>(i), "a row of a skyline begins at or before its diagonal");
+    start_[i + 1] = start_[i] + static_cast<int>(i) - first[i] + 1;
+  }
+  values_.assign(as_size(start_.back()), 0.0);
 }
 
-bool SkylineMatrix::definite() const {
-  const int n = static_cast<int>(first_.size());
-  Eigen::VectorXd scale(n);
-  for (int i = 0; i < n; ++i) {
-    const double d = values_(i, i);
-    if (d < 0) return false;
+void SkylineMatrix::add(int row, int column, double value) {
+  values_[as_size(start_[row] + column - first_[row])] += value;
+}
+
+std::optional<SkylineFactors> SkylineMatrix::factors() const {
+  const std::size_t n = first_.size();
+  SkylineFactors all{.first = first_,
+                     .start = start_,
+                     .L = Array<double>(values_.size()),
+                     .pivot = Array<double>(n),
+                     .scale = Array<double>(n)};
+  Array<double>&scale = all.scale, &pivot = all.pivot;
+  for (std::size_t i = 0; i < n; ++i) {
+    const double d = diagonal(i);
+    if (d < 0) return std::nullopt;
     scale[i] = d > 0 ? 1 / std::sqrt(d) : 1;
   }
-  // rows of L, with L D L' = the scaled matrix
-  Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> L(n, n);  // the rest is never read
-  Eigen::VectorXd pivot(n);
-  for (int i = 0; i < n; ++i) {
-    const int from = std::min(first_[i], i);
-    double rest = values_(i, i) * scale[i] * scale[i];
-    for (int j = from; j < i; ++j) {
-      const int both = std::max(from, std::min(first_[j], j));
-      double u = values_(i, j) * scale[i] * scale[j];
-      for (int k = both; k < j; ++k) u -= L(i, k) * pivot[k] * L(j, k);
+  for (std::size_t i = 0; i < n; ++i) {
+    // from the row's first column on
+    const double* const value = values_.data() + start_[i] - first_[i];
+    double* const L = all.L.data() + start_[i] - first_[i];
+    double rest = diagonal(i) * scale[i] * scale[i];
+    for (int j = first_[i]; j < static_cast<int>(i); ++j) {
+      const double* const Lj = all.L.data() + start_[j] - first_[j];
+      double u = value[j] * scale[i] * scale[j];
+      for (int k = std::max(first_[i], first_[j]); k < j; ++k) u -= L[k] * pivot[k] * Lj[k];
       if (pivot[j] == 0) {
-        if (std::abs(u) > coupled) return false;
-        L(i, j) = 0;
+        if (std::abs(u) > coupled) return std::nullopt;
+        L[j] = 0;
         continue;
       }
-      L(i, j) = u / pivot[j];
-      rest -= L(i, j) * u;
+      L[j] = u / pivot[j];
+      rest -= L[j] * u;
     }
-    if (rest < -neutral) return false;
+    if (rest < -neutral) return std::nullopt;
     pivot[i] = rest <= neutral ? 0 : rest;
   }
-  return true;
+  return all;
+}
+
+void SkylineFactors::solve(Array<double>& x) const {
+  const auto n = static_cast<int>(pivot.size());
+  for (int i = 0; i < n; ++i) {
+    const double* const row = L.data() + start[i] - first[i];
+    x[i] *= scale[i];
+    for (int j = first[i]; j < i; ++j) x[i] -= row[j] * x[j];
+  }
+  for (int i = 0; i < n; ++i) x[i] = pivot[i] > 0 ? x[i] / pivot[i] : 0;
+  for (int i = n - 1; i >= 0; --i) {
+    const double* const row = L.data() + start[i] - first[i];
+    for (int j = first[i]; j < i; ++j) x[j] -= row[j] * x[i];
+  }
+  for (int i = 0; i < n; ++i) x[i] *= scale[i];
 }
 
 std::optional<Eigen::MatrixXd> condense(const Eigen::MatrixXd& matrix, const Array<int>& order, int count) {

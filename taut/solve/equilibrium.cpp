@@ -166,8 +166,7 @@ Iteration come_to_rest(const mechanics::System& system, const machine::State& st
                          {.growth = any, .ropes = 1, .from_taut = true},
                          {.growth = 3, .ropes = 1, .from_taut = false}}) {
     s.c = way.from_taut ? taut_start(system, state) : start;
-    it = relax(system, s.c, s.e, relaxing_steps + static_cast<int>(system.layout.branches.size()), way.growth,
-               way.ropes);
+    it = relax(system, s.c, s.e, relaxing_steps, way.growth, way.ropes);
     s.steps += it.steps;
     if (it.converged) {
       it = newton(system, s.c, s.e, options.tolerance, options.iterations);

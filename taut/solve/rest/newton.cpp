@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "taut/base/array.hpp"
+#include "taut/math/index.hpp"
 #include "taut/math/linear_system.hpp"
 #include "taut/mechanics/beam_piece.hpp"
 #include "taut/mechanics/stiff_branch.hpp"
@@ -21,6 +22,7 @@ constexpr double most_rounding = 1e-8;     // of the largest force: more of it i
 constexpr double least_free = 1e-6;        // of what no row determines: less is rounding
 constexpr double most_fall = 0.7;          // of a rope's force and weight per step
 constexpr double forces_settled = 1e-7;    // of the largest: rounded lengths may leave so much of a last step
+constexpr double alone = 0.01;             // of the drag between the ends of a branch: of a body against the ground
 constexpr double finest_step = 1e-12;      // of the machine's length: a smaller step is rounding
 
 /// Calls `f` with each branch and unknown of a force.
@@ -146,13 +148,38 @@ void for_each_flow(const mechanics::System& s, const Array<FedEnd>& fed, const F
   for (const FedEnd& end : fed) f(end.row, end.first, end.last, -1);
 }
 
+/// A drag between the ends of each branch: neighbours that fall together fall freely, so that a long chain takes its
+/// curve at once, where against the ground it would be drawn taut from its ends, rope by rope.
+void add_drag_between(const mechanics::System& s, const mechanics::Configuration& c, double drag, Entries& J) {
+  for (const mechanics::Layout::Branch& branch : s.layout.branches) {
+    const Array<machine::Node>& nodes = s.model.reevings[branch.reeving].nodes;
+    const machine::Place* const ends[] = {&nodes[branch.from].at, &nodes[branch.to].at};
+    const auto for_each_dof = [&](const auto& f) {
+      for (int side = 0; side < 2; ++side) {
+        const int body = ends[side]->body;
+        if (body == machine::ground) continue;
+        const Vector3 arm = c.bodies[body].orientation * ends[side]->at;
+        for (int i = s.layout.first_dof[body]; i < s.layout.first_dof[as_size(body) + 1]; ++i) {
+          const machine::Freedom& way = s.layout.dofs[i].way;
+          f(i, Vector3((side == 0 ? 1 : -1) * (way.along + way.about.cross(arm))));
+        }
+      }
+    };
+    for_each_dof([&](int i, const Vector3& row) {
+      for_each_dof([&](int j, const Vector3& column) { J.add(i, j, -drag * row.dot(column)); });
+    });
+  }
+}
+
 /// Lets the bodies and the ropes over their contacts move against a drag (N/m) instead of at once: what moves does so
 /// towards equilibrium. A rope flows to where its tension is larger; a fed rope is paid out while its tension is above
 /// the given one.
-void add_drag(const mechanics::System& s, const Array<FedEnd>& fed, double drag, double ropes, Entries& J) {
+void add_drag(const mechanics::System& s, const mechanics::Configuration& c, const Array<FedEnd>& fed, double drag,
+              double ropes, Entries& J) {
+  add_drag_between(s, c, drag, J);
   for (int i = 0; i < static_cast<int>(s.layout.dofs.size()); ++i) {
     const bool turns = s.layout.dofs[i].way.about != Vector3::Zero();
-    J.add(i, i, -drag * (turns ? s.layout.length * s.layout.length : 1));
+    J.add(i, i, -drag * (turns ? s.layout.length * s.layout.length : alone));
   }
   for_each_flow(s, fed, [&](int row, int first, int last, int sign) {
     for (int k = first; k <= last; ++k) J.add(row, s.layout.branches[k].unknown, sign * ropes * drag);
@@ -327,7 +354,7 @@ Iteration relax(const mechanics::System& s, mechanics::Configuration& c, mechani
       return it;
     }
     mechanics::jacobian(s, c, e, J, columns);
-    add_drag(s, fed, drag, ropes, J);
+    add_drag(s, c, fed, drag, ropes, J);
     linear.factor(J);
     const mechanics::Change change = mechanics::change_of(s, c, e, columns, linear.unscaled(linear.solve(e.residual)));
     if (!change.step.allFinite()) return it;

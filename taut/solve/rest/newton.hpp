@@ -32,8 +32,8 @@ Iteration newton_with_forces(const mechanics::System& system, mechanics::Configu
 /// (pseudo-transient continuation: Kelley, Keyes, SIAM J. Numer. Anal. 35 (1998) 508): from a start where ropes are
 /// slack or far from their places. It ends within 1e-4 of equilibrium, for `newton` to finish. `most_growth`: of the
 /// worst force in one step; infinite is quick where bodies fall into slack ropes, a small one careful. `ropes`: how
-/// much of the bodies' drag holds back a rope over its contacts and where it is fed in; little, and tensions even out
-/// before bodies move far.
+/// much of the drag between bodies holds back a rope over its contacts and where it is fed in; little, and tensions
+/// even out before bodies move far.
 Iteration relax(const mechanics::System& system, mechanics::Configuration& c, mechanics::Evaluation& e, int most_steps,
                 double most_growth, double ropes);
 
