@@ -1,0 +1,88 @@
+#include "taut/app/cases/case_values.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+namespace taut::app::case_values_test {
+
+using testing::HasSubstr;
+
+Value value_of(const std::string& name, double x, const std::string& label = {}) {
+  Value v;
+  v.name = name;
+  v.value = x;
+  v.unit = si::N;
+  v.label = label;
+  return v;
+}
+
+/// A tension, the same of a second analysis, and a check.
+Result some() {
+  Result r;
+  r.values = {value_of("sky.T_max", 3e3, "largest tension"), value_of("sky.T_max_2", 5e3)};
+  Check c;
+  c.name = "sky.safety_factor";
+  c.value = 4;
+  c.utilisation = 0.75;
+  c.rule = "at least 3";
+  r.checks = {c};
+  return r;
+}
+
+TEST(CaseValues, AreFoundByNameByTheEndingOfTheirAnalysisAndAsChecks) {
+  const std::vector<WantedValue> wanted = {
+      {.output = 2, .name = "sky.T_max", .ending = "", .place = ""},
+      {.output = 0, .name = "sky.safety_factor", .ending = "", .place = ""},
+      {.output = 1, .name = "sky.safety_factor.utilisation", .ending = "", .place = ""}};
+  std::vector<double> outputs(3, 0);
+  ASSERT_TRUE(take_values(some(), wanted, outputs).ok());
+  EXPECT_THAT(outputs, testing::ElementsAre(4, 0.75, 3e3));
+  Result second = some();
+  second.values.erase(second.values.begin());
+  ASSERT_TRUE(take_values(second, {{.output = 0, .name = "sky.T_max", .ending = "_2", .place = ""}}, outputs).ok());
+  EXPECT_EQ(outputs[0], 5e3);
+}
+
+TEST(CaseValues, ACaseWithoutOneOfThemHasNoAnswer) {
+  std::vector<double> outputs(1, 0);
+  const WantedValue wanted{.output = 0, .name = "sky.T_min", .ending = "", .place = ""};
+  const Outcome missing = take_values(some(), {wanted}, outputs);
+  EXPECT_EQ(missing.status, Status::infeasible);
+  EXPECT_THAT(missing.message, HasSubstr("'sky.T_min'"));
+  Result none = some();
+  none.values[0].value = std::nan("");
+  EXPECT_FALSE(take_values(none, {{.output = 0, .name = "sky.T_max", .ending = "", .place = ""}}, outputs).ok());
+  Result failed;
+  failed.status = Status::not_converged;
+  failed.message = "why";
+  const Outcome outcome = take_values(failed, {wanted}, outputs);
+  EXPECT_EQ(outcome.status, Status::not_converged);
+  EXPECT_EQ(outcome.message, "why");
+}
+
+TEST(CaseValues, AnUnknownOutputIsToldAtItsPlaceWithWhatThereIs) {
+  CaseModel made;
+  made.outputs.resize(1);
+  NoCases wrong;
+  add_outputs(some(), {{.output = 0, .name = "sky.T_maxx", .ending = "", .place = "study.of[0]"}}, made, wrong);
+  ASSERT_EQ(wrong.complaints.size(), 1U);
+  EXPECT_EQ(wrong.complaints[0].path, "study.of[0]");
+  EXPECT_THAT(wrong.complaints[0].message, HasSubstr("did you mean 'sky.T_max'"));
+  wrong = {};
+  add_outputs(some(), {{.output = 0, .name = "sky.T_max", .ending = "", .place = ""}}, made, wrong);
+  EXPECT_TRUE(wrong.complaints.empty());
+  EXPECT_EQ(made.outputs[0].label, "largest tension");
+  EXPECT_EQ(made.outputs[0].base, 3e3);
+}
+
+TEST(CaseValues, AnAssignmentHasEveryDigit) {
+  const CaseInput travel{.path = "parameters.travel", .unit = si::m, .range = {}, .base = 3};
+  EXPECT_EQ(assignment(travel, 0.1), "parameters.travel=0.10000000000000001 m");
+  const CaseInput share{.path = "parameters.share", .unit = si::one, .range = {}, .base = 0.5};
+  EXPECT_EQ(assignment(share, 0.25), "parameters.share=0.25");
+}
+
+}  // namespace taut::app::case_values_test
