@@ -200,12 +200,13 @@ Result compute(const MachineDeck& deck, machine::Model model, study::AskedAll as
 
 /// The names of what a result has only where its states are shown to the verdict: of other analyses and beams all.
 std::set<std::string> judged_names(const results::MachineRun& run, bool more, const Result& whole) {
-  Result own;
-  if (!more && run.model.beams.empty()) {
-    run.checked->judge.add_values(own);
-    run.checked->drives.add_checks(own);
+  Result r;
+  if (more || !run.model.beams.empty()) {
+    r = whole;
+  } else {
+    run.checked->judge.add_values(r);
+    run.checked->drives.add_checks(r);
   }
-  const Result& r = more || !run.model.beams.empty() ? whole : own;
   std::set<std::string> names;
   for (const Value& one : r.values) names.insert(one.name);
   for (const Check& one : r.checks) names.insert(one.name);
@@ -238,6 +239,7 @@ void place_in_machine(const io::Node& input, std::vector<Complaint> complaints, 
   io::place(input, complaints, mistakes);
 }
 
+/// Only motions and pulls in turn write down what the deck does not name; frequencies are of the same model.
 machine::ModelFor use_of(const MachineDeck& deck) {
   const bool moves = std::any_of(deck.analyses.begin(), deck.analyses.end(), [](const study::AnalysisRequest& one) {
     return one.transient || one.pretension || one.modes;

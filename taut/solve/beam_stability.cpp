@@ -1,5 +1,6 @@
 #include "taut/solve/beam_stability.hpp"
 
+#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
@@ -24,6 +25,8 @@ using Matrix12 = Eigen::Matrix<double, 12, 12>;
 constexpr int elements = 16;  ///< of a whole beam at least
 constexpr double largest_factor = 1000;
 constexpr double factor_precision = 1e-5;
+constexpr double ritz_precision = 1e-10;
+constexpr Eigen::Index directions = 3;
 constexpr int most_iterations = 60;
 constexpr double hardly_any = 1e-6;  ///< a factor; below it rounding decides
 constexpr std::optional<int> every;  ///< beam
@@ -118,18 +121,18 @@ class StiffnessAssembly {
 
   bool definite(std::optional<int> beam, double factor) const { return factors(beam, factor).has_value(); }
 
-  /// What a unit of the factor takes from the stiffness along x.
-  Array<double> softening(std::optional<int> beam, const Array<double>& x) const {
-    Array<double> y(first_.size(), 0.0);
+  /// What a unit of the factor takes from the stiffness, along each column.
+  Eigen::MatrixXd softening(std::optional<int> beam, const Eigen::MatrixXd& X) const {
+    Eigen::MatrixXd Y = Eigen::MatrixXd::Zero(X.rows(), X.cols());
     for (const Term& t : terms_) {
       if (!scales(t, beam)) continue;
-      y[t.row] -= t.geometric * x[t.column];
-      if (t.row != t.column) y[t.column] -= t.geometric * x[t.row];
+      Y.row(t.row) -= t.geometric * X.row(t.column);
+      if (t.row != t.column) Y.row(t.column) -= t.geometric * X.row(t.row);
     }
-    return y;
+    return Y;
   }
 
-  std::size_t size() const { return first_.size(); }
+  Eigen::Index size() const { return static_cast<Eigen::Index>(first_.size()); }
 
  private:
   /// What an entry of the stiffness is made of.
@@ -269,30 +272,29 @@ class StiffnessAssembly {
   int inner_ = 0;
 };
 
-/// The factor nearest above `from` at which a direction loses its stiffness, by inverse iteration: K(from) y = -K' x,
-/// where 1/(factor - from) is the Rayleigh quotient of y. Of several that are near each other the quotient is right all
-/// the same. Where it finds none, or one below, infinite.
+/// The factor nearest above `from` at which a direction loses its stiffness, by inverse iteration on a few directions
+/// at once, as a round mast buckles in two nearly alike: K(from) Y = S X, where S is what a unit of the factor takes,
+/// and 1/(factor - from) the largest Ritz value of S in the space of Y. Infinite where it finds none.
 double nearest_factor(const StiffnessAssembly& machine, std::optional<int> beam, double from) {
+  constexpr double none = std::numeric_limits<double>::infinity();
   const std::optional<SkylineFactors> K = machine.factors(beam, from);
-  double found = std::numeric_limits<double>::infinity();
-  if (!K) return found;
-  Array<double> x(machine.size());
-  for (std::size_t i = 0; i < x.size(); ++i) x[i] = 1 + std::fmod(0.6180339887 * static_cast<double>(i), 1.0);
-  const auto dot = [](const Array<double>& a, const Array<double>& b) {
-    return std::inner_product(a.begin(), a.end(), b.begin(), 0.0);
-  };
-  Array<double> pushed = machine.softening(beam, x);
+  const Eigen::Index n = machine.size(), count = std::min(n, directions);
+  if (!K || count == 0) return none;
+  Eigen::MatrixXd Y(n, count);
+  for (Eigen::Index k = 0; k < Y.size(); ++k) Y(k) = std::fmod(0.6180339887 * static_cast<double>(k + 1), 1.0) - 0.5;
+  double found = none;
   for (int i = 0; i < most_iterations; ++i) {
-    Array<double> y = pushed;
-    K->solve(y);
-    const double energy = dot(y, pushed);
-    pushed = machine.softening(beam, y);
-    const double quotient = dot(y, pushed) / energy;
-    if (!(quotient > 0)) return std::numeric_limits<double>::infinity();
-    const double before = std::exchange(found, from + 1 / quotient);
-    if (std::abs(found - before) <= factor_precision / 10 * found) break;
-    const double size = std::sqrt(dot(y, y));
-    for (double& one : pushed) one /= size;
+    const Eigen::MatrixXd pushed = machine.softening(beam, Y);
+    Y = pushed;
+    for (Eigen::Index k = 0; k < count; ++k) K->solve(Y.col(k));
+    const Eigen::MatrixXd energy = Y.transpose() * pushed, work = Y.transpose() * machine.softening(beam, Y);
+    const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> ritz((work + work.transpose()) / 2,
+                                                                         (energy + energy.transpose()) / 2);
+    if (ritz.info() != Eigen::Success || !(ritz.eigenvalues()[count - 1] > 0)) return none;
+    const double before = std::exchange(found, from + 1 / ritz.eigenvalues()[count - 1]);
+    if (std::abs(found - before) <= ritz_precision * found) return found;
+    Y = (Y * ritz.eigenvectors()).eval();
+    Y.colwise().normalize();
   }
   return found;
 }
@@ -308,11 +310,10 @@ double critical_factor(const StiffnessAssembly& machine, std::optional<int> beam
   } else if (!machine.definite(beam, hardly_any)) {
     return 0;
   }
-  // first where it should be, then by halves
   const double guess = nearest_factor(machine, beam, std::max(low, hardly_any));
-  for (const double beside : {guess * (1 - factor_precision / 3), guess * (1 + factor_precision / 3)}) {
-    if (beside > low && beside < high) (machine.definite(beam, beside) ? low : high) = beside;
-  }
+  const double below = guess * (1 - factor_precision), above = guess * (1 + factor_precision);
+  const bool stands = low <= below && below < high && machine.definite(beam, below);
+  if (stands && !machine.definite(beam, above)) return guess;
   while (high - low > factor_precision * high) {
     const double middle = (low + high) / 2;
     (machine.definite(beam, middle) ? low : high) = middle;

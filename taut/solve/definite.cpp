@@ -64,7 +64,7 @@ std::optional<SkylineFactors> SkylineMatrix::factors() const {
   return all;
 }
 
-void SkylineFactors::solve(Array<double>& x) const {
+void SkylineFactors::solve(Eigen::Ref<Eigen::VectorXd> x) const {
   const auto n = static_cast<int>(pivot.size());
   for (int i = 0; i < n; ++i) {
     const double* const row = L.data() + start[i] - first[i];

@@ -13,8 +13,8 @@ struct SkylineFactors {
   Array<double> L;          ///< row by row
   Array<double> pivot;      ///< 0: a direction without stiffness
   Array<double> scale;
-  /// Solves K x = b; what has no stiffness stays where it is.
-  void solve(Array<double>& x) const;
+  /// Solves K x = b in place; what has no stiffness stays where it is.
+  void solve(Eigen::Ref<Eigen::VectorXd> x) const;
 };
 
 /// A symmetric matrix, its lower half by rows, whose rows are empty up to some column: elements along a beam.

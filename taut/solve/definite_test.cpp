@@ -62,11 +62,10 @@ TEST(Definite, ItsFactorsSolve) {
     for (int k = 0; k < n; ++k) D[k] = dice.ten_to(-2, 3), x[k] = dice.in(-1, 1);
     const Eigen::MatrixXd A = with_inertia(dice, D, 1 + dice.below(6));
     const Eigen::VectorXd b = A * x;
-    Array<double> found(b.data(), b.data() + n);
+    Eigen::VectorXd found = b;
     skyline(A).factors()->solve(found);
     // to the rounding of the matrix, whose condition is up to 1e5 times the square of that of its unit factor
-    const Eigen::VectorXd back = A * Eigen::Map<Eigen::VectorXd>(found.data(), n);
-    EXPECT_LT((back - b).norm(), 1e-10 * A.norm() * x.norm()) << n;
+    EXPECT_LT((A * found - b).norm(), 1e-10 * A.norm() * x.norm()) << n;
   }
 }
 
