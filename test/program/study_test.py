@@ -157,17 +157,20 @@ class SameCases(Folder):
         self.assertTrue(list(folder.glob("parts/*.h5")))
 
     def test_two_threads_take_no_more_processor_time(self):
-        def seconds(threads):
+        def seconds(threads, attempt):
             before = resource.getrusage(resource.RUSAGE_CHILDREN)
-            taut("study", "run", STUDIES / "three_span_chance.yaml", "-o", self.top / f"time{threads}", "--set",
+            taut("study", "run", STUDIES / "three_span_chance.yaml", "-o", self.top / f"time{threads}-{attempt}", "--set",
                  "study.answer=[quantiles]", "--set", "study.samples=4096", "--threads", str(threads))
             after = resource.getrusage(resource.RUSAGE_CHILDREN)
             return after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
 
         if FEWER or len(os.sched_getaffinity(0)) < 2:
             self.skipTest("sanitizers, or one core")
-        # the best of three: what else the machine does is not taut's
-        self.assertLessEqual(min(seconds(2) for _ in range(3)), 1.1 * min(seconds(1) for _ in range(3)))
+        # one pair of five: threads that wait or repeat show in each, what else the machine does does not
+        ratios = []
+        while len(ratios) < 5 and min(ratios, default=2) > 1.1:
+            ratios.append(seconds(2, len(ratios)) / seconds(1, len(ratios)))
+        self.assertLessEqual(min(ratios), 1.1, ratios)
 
     def test_another_deck_in_the_folder_is_refused(self):
         done = taut("study", "run", *self.deck(), "-o", self.reference, "--set", "study.seed=2")
