@@ -49,7 +49,9 @@ TEST(BeamStability, ARoundStrutHasTheSameFactorWhicheverWayItStands) {
   for (const double wider : {1.0, 1 + 1e-9, 1 + 1e-6, 1 + 1e-4}) {
     double first = 0;
     for (const Vector3& axis : {Vector3(0, 0, 1), Vector3(0.48, 0.6, 0.64), Vector3(-0.6, 0, 0.8), Vector3(0, 1, 0)}) {
-      const auto found = pressed(strut(BeamHold::hinged, BeamTop::hinged, axis, 7, wider), -3e4 * axis);
+      machine::Model m = strut(BeamHold::hinged, BeamTop::hinged, axis, 7, wider);
+      for (machine::BeamPiece& piece : m.beams.at(0).pieces) piece.rod.section.EA /= 1e5;  // or its rounding shows
+      const auto found = pressed(m, -3e4 * axis);
       ASSERT_TRUE(found.has_value());
       ASSERT_TRUE(found->stable);
       const double factor = found->factors.at(0);
