@@ -1,6 +1,6 @@
 // One case of a study against the bare equilibrium that it rests on: the same machine, its model ready, from the same
-// state (`of_bare`: time in units of it). What a case has besides: the numbers put in, the model compiled, lines put
-// up, the outputs taken.
+// state (`of_bare`: time in units of it, with the release of its result, as in any loop). What a case has besides: the
+// numbers put in, the model compiled, lines put up, the outputs taken.
 #include <benchmark/benchmark.h>
 
 #include <chrono>

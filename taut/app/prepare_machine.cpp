@@ -239,7 +239,7 @@ void place_in_machine(const io::Node& input, std::vector<Complaint> complaints, 
   io::place(input, complaints, mistakes);
 }
 
-/// Only motions and pulls in turn write down what the deck does not name; frequencies are of the same model.
+/// What a deck that names nothing to observe has observed is for motions, pulls in turn and vibrations.
 machine::ModelFor use_of(const MachineDeck& deck) {
   const bool moves = std::any_of(deck.analyses.begin(), deck.analyses.end(), [](const study::AnalysisRequest& one) {
     return one.transient || one.pretension || one.modes;

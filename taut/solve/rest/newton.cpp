@@ -22,8 +22,8 @@ constexpr double most_rounding = 1e-8;     // of the largest force: more of it i
 constexpr double least_free = 1e-6;        // of what no row determines: less is rounding
 constexpr double most_fall = 0.7;          // of a rope's force and weight per step
 constexpr double forces_settled = 1e-7;    // of the largest: rounded lengths may leave so much of a last step
-constexpr double alone = 0.01;             // of the drag between the ends of a branch: of a body against the ground
-constexpr double finest_step = 1e-12;      // of the machine's length: a smaller step is rounding
+constexpr double alone = 0.01;  // of the drag between the ends of a branch: of a body against the ground; turns in full
+constexpr double finest_step = 1e-12;  // of the machine's length: a smaller step is rounding
 
 /// Calls `f` with each branch and unknown of a force.
 template <class F>
