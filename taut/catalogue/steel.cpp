@@ -77,6 +77,13 @@ std::vector<std::string> spellings(const SteelRow& steel) {
   return out;
 }
 
+std::vector<std::vector<std::string>> spellings_of(const std::vector<SteelRow>& table) {
+  std::vector<std::vector<std::string>> all;
+  all.reserve(table.size());
+  for (const SteelRow& row : table) all.push_back(spellings(row));
+  return all;
+}
+
 std::vector<std::string> full_names(const std::vector<const SteelRow*>& rows) {
   std::vector<std::string> out;
   out.reserve(rows.size());
@@ -133,10 +140,13 @@ const std::vector<SteelRow>& steels() {
 
 Found<SteelRow> find_steel(std::string_view name, const std::vector<SteelRow>& table) {
   const std::string wanted = normalised(name);
+  // a design asks for its steel at each trial: the names of our own table are made once
+  static const auto of_ours = spellings_of(steels());
+  const auto all = &table == &steels() ? std::nullopt : std::optional(spellings_of(table));
+  const auto& names = all ? *all : of_ours;
   std::vector<const SteelRow*> found;
-  for (const SteelRow& row : table) {
-    const auto names = spellings(row);
-    if (std::find(names.begin(), names.end(), wanted) != names.end()) found.push_back(&row);
+  for (std::size_t i = 0; i < table.size(); ++i) {
+    if (std::find(names[i].begin(), names[i].end(), wanted) != names[i].end()) found.push_back(&table[i]);
   }
   if (found.empty()) return tl::unexpected(no_such_steel(name, table));
   const auto design_end = std::stable_partition(found.begin(), found.end(),

@@ -27,7 +27,7 @@ struct OneBeam {
     machine::add_beam(m, b);
     const machine::State state = machine::initial_state(m);
     layout = mechanics::layout(m, state, std::nullopt, taut_test::no_flow(m));
-    c = taut_test::configuration_of(layout, state);
+    c = mechanics::configuration_of(layout, state);
   }
   const Eigen::VectorXd& residual() {
     e.residual.setZero(layout.size);

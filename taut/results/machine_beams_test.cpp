@@ -54,6 +54,30 @@ TEST(MachineBeams, BucklingIsExitThree) {
   EXPECT_NE(s.message.find("buckles"), std::string::npos) << s.message;
 }
 
+/// A search for a sag goes without factors, but where it ends its reason has them: 1 where the mast just buckles.
+TEST(MachineBeams, ASearchThatEndsWhereABeamBucklesTellsWhichAndByHowMuch) {
+  const char* const deck = R"(taut: 1
+machine:
+  points: {foot: [0 m, 0 m, 0 m], head: [0 m, 0 m, 12 m], tail: [250 m, 0 m, 20 m], west: [-14 m, 9 m, 0 m], east: [-14 m, -9 m, 0 m]}
+  ropes: {line: {mass: 1.5 kg/m, stiffness: 20 MN}}
+  beams: {mast: {from: foot, to: head, section: CHS 114.3x4, steel: S355, base: hinge}}
+  carriages: {car: {mass: 250 kg, rides: skyline, hold: clamped}}
+  reevings:
+    - {name: skyline, rope: line, path: [{anchor: mast.top}, {through: car}, {anchor: tail}], length: 256 m}
+  guys:
+    one: {rope: line, from: mast.top, to: west, install: {tension: 5 kN, at: top}}
+    two: {rope: line, from: mast.top, to: east, install: {tension: 5 kN, at: top}}
+  loads: [{at: car, mass: 0.3 t}]
+analyses:
+  - equilibrium: {carriage: car, x: 125 m, given: {reeving: skyline, sag: 4 m}}
+)";
+  const taut::Result r = run_text(deck);
+  EXPECT_EQ(exit_code(r), 3);
+  EXPECT_NE(r.message.find("no length of 'skyline' found with this sag"), std::string::npos) << r.message;
+  EXPECT_NE(r.message.find("beam 'mast' buckles: its compression of 16.4"), std::string::npos) << r.message;
+  EXPECT_NE(r.message.find("is 1 times what it holds"), std::string::npos) << r.message;
+}
+
 const char* const guyed = R"(taut: 1
 machine:
   ropes: {guy: {mass: 1.2 kg/m, stiffness: 15 MN, breaking_force: 180 kN}}

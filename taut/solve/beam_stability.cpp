@@ -374,7 +374,7 @@ std::optional<BeamStability> beam_stability(const mechanics::System& s, const me
   const StiffnessAssembly machine(s, c, stiffness, coordinates);
   BeamStability result;
   result.stable = machine.definite(every, 1);
-  if (result.stable && !factors) return result;
+  if (!factors) return result;
   const double together = result.stable ? 0 : critical_factor(machine, every, false);
   for (int b = 0; b < static_cast<int>(s.model.beams.size()); ++b) {
     const double own = critical_factor(machine, b, result.stable);

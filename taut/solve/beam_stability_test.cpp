@@ -21,7 +21,7 @@ using namespace taut_test;
 std::optional<BeamStability> pressed(const machine::Model& m, const Vector3& force, bool factors = true) {
   const machine::State state = machine::initial_state(m);
   const mechanics::Layout layout = mechanics::layout(m, state, std::nullopt, no_flow(m));
-  mechanics::Configuration c = configuration_of(layout, state);
+  mechanics::Configuration c = mechanics::configuration_of(layout, state);
   for (machine::PieceState& piece : c.pieces) piece.force = force;
   return beam_stability({.model = m, .layout = layout}, c, factors);
 }

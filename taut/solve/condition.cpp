@@ -55,24 +55,36 @@ class ConditionSearch {
     return tried_.emplace_back(u, search(u)).second;
   }
 
+  /// Why there is no equilibrium where there was none last; ok where there always was one.
+  Outcome failure() const {
+    if (!failed_) return {};
+    EquilibriumOptions telling = options_;
+    telling.beam_factors = true;
+    return equilibrium(varied(*failed_), telling, near_).outcome;
+  }
+
   Conditioned best;
-  Outcome failed;
 
  private:
-  double search(double u) {
-    machine::Model varied = best.model;
-    machine::Reeving& rope = varied.reevings[condition_.reeving];
+  machine::Model varied(double u) const {
+    machine::Model model = best.model;
+    machine::Reeving& rope = model.reevings[condition_.reeving];
     rope.value = rope.given == machine::Given::length ? first_ * (1 + u) : first_ * std::exp(u);
-    EquilibriumResult r = equilibrium(varied, options_, near_);
+    return model;
+  }
+
+  double search(double u) {
+    machine::Model model = varied(u);
+    EquilibriumResult r = equilibrium(model, options_, near_);
     if (!r.outcome.ok()) {
-      failed = r.outcome;
+      failed_ = u;
       return std::nan("");
     }
     near_ = r.state;
-    const double open = misfit(varied, r);
+    const double open = misfit(model, r);
     if (!(std::abs(open) > best_misfit)) {
       best_misfit = std::abs(open);
-      best = {.model = std::move(varied), .result = std::move(r)};
+      best = {.model = std::move(model), .result = std::move(r)};
     }
     return std::abs(open) <= met * std::abs(condition_.value) ? 0 : open;
   }
@@ -106,23 +118,26 @@ class ConditionSearch {
   EquilibriumOptions options_;
   std::optional<machine::State> near_;
   double first_;
+  std::optional<double> failed_;            ///< u without an equilibrium, the last one
   Array<std::pair<double, double>> tried_;  ///< u and what was open there
   double best_misfit = std::numeric_limits<double>::infinity();
 };
 
-/// From u = 0 on, one way: steps that double until the sign changes, halved where there is no equilibrium.
+/// From u = 0 on, one way: steps that double until the sign changes. Where there is no equilibrium steps are quarters
+/// of the way there, so that the last one that holds is found too.
 std::optional<std::pair<double, double>> bracket(ConditionSearch& search, double at_zero, double way) {
-  double known = 0, step = first_step;
+  double known = 0, step = first_step, none = std::numeric_limits<double>::infinity();
   for (int i = 0; i < most_search_steps && step > least_step; ++i) {
     const double next = known + way * step;
     const double open = next > -1 ? search(next) : std::nan("");
     if (std::isnan(open)) {
+      none = std::abs(next);
       step /= 4;
       continue;
     }
     if ((open < 0) != (at_zero < 0)) return std::minmax(known, next);
     known = next;
-    step *= 2;
+    step = std::min(2 * step, (none - std::abs(known)) / 2);
     if (std::abs(known) > 20) break;
   }
   return std::nullopt;
@@ -191,7 +206,7 @@ Conditioned equilibrium_under(const machine::Model& model, const Condition& cond
   const std::string& name = model.reevings[condition.reeving].name;
   const double at_zero = search(0);
   if (std::isnan(at_zero)) {
-    search.best.result.outcome = search.failed;
+    search.best.result.outcome = search.failure();
     return search.best;
   }
   const bool by_length = model.reevings[condition.reeving].given == machine::Given::length;
@@ -201,9 +216,10 @@ Conditioned equilibrium_under(const machine::Model& model, const Condition& cond
   auto between = at_zero == 0 ? std::optional(std::pair(0.0, 0.0)) : bracket(search, at_zero, way);
   if (!between) between = bracket(search, at_zero, -way);
   if (!between) {
+    const Outcome failed = search.failure();
     search.best.result.outcome = infeasible(
         fmt::format("no {} of '{}' found {}{}{}", by_length ? "length" : "tension", name, words(condition.kind),
-                    search.failed.ok() ? "" : ": beyond some there is no equilibrium: ", search.failed.message));
+                    failed.ok() ? "" : ": beyond some there is no equilibrium: ", failed.message));
     return search.best;
   }
   static_cast<void>(find_root([&](double u) { return search(u); }, between->first, between->second));

@@ -11,6 +11,7 @@
 #include "taut/machine/compile/guides.hpp"
 #include "taut/machine/without_rope.hpp"
 #include "taut/math/index.hpp"
+#include "taut/mechanics/configuration.hpp"
 #include "taut/solve/band.hpp"
 #include "taut/solve/beam_tables.hpp"
 #include "taut/solve/rest/far_loop.hpp"
@@ -33,74 +34,22 @@ namespace {
 
 using Flow = Array<Array<int>>;
 
-constexpr int relaxing_steps = 400;  ///< and one for each branch: a chain let go is drawn taut from its ends inwards
+constexpr int relaxing_steps = 400;  ///< of one fall; the tests take up to 397
 constexpr double same_place = 1e-6;  ///< of the machine's length: two answers are one
 constexpr int parts_of_losses = 16;
-constexpr double drawn_taut = 0.999;
 constexpr int most_changes = 40;        ///< of what touches what
 constexpr double no_force = 1e-9;       ///< of the weight of a carriage and its load: holds nothing
 constexpr double lightest = 1.0 / 256;  ///< share of the weight of a fed rope that its search begins with
 constexpr double least_weight_step = 1e-3;
 constexpr int most_pull_doublings = 5;
 constexpr double pull_precision = 1e-4;
+constexpr int coarser_beams = 3;  ///< steps of a beam for one of a fall: their error, 1e-5, is below where a fall ends
 
 /// The weight of a body and of the loads on it, N.
 double weight_on(const machine::Model& model, int body) {
   double weight = model.bodies[body].mass * model.gravity;
   for (const machine::Load& load : model.loads) weight += load.at.body == body ? load.force.norm() : 0;
   return weight;
-}
-
-mechanics::Configuration configuration_of(const mechanics::Layout& layout, const machine::State& state) {
-  mechanics::Configuration c;
-  c.bodies = state.bodies;
-  c.open_loads.assign(layout.ropes.size(), 0);
-  for (const mechanics::Layout::Branch& laid : layout.branches)
-    c.branches.push_back(state.branches[laid.reeving][laid.from]);
-  for (const mechanics::Layout::Piece& p : layout.pieces)
-    c.pieces.push_back(state.beams.at(as_size(p.beam)).at(as_size(p.piece)));
-  return c;
-}
-
-void keep(const mechanics::Layout& layout, const mechanics::Configuration& c, machine::State& state) {
-  state.bodies = c.bodies;
-  for (std::size_t k = 0; k < layout.branches.size(); ++k) {
-    state.branches[layout.branches[k].reeving][layout.branches[k].from] = c.branches[k];
-  }
-  for (std::size_t k = 0; k < layout.pieces.size(); ++k) {
-    state.beams.at(as_size(layout.pieces[k].beam)).at(as_size(layout.pieces[k].piece)) = c.pieces[k];
-  }
-}
-
-/// Gives a branch a little less than its straight length. False where it does not stretch.
-bool draw_taut(const mechanics::System& system, const machine::State& state, int branch_index,
-               mechanics::Configuration& c) {
-  const mechanics::Layout::Branch& laid = system.layout.branches[branch_index];
-  const machine::Reeving& rope = system.model.reevings[laid.reeving];
-  if (std::isinf(rope.stiffness)) return false;
-  c.branches[branch_index] = {};
-  c.branches[branch_index].length =
-      drawn_taut * machine::straight_length(state, rope.nodes[laid.from], rope.nodes[laid.to]);
-  return true;
-}
-
-/// The configuration of `state`, with every branch that has no shape there (a loose loop on a sheave) drawn taut.
-mechanics::Configuration usable_start(const mechanics::System& system, const machine::State& state) {
-  mechanics::Configuration c = configuration_of(system.layout, state);
-  mechanics::Evaluation e;
-  for (std::size_t tries = 0; tries <= c.branches.size(); ++tries) {
-    const auto no = mechanics::evaluate(system, c, e);
-    if (!no) break;
-    if (!draw_taut(system, state, no->branch, c)) break;
-  }
-  return c;
-}
-
-/// The same with every branch drawn taut that can be.
-mechanics::Configuration taut_start(const mechanics::System& system, const machine::State& state) {
-  mechanics::Configuration c = configuration_of(system.layout, state);
-  for (int k = 0; k < static_cast<int>(c.branches.size()); ++k) draw_taut(system, state, k, c);
-  return c;
 }
 
 /// A machine solved with what touches now.
@@ -110,6 +59,7 @@ struct Solved {
   mechanics::Configuration c;
   mechanics::Evaluation e;
   int steps = 0;
+  bool beam = false;  ///< the outcome is that a beam does not stay, without telling which
 };
 
 mechanics::System system_of(const machine::Model& model, const mechanics::Layout& layout,
@@ -129,8 +79,17 @@ Stability stays(const mechanics::System& system, const mechanics::Configuration&
   return found;
 }
 
+/// Says in `s` whether its answer is one to stay in.
+Stability judge(const mechanics::System& system, Solved& s) {
+  Stability found = stays(system, s.c, s.e);
+  s.outcome = found.outcome;
+  s.beam = found.beam;
+  return found;
+}
+
 /// An answer of which nothing else is wrong than that a carriage lifts off stands: its rollers' state tells.
 void accept_lifted(const mechanics::System& system, Solved& s) {
+  if (s.beam) return;
   if (stability(system, s.c, s.e).outcome.ok() && hanging(system, s.c, s.e).lifted) s.outcome = {};
 }
 
@@ -146,6 +105,15 @@ bool same_answer(const mechanics::System& system, const Solved& a, const Solved&
   return true;
 }
 
+/// The machine with its beams in fewer steps, for a fall: Newton from where it ends takes all of them.
+machine::Model with_coarse_beams(machine::Model model) {
+  for (machine::Beam& beam : model.beams) {
+    for (machine::BeamPiece& piece : beam.pieces)
+      piece.rod.steps = (piece.rod.steps + coarser_beams - 1) / coarser_beams;
+  }
+  return model;
+}
+
 /// Newton from where the machine comes to rest when let go in `start`: quick, careful, from taut ropes, very careful.
 /// Where none of them leads to a stable equilibrium: an unstable one (s.outcome says so), else the end of the quick
 /// fall, which tells best where things go. `unstable`: the answer of Newton alone. A beam that buckles there does not
@@ -156,6 +124,13 @@ Iteration come_to_rest(const mechanics::System& system, const machine::State& st
   constexpr double any = std::numeric_limits<double>::infinity();
   Iteration it, reported;
   std::optional<Solved> ends;
+  std::optional<machine::Model> coarse;
+  if (!system.layout.pieces.empty()) coarse = with_coarse_beams(system.model);
+  const mechanics::System falling{.model = coarse ? *coarse : system.model,
+                                  .layout = system.layout,
+                                  .coordinate = system.coordinate,
+                                  .losses = system.losses,
+                                  .lengths_kept = system.lengths_kept};
   struct Way {
     double growth, ropes;
     bool from_taut;
@@ -165,14 +140,15 @@ Iteration come_to_rest(const mechanics::System& system, const machine::State& st
                          {.growth = any, .ropes = 1, .from_taut = false},
                          {.growth = any, .ropes = 1, .from_taut = true},
                          {.growth = 3, .ropes = 1, .from_taut = false}}) {
-    s.c = way.from_taut ? taut_start(system, state) : start;
-    it = relax(system, s.c, s.e, relaxing_steps, way.growth, way.ropes);
+    s.c = way.from_taut ? mechanics::taut_start(system, state) : start;
+    it = relax(falling, s.c, s.e, relaxing_steps, way.growth, way.ropes);
     s.steps += it.steps;
     if (it.converged) {
       it = newton(system, s.c, s.e, options.tolerance, options.iterations);
       s.steps += it.steps;
     }
-    s.outcome = it.converged ? stays(system, s.c, s.e).outcome : Outcome();
+    s.outcome = {};
+    if (it.converged) judge(system, s);
     if (it.converged && s.outcome.ok()) return it;
     const bool buckles = it.converged && unstable && !system.layout.pieces.empty();
     if (buckles && same_answer(system, s, *unstable)) return it;
@@ -198,20 +174,19 @@ void leave_deep_loops(const mechanics::System& system, mechanics::Configuration&
 /// is no other, and said in s.outcome.
 Iteration find(const mechanics::System& system, const machine::State& state, const EquilibriumOptions& options,
                Solved& s) {
-  mechanics::Configuration start = configuration_of(s.layout, state);
+  mechanics::Configuration start = mechanics::configuration_of(s.layout, state);
   leave_deep_loops(system, start);
   s.c = start;
   Iteration it = newton(system, s.c, s.e, options.tolerance, options.iterations);
   if (it.stopped && it.steps == 0) {
-    s.c = start = usable_start(system, state);
+    s.c = start = mechanics::usable_start(system, state);
     it = newton(system, s.c, s.e, options.tolerance, options.iterations);
   }
   s.steps += it.steps;
   const Iteration first = it;
   std::optional<Solved> unstable;
   if (it.converged) {
-    const Stability found = stays(system, s.c, s.e);
-    s.outcome = found.outcome;
+    const Stability found = judge(system, s);
     if (s.outcome.ok()) return it;
     unstable = s;
     if (found.rope) {
@@ -246,7 +221,7 @@ bool bring_on_losses(mechanics::System system, const machine::State& state, cons
   }
   s.outcome = {};
   if (fed_ends(system).empty()) return true;
-  s.outcome = stays(system, s.c, s.e).outcome;
+  judge(system, s);
   if (!s.outcome.ok()) accept_lifted(system, s);
   return s.outcome.ok();
 }
@@ -321,7 +296,12 @@ Solved solve_by_lengths(const machine::Model& model, const machine::State& state
   const Iteration it = find(system, state, options, s);
   // where a tension is given there may be a stable answer beside one that is not
   const bool fed = !fed_ends(system).empty();
-  if (it.converged && (s.outcome.ok() || !fed)) return s;
+  if (it.converged && s.outcome.ok()) return s;
+  if (it.converged && s.beam && options.beam_factors) {
+    Array<BeamResult> beams = beam_results(system, s.c);
+    s.outcome = check_beams(system, s.c, beams);
+  }
+  if (it.converged && !fed) return s;
   Solved other = s;
   const bool flows = std::any_of(s.layout.turns.begin(), s.layout.turns.end(), [](const auto& t) { return t.flow; });
   if (flows && bring_on_losses(system, state, options, other)) return other;
@@ -363,7 +343,7 @@ Solved solve_stiff(const machine::Model& model, const machine::State& state, dou
       if (!soft.outcome.ok()) break;
       stiff = with_forces_from(model, soft, ratio * force, options);
       if (stiff.outcome.ok()) return stiff;
-      keep(soft.layout, soft.c, near);
+      mechanics::keep(soft.layout, soft.c, near);
       before = softer;
     }
     const bool found = soft.outcome.ok();
@@ -393,7 +373,7 @@ Solved solve_touching(const machine::Model& model, machine::State& state, const 
     Solved s = solve(model, state, options, flow);
     s.steps = steps += s.steps;
     if (!s.outcome.ok()) return s;
-    keep(s.layout, s.c, state);
+    mechanics::keep(s.layout, s.c, state);
     if (!change_touch({.model = model, .layout = s.layout, .coordinate = 0}, s.c, s.e, state, let_go)) return s;
   }
   Solved s;
@@ -450,7 +430,7 @@ WithoutMainline without_mainline(const machine::Model& model, const EquilibriumO
   const mechanics::System system{.model = without, .layout = s.layout, .coordinate = 0};
   if (std::string past = past_stop(system, s.c); !past.empty()) return {.why = past};
   machine::State held = start;
-  keep(s.layout, s.c, held);
+  mechanics::keep(s.layout, s.c, held);
   const Vector3 hold = s.c.hold * track(system, s.e);
   const Vector3 place = s.c.bodies[carriage.body].position;
   const bool ends_there = mainline.nodes.back().at.body == carriage.body;

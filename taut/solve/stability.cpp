@@ -379,6 +379,7 @@ Stability stability(const mechanics::System& s, const mechanics::Configuration& 
   if (!result.outcome.ok()) return result;
   if (!s.layout.pieces.empty()) {
     result.outcome = beams_stay(s, c);
+    result.beam = !result.outcome.ok();
     return result;
   }
   const auto curvature = energy_curvature(s, c, e);

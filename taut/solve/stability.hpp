@@ -42,6 +42,7 @@ std::optional<Eigen::VectorXd> negative_direction(const SparseRows& matrix);
 struct Stability {
   Outcome outcome;       ///< not ok: at the least push the machine moves away; the message names what moves most
   bool rope = false;     ///< that is a rope over its contacts, or at its end, and no body
+  bool beam = false;     ///< it is a beam; `check_beams` tells which, and by how much
   Eigen::VectorXd push;  ///< of the unknowns, in that direction; a hundredth of the longest span
 };
 

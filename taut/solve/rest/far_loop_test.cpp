@@ -16,7 +16,7 @@ std::string reported(std::optional<machine::Prescribed> prescribed, double mainl
   const machine::Model m = taut_test::with_carriage(true);
   const machine::State state = machine::initial_state(m);
   const mechanics::Layout layout = mechanics::layout(m, state, prescribed, taut_test::no_flow(m));
-  mechanics::Configuration c = taut_test::configuration_of(layout, state);
+  mechanics::Configuration c = mechanics::configuration_of(layout, state);
   mechanics::Evaluation e;
   e.branches.resize(layout.branches.size());
   for (std::size_t k = 0; k < layout.branches.size(); ++k) {

@@ -92,7 +92,7 @@ TEST(FedRope, MoreRopeMakesADeepLoopTighter) {
   int deep = 0;
   for (double length = 49.9; length < 500; length *= 1.1) {
     const auto at = [&](double L, mechanics::Configuration& c, mechanics::Evaluation& e) {
-      c = configuration_of(l, machine::initial_state(m));
+      c = mechanics::configuration_of(l, machine::initial_state(m));
       c.branches[0].length = L;
       EXPECT_FALSE(mechanics::evaluate(system, c, e));
       return e.branches[0].T_from;

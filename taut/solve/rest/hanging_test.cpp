@@ -19,7 +19,7 @@ struct Evaluated {
       : model(m),
         laid_out(mechanics::layout(model, state, prescribed, no_flow(m))),
         system{.model = model, .layout = laid_out, .coordinate = 0},
-        c(configuration_of(laid_out, state)) {
+        c(mechanics::configuration_of(laid_out, state)) {
     for (int i = 0; i < 4; ++i) EXPECT_FALSE(mechanics::evaluate(system, c, e));
   }
   machine::Model model;

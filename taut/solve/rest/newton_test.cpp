@@ -24,7 +24,7 @@ Solved solved(const machine::Model& m) {
   Solved s{.model = m, .at = equilibrium(m), .laid_out = {}, .c = {}};
   EXPECT_TRUE(s.at.outcome.ok()) << s.at.outcome.message;
   s.laid_out = mechanics::layout(m, s.at.state, {}, no_flow(m));
-  s.c = configuration_of(s.laid_out, s.at.state);
+  s.c = mechanics::configuration_of(s.laid_out, s.at.state);
   return s;
 }
 
@@ -70,7 +70,7 @@ TEST(Newton, SaysWhatIsNotHeld) {
   const machine::State state = machine::initial_state(m);
   const mechanics::Layout l = mechanics::layout(m, state, {}, no_flow(m));
   const mechanics::System system{.model = m, .layout = l, .coordinate = 0};
-  mechanics::Configuration c = configuration_of(l, state);
+  mechanics::Configuration c = mechanics::configuration_of(l, state);
   mechanics::Evaluation e;
   const Iteration i = newton(system, c, e, 1e-10, 60);
   EXPECT_FALSE(i.converged);
@@ -82,7 +82,7 @@ TEST(Relax, FallsToTheSameEquilibriumFromFarAway) {
   const mechanics::System system{.model = s.model, .layout = s.laid_out, .coordinate = 0};
   machine::Model above = s.model;
   above.bodies[0].position.z() += 3;  // all falls slack
-  mechanics::Configuration c = configuration_of(s.laid_out, machine::initial_state(above));
+  mechanics::Configuration c = mechanics::configuration_of(s.laid_out, machine::initial_state(above));
   mechanics::Evaluation e;
   EXPECT_TRUE(relax(system, c, e, 400, 10, 0.01).converged);
   EXPECT_LT(mechanics::misfit(system, e).force, 1e-3 * e.largest_force);
