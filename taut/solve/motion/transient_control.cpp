@@ -65,12 +65,6 @@ Books books_over_step(const Run& run) {
 
 }  // namespace
 
-bool gains(const Run& run) {
-  constexpr double free_of = 1e-3;  ///< of what is turned over: no gain
-  const auto [before, now, turnover] = books_over_step(run);
-  return now > before && now > free_of * turnover;
-}
-
 bool snatches_too_far(const Run& run) {
   constexpr double share = 1e-3;
   if (run.m.lossless || run.scheme.h / 2 <= floor_of(run)) return false;  // shorter ones are Euler's
@@ -94,31 +88,8 @@ double largest_tension(const Run& run) {
   return largest;
 }
 
-namespace {
-
-constexpr double given_back = 4;  ///< the error of a step whose dampers do not resist
-
-/// Whether the ropes' dampers give more than a hundredth of what is turned over in the step. Each resists by its law:
-/// the step has gone past its own rates.
-bool dampers_give(const Run& run) {
-  constexpr double share = 0.01;
-  double work = 0;
-  for (std::size_t i = 0; i < run.m.lines.size(); ++i) {
-    const Line& line = run.m.lines[i];
-    const LineValues &a = run.before.lines[i], &b = run.now.lines[i];
-    if (line.damping <= 0 || sags(line, b)) continue;
-    const auto held = [&](const LineValues& v) { return (v.T - elastic_tension(line, v)) * v.L; };
-    work += line.copies * (held(a) + held(b)) / 2 * (std::max(0.0, b.e) - std::max(0.0, a.e));
-  }
-  const Stored& stored = run.ledger.now;
-  return work < -share * std::max({run.ledger.turnover, stored.elastic, stored.kinetic});
-}
-
-}  // namespace
-
 double error_of(const Run& run, bool kink) {
-  const double giving = dampers_give(run) ? given_back : 0;
-  if (run.known < 2) return giving;
+  if (run.known < 2) return 0;
   const double h = run.scheme.h;
   double error = 0;
   for (const Body& body : run.m.bodies) {
@@ -154,7 +125,7 @@ double error_of(const Run& run, bool kink) {
   // what shakes without end, and fast, is resolved within each swing then, no more over all of them together
   const double share = least_share * std::pow(impatience(run), 3);
   const double allowed = run.options.tolerance * (kink ? 1 : std::clamp(h / run.options.duration, share, 1.0));
-  return std::max(giving, error / allowed);
+  return error / allowed;
 }
 
 void keep_history(Run& run) {

@@ -254,11 +254,6 @@ StepEnd advance(Run& run, double limit) {
       try_closer(run, h, error, tries);
       continue;
     }
-    if (impatience(run) > 1 && gains(run)) {  // longer steps over kinks could feed a motion: implicit Euler can't
-      ++run.result.rejected;
-      tries.rough = true;
-      continue;
-    }
     const double most = error < far_below || run.careful == 0 ? growth : careful_growth;
     if (run.careful > 0) --run.careful;
     const double factor = error > 0 ? std::clamp(0.9 / std::sqrt(error), 0.3, most) : growth;

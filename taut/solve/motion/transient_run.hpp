@@ -115,8 +115,6 @@ double impatience(const Run& run);
 void note_impatience(Run& run);
 /// The step's energy; `rough`: by implicit Euler.
 void book_step(Run& run, bool rough);
-/// Whether the step adds to an energy that the books can't explain.
-bool gains(const Run& run);
 /// Whether a line gets slack or taut in the step and its books do not close, by more than a thousandth of what is
 /// turned over; not where a step of half the size would be one of implicit Euler.
 bool snatches_too_far(const Run& run);

@@ -23,7 +23,6 @@ constexpr int most_trusted = 15;           ///< steps until it is looked at agai
 constexpr double least_contraction = 1e-7, caution = 8;
 constexpr double small_misfit = 1e-4;  ///< of the largest tension: of laws all round a closed rope
 constexpr int most_put_back = 4;       ///< times that loose rope is put back where it lay, in one step
-constexpr int most_retreats = 8;       ///< halvings of an iteration that goes where there is no rope
 
 /// The flow of a contact in the step, if it goes on as before: what slips between taut branches with the change of its
 /// rate.
@@ -48,7 +47,6 @@ void guess_flows(const Mechanism& m, const Scheme& s, const Values& before, cons
     now.q[c] = was.grip == Grip::stuck ? was.slipped + w.q_star[c] + reach * was.roll_rate
                : s.fresh && kept(i)    ? before.q[c]
                                        : before.q[c] + h * flow_ahead(s, m.contacts[i], was, before);
-    if (s.h == 0 && slips_in_a_moment(m, s, m.contacts[i])) now.q[c] += was.slip_mean / s.slip_now;
   }
 }
 
@@ -89,21 +87,6 @@ bool slides_in_turn_stick(Mechanism& m, const Scheme& s, const Values& before, d
   return true;
 }
 
-/// Of the last iteration: its share and that of its flows that have been taken; after retreats it is no answer yet.
-struct Taken {
-  double share = 0, of_flows = 1;
-  int retreats = 0, put_back = 0;
-};
-
-/// Takes half of the last iteration back: it went too far, rounds inside each other, or more rope passed on than there
-/// is. False: that has been done often enough.
-bool retreat(const Mechanism& m, const Array<double>& step, Taken& taken, Values& now) {
-  if (taken.share == 0 || ++taken.retreats > most_retreats) return false;
-  taken.share /= 2;
-  apply(m, step, -taken.share, taken.of_flows, now);
-  return true;
-}
-
 /// Passes rope contact by contact. False: some line has none left.
 bool pass_by_turns(const Mechanism& m, const Scheme& s, const Values& before, const Work& w, const Newton& newton,
                    Values& now) {
@@ -111,11 +94,12 @@ bool pass_by_turns(const Mechanism& m, const Scheme& s, const Values& before, co
   return std::all_of(now.lines.begin(), now.lines.end(), [](const LineValues& line) { return left_in(line) > 0; });
 }
 
-/// Puts loose rope back where it lay; drums and rims at its ends have to answer that by one more iteration.
-bool puts_back(const Mechanism& m, const Scheme& s, const Values& before, double t, const Work& w, Taken& taken,
+/// Puts loose rope back where it lay; drums and rims at its ends have to answer that by one more iteration. `times`:
+/// that it has been done.
+bool puts_back(const Mechanism& m, const Scheme& s, const Values& before, double t, const Work& w, int& times,
                Values& now) {
-  if (taken.put_back >= most_put_back || !put_loose_back(m, s, before, now)) return false;
-  ++taken.put_back;
+  if (times >= most_put_back || !put_loose_back(m, s, before, now)) return false;
+  ++times;
   if (!follow(m, s, before, w, t, now)) return false;
   decide(m, s, before, now);
   return true;
@@ -173,13 +157,10 @@ StepEnd iterations(Mechanism& m, const Scheme& s, const Values& before, double t
   w.tension.resize(m.lines.size());
   double last_change = std::numeric_limits<double>::infinity(), change_before = 0, moved = 0;
   bool laws_changed = false;
-  Taken taken;
+  int put_back = 0;
   const bool moves = s.h > 0 && !s.at_rest, loops = has_loops(m);
   for (int i = 0; i <= newton.most; ++i) {
-    if (!follow(m, s, before, w, t, now)) {
-      if (!retreat(m, w.residual, taken, now)) return StepEnd::no_place;
-      continue;
-    }
+    if (!follow(m, s, before, w, t, now)) return StepEnd::no_place;
     if (s.creeps && !slides_in_turn_stick(m, s, before, t, i, newton, w, now)) return StepEnd::no_place;
     const bool by_turns = newton.passes && i >= passes_from && i % passes_every == 0;
     if (by_turns && !pass_by_turns(m, s, before, w, newton, now)) return StepEnd::no_place;
@@ -194,7 +175,7 @@ StepEnd iterations(Mechanism& m, const Scheme& s, const Values& before, double t
     // without masses what has begun to slide may go far: its own tangent has to say so
     const bool begins = s.creeps && pushed.turned && i < turns_until;
     const bool at_its_limit = (s.creeps || s.h > 0) && i >= turns_until;  // it sticks or slides: tensions are the same
-    if (i > 0 && taken.retreats == 0 && (!changed || at_its_limit) && !begins) {
+    if (i > 0 && (!changed || at_its_limit) && !begins) {
       const double floor = rounding_of_tensions(m, s, newton.passes);
       const double expected = moves && !turned && !newton.passes ? newton.contraction : first_contraction;
       const double contraction = std::isinf(last_change) ? expected : std::min(1.0, change / last_change);
@@ -202,7 +183,7 @@ StepEnd iterations(Mechanism& m, const Scheme& s, const Values& before, double t
       const bool holds = !loops || s.at_rest || loops_hold(m, before, now, small_misfit * newton.largest);
       const bool there =
           close && holds && moved * contraction <= std::max(newton.tolerance, step_rounding) * m.size_of_machine;
-      const bool again = there && puts_back(m, s, before, t, w, taken, now);
+      const bool again = there && puts_back(m, s, before, t, w, put_back, now);
       turned = turned || again;
       if (there && !again) {
         newton.used += i;
@@ -222,8 +203,7 @@ StepEnd iterations(Mechanism& m, const Scheme& s, const Values& before, double t
     m.solver.solve(w.residual);
     if (loops) hold_circulation(m, s, before, now, w.residual);
     if (moves) hold_between_slack(m, now, w.residual);
-    taken = {.share = 1, .of_flows = share_of_flows(newton, i), .put_back = taken.put_back};
-    apply(m, w.residual, 1, taken.of_flows, now);
+    apply(m, w.residual, 1, share_of_flows(newton, i), now);
     moved = move_of(m, s, w.residual);
   }
   newton.used += newton.most;
@@ -255,40 +235,16 @@ StepEnd iterate(Mechanism& m, const Scheme& s, const Values& before, double t, V
   return end;
 }
 
-namespace {
-
-/// Whether a damper would have to push, or pull more than its rope does.
-bool beyond_dampers(const Mechanism& m, const Values& now) {
-  constexpr double rounding = 1e-9;
-  for (std::size_t i = 0; i < m.lines.size(); ++i) {
-    const LineValues& is = now.lines[i];
-    const double elastic = elastic_tension(m.lines[i], is);
-    if (m.lines[i].damping == 0 || m.lines[i].sag >= 0 || elastic <= 0) continue;
-    if (is.T < -rounding * elastic || is.T > (2 + rounding) * elastic) return true;
-  }
-  return false;
-}
-
-}  // namespace
-
 StepEnd restart(Mechanism& m, Scheme s, Values& before, Values& now, Work& w, Newton& newton) {
   s.h = s.reach = 0;
   // with dampers the tension of a slipping rope follows from its speed: the speed is found, by the slip of a moment
   s.slip_now = 1 / moment;
   s.slip_before = 1;
   now.rate = before.rate;
-  const Array<SpinValues> spins = now.spins;
   s.only_rates = true;
   s.only_rates = std::any_of(m.contacts.begin(), m.contacts.end(),
                              [&](const Contact& contact) { return slips_later(m, s, contact); });
-  StepEnd end = solve_step(m, s, before, before.t, now, w, newton);
-  const bool beyond = s.only_rates && (end == StepEnd::ok ? beyond_dampers(m, now) : end != StepEnd::interrupted);
-  if (beyond) {  // more than dampers can hold: some of it slips at once
-    s.only_rates = false;
-    now.rate = before.rate;
-    now.spins = spins;
-    end = solve_step(m, s, before, before.t, now, w, newton);
-  }
+  const StepEnd end = solve_step(m, s, before, before.t, now, w, newton);
   if (end != StepEnd::ok) return end;
   for (LineValues& line : now.lines) {
     if (s.only_rates && line.T < 0) line.T = line.end_T[0] = line.end_T[1] = 0;  // rounding
