@@ -33,7 +33,9 @@ bool direct(Kind kind) {
 constexpr double first_step = 1e-3;         ///< of the length, of the tension's logarithm
 constexpr double search_tolerance = 1e-12;  ///< a taut span's sag goes with many times its length's error
 constexpr double least_step = 1e-7;
-constexpr double met = 1e-11;  ///< of the value sought: what the tolerance of the search leaves open
+constexpr double beyond = 1.1;     ///< of the way to where a search expects its answer
+constexpr double most_growth = 8;  ///< of its step
+constexpr double met = 1e-11;      ///< of the value sought: what the tolerance of the search leaves open
 constexpr int most_search_steps = 60;
 
 /// The condition as a number that is to vanish, against a change u of what is given: length L (1 + u), tension T e^u.
@@ -123,10 +125,11 @@ class ConditionSearch {
   double best_misfit = std::numeric_limits<double>::infinity();
 };
 
-/// From u = 0 on, one way: steps that double until the sign changes. Where there is no equilibrium steps are quarters
-/// of the way there, so that the last one that holds is found too.
+/// From u = 0 on, one way, until the sign changes: steps a little beyond where the last two places meet zero, or that
+/// double where they do not. Where there is no equilibrium steps are quarters of the way there, so that the last one
+/// that holds is found too.
 std::optional<std::pair<double, double>> bracket(ConditionSearch& search, double at_zero, double way) {
-  double known = 0, step = first_step, none = std::numeric_limits<double>::infinity();
+  double known = 0, at_known = at_zero, step = first_step, none = std::numeric_limits<double>::infinity();
   for (int i = 0; i < most_search_steps && step > least_step; ++i) {
     const double next = known + way * step;
     const double open = next > -1 ? search(next) : std::nan("");
@@ -136,8 +139,11 @@ std::optional<std::pair<double, double>> bracket(ConditionSearch& search, double
       continue;
     }
     if ((open < 0) != (at_zero < 0)) return std::minmax(known, next);
+    const double to_zero = open / (at_known - open) * step;
+    const double longer = to_zero > 0 ? std::clamp(beyond * to_zero, step / 4, most_growth * step) : 2 * step;
     known = next;
-    step = std::min(2 * step, (none - std::abs(known)) / 2);
+    at_known = open;
+    step = std::min(longer, (none - std::abs(known)) / 2);
     if (std::abs(known) > 20) break;
   }
   return std::nullopt;
