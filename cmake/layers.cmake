@@ -38,7 +38,7 @@ set(may_cli ${may_web} web) # taut serve
 set(closed_rooms
   "^taut/mechanics/ solve mechanics solve"
   "^taut/solve/rest/ solve solve"
-  "^taut/solve/motion/transient_ solve solve")
+  "^taut/solve/motion/(parts|step|run)/ solve solve")
 
 # Parts of others that stay behind one layer: "<regular expression of the header> <layers that may include it>".
 # Tests are free of this second rule, not of the first.

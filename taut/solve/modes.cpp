@@ -12,7 +12,7 @@
 #include "taut/base/array.hpp"
 #include "taut/math/eigen_general.hpp"
 #include "taut/math/index.hpp"
-#include "taut/solve/motion/transient_run.hpp"
+#include "taut/solve/motion/run/run.hpp"
 
 namespace taut::solve::dynamics {
 namespace {

@@ -6,7 +6,7 @@
 #include <random>
 #include <vector>
 
-#include "taut/solve/motion/transient_run.hpp"
+#include "taut/solve/motion/run/run.hpp"
 
 /// The derivatives of a step of motion against differences, for the tests of all that adds to them.
 namespace taut_test {

@@ -9,12 +9,12 @@
 #include "taut/base/array.hpp"
 #include "taut/base/expects.hpp"
 #include "taut/rope/span.hpp"
-#include "taut/solve/motion/transient_damping.hpp"
-#include "taut/solve/motion/transient_memory.hpp"
-#include "taut/solve/motion/transient_quasi_static.hpp"
-#include "taut/solve/motion/transient_reference.hpp"
-#include "taut/solve/motion/transient_run.hpp"
-#include "taut/solve/motion/transient_stable.hpp"
+#include "taut/solve/motion/parts/damping.hpp"
+#include "taut/solve/motion/run/memory.hpp"
+#include "taut/solve/motion/run/run.hpp"
+#include "taut/solve/motion/step/quasi_static.hpp"
+#include "taut/solve/motion/step/reference.hpp"
+#include "taut/solve/motion/step/stable.hpp"
 #include "taut/solve/rest/sides.hpp"
 
 namespace taut::solve {

@@ -29,12 +29,12 @@ Sides sides_of(const machine::Model& model) {
 }
 
 /// The free rope that arrives at a contact, and the one that leaves it.
-struct PassingRope {
+struct RopeAtContact {
   const BranchResult *before = nullptr, *after = nullptr;
 };
 
-PassingRope passing_rope(const EquilibriumResult& result, const ContactResult& contact) {
-  PassingRope b;
+RopeAtContact passing_rope(const EquilibriumResult& result, const ContactResult& contact) {
+  RopeAtContact b;
   for (const BranchResult& branch : result.branches) {
     if (branch.reeving != contact.reeving) continue;
     if (branch.to == contact.node) b.before = &branch;
@@ -51,7 +51,7 @@ double turn_about(const Vector3& axis, const Vector3& from, const Vector3& to) {
 
 /// How far a rope passes a sheave on the outer side, rad; 0: on the inner one.
 double outside(const machine::Model& model, const machine::State& state, const ContactResult& contact,
-               const PassingRope& rope) {
+               const RopeAtContact& rope) {
   const Array<machine::Node>& nodes = model.reevings[contact.reeving].nodes;
   const machine::Node& node = nodes[contact.node];
   const Vector3 centre = machine::in_ground(state, node.at);
@@ -109,7 +109,7 @@ std::optional<WrongSide> wrong_side(const machine::Model& model, const Equilibri
   for (const ContactResult& contact : result.contacts) {
     const machine::Node& node = model.reevings[contact.reeving].nodes[contact.node];
     if (!node.side_open || contact.state == ContactState::lifted) continue;
-    const PassingRope rope = passing_rope(result, contact);
+    const RopeAtContact rope = passing_rope(result, contact);
     if (rope.before == nullptr || rope.after == nullptr || rope.before->slack || rope.after->slack) continue;
     const double by = outside(model, result.state, contact, rope);
     if (by > (worst ? worst->by : 0)) worst = WrongSide{.reeving = contact.reeving, .node = contact.node, .by = by};

@@ -1,0 +1,358 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "taut/base/array.hpp"
+#include "taut/machine/compile/drums.hpp"
+#include "taut/solve/motion/parts/couple.hpp"
+#include "taut/solve/motion/run/run.hpp"
+
+namespace taut::solve::dynamics {
+namespace {
+
+constexpr std::size_t most_notes = 20000;  ///< beyond it only breaks and stops are noted
+
+std::string line_name(const Run& run, const Line& line) {
+  const machine::Reeving& rope = run.model.reevings[line.reeving];
+  if (rope.nodes.size() == 2 && line.segment < 0) return rope.name;
+  const std::string branch =
+      fmt::format("{}: {} - {}", rope.name, rope.nodes[line.from].name, rope.nodes[line.to].name);
+  return line.segment < 0 ? branch : fmt::format("{} ({})", branch, line.segment + 1);
+}
+
+std::string contact_name(const Run& run, const Contact& contact) {
+  return run.model.reevings[contact.reeving].nodes[contact.node].name;
+}
+
+bool holds(const Run& run, const Values& v, const machine::Condition& condition) {
+  const double value = observe(run, v, condition.of);
+  return condition.above ? value > condition.threshold : value < condition.threshold;
+}
+
+/// The line that an event breaks, of those that are whole: where the tension is largest; of equal ones, whatever their
+/// rounding, the first. -1: they all are broken; or the rope is, somewhere, and what is left of it hangs loose.
+int breaking_line(const Run& run, const Values& v, const machine::Event& event) {
+  const auto [first, lines] = run.m.first_line[event.index];
+  const int pieces = std::max(1, run.model.reevings[event.index].segments);
+  int from = first, to = first + lines;
+  if (event.part) {
+    from = first + *event.part * pieces;
+    to = from + pieces;
+  }
+  constexpr double rounding = 1e-9;
+  int worst = -1;
+  bool broken = false;
+  for (int i = from; i < to; ++i) {
+    const bool whole = v.lines[i].gone == 1;
+    broken = broken || !whole;
+    if (whole && (worst < 0 || v.lines[i].T > (1 + rounding) * v.lines[worst].T)) worst = i;
+  }
+  return worst >= 0 && broken && v.lines[worst].T <= 0 ? -1 : worst;
+}
+
+void break_rope(Run& run, Values& v, const machine::Event& event) {
+  const int line = breaking_line(run, v, event);
+  if (line < 0) return;
+  run.breaking.push_back({line, v.t, event.over});
+  note(run, v.t, "break", line_name(run, run.m.lines[line]), {{"T", v.lines[line].T}});
+}
+
+/// A drum that has pulled its rope goes on with a torque: it turns as its rope goes, and its drive has seen to that.
+void turn_with_rope(Run& run, Values& v, int drum) {
+  for (std::size_t i = 0; i < run.m.contacts.size(); ++i) {
+    const Contact& contact = run.m.contacts[i];
+    if (contact.drum != drum) continue;
+    const Spin& spin = run.m.spins[contact.spin];
+    if (spin.contacts.front().first != static_cast<int>(i) || spin.inertia <= 0) continue;
+    const double omega = contact.sense * v.contacts[i].flow * v.contacts[i].lambda / working_radius(run.m, contact, v);
+    v.nu[spin.column] = v.spins[contact.spin].omega = omega;
+    const double given = spin.inertia * omega * omega / 2;
+    run.ledger.supplied += given;
+    run.ledger.now.kinetic += given;
+  }
+}
+
+/// A brake that was set at the time t begins to act, and acts in full, at the end of a step.
+void stop_at_brake(Run& run, int drum, double t) {
+  const auto& brake = run.m.model->drums[drum].brake;
+  if (!brake) return;
+  for (const double stop : {t + brake->delay, t + brake->delay + brake->rise}) {
+    if (stop > t && stop < run.end) run.stops.insert(std::lower_bound(run.stops.begin(), run.stops.end(), stop), stop);
+  }
+}
+
+bool apply_event(Run& run, Values& v, const machine::Event& event) {
+  switch (event.kind) {
+    case machine::EventKind::breaks:
+      break_rope(run, v, event);
+      break;
+    case machine::EventKind::stop:
+      note(run, v.t, "stop", event.words);
+      return true;
+    case machine::EventKind::brake: {
+      auto& drives = event.of_motor ? v.motor_drive : v.drum_drive;
+      machine::Drive& drive = drives[event.index];
+      if (event.brake_set && !drive.brake) drive.brake_since = v.t;
+      drive.brake = event.brake_set;
+      if (event.brake_set && !event.of_motor) stop_at_brake(run, event.index, v.t);
+      note(run, v.t, "brake", event.words);
+      break;
+    }
+    case machine::EventKind::drive: {
+      auto& drives = event.of_motor ? v.motor_drive : v.drum_drive;
+      const bool lets_go = drives[event.index].kind == machine::DriveKind::pull && !event.of_motor;
+      drives[event.index] = event.drive;
+      if (lets_go && event.drive.kind == machine::DriveKind::torque) turn_with_rope(run, v, event.index);
+      note(run, v.t, "drive", event.words);
+      break;
+    }
+    case machine::EventKind::actuator:
+      set_mode(run.m, v, event.index, event.mode);
+      note(run, v.t, "actuator", event.words);
+      break;
+  }
+  return false;
+}
+
+constexpr double no_rope_on_drum = 1e-6;     ///< m
+constexpr double rounding_of_radius = 1e-9;  ///< share of a radius
+
+/// How a drum takes the rope of this contact; width 0 where nobody knows.
+rope::DrumLayers layers_on(const Run& run, const Contact& contact) {
+  return machine::measures_of(run.model.drums[contact.drum], run.model.reevings[contact.reeving].diameter);
+}
+
+/// The layer on which the end of so much unstretched rope lies, as statics has it: by its turns and the tension at
+/// which it was wound.
+int layer_of(const Run& run, const Contact& contact, double content) {
+  const machine::Drum& drum = run.model.drums[contact.drum];
+  const rope::DrumLayers layers = layers_on(run, contact);
+  if (layers.width == 0) return drum.layer;
+  const double strain = drum.wound_at.value_or(0) / run.m.lines[std::max(contact.in, contact.out)].stiffness;
+  return rope::on_drum(layers, std::max(0.0, content) * (1 + strain)).layer;
+}
+
+}  // namespace
+
+void note(Run& run, double t, std::string what, std::string where, Array<std::pair<std::string, double>> values,
+          std::optional<int> reeving) {
+  if (run.result.events.size() >= most_notes && what != "break" && what != "stop") return;
+  run.result.events.push_back({t, std::move(what), std::move(where), std::move(values), reeving});
+}
+
+void note_slack(Run& run, std::size_t line, double e_before, double e_now, double t, double h) {
+  if ((e_before > 0) == (e_now > 0)) return;
+  const double share = e_before / (e_before - e_now);
+  const Line& of = run.m.lines[line];
+  note(run, t + share * h, e_now > 0 ? "taut" : "slack", line_name(run, of), {}, of.reeving);
+}
+
+namespace {
+
+/// Points that meet their face or leave it, stick or slip.
+void note_faces(Run& run) {
+  for (std::size_t i = 0; i < run.now.faces.size(); ++i) {
+    const FaceValues &was = run.before.faces[i], &is = run.now.faces[i];
+    const std::string& name = run.model.contacts[i].name;
+    if (was.closed != is.closed) {
+      const double share = was.pen * is.pen < 0 ? was.pen / (was.pen - is.pen) : 1;
+      const double t = run.before.t + share * run.scheme.h;
+      const double speed = was.pen_rate + share * (is.pen_rate - was.pen_rate);
+      if (is.closed) {
+        note(run, t, "contact", name, {{"v", was.pen < 0 ? was.pen_rate : speed}});
+      } else {
+        note(run, t, "apart", name);
+      }
+    } else if (is.closed && was.sticks != is.sticks) {
+      note(run, run.now.t, is.sticks ? "stick" : "slip", name, {{"N", is.N}});
+    }
+  }
+}
+
+}  // namespace
+
+void note_changes(Run& run) {
+  for (std::size_t i = 0; i < run.m.lines.size(); ++i) {
+    const LineValues &was = run.before.lines[i], &is = run.now.lines[i];
+    if ((was.e > 0) != (is.e > 0) && is.gone > 0) note_slack(run, i, was.e, is.e, run.before.t, run.scheme.h);
+  }
+  for (std::size_t i = 0; i < run.m.contacts.size(); ++i) {
+    const Grip was = run.before.contacts[i].grip, is = run.now.contacts[i].grip;
+    const Contact& contact = run.m.contacts[i];
+    if (was == is || contact.in < 0 || contact.out < 0) continue;
+    if (was == Grip::equal || is == Grip::equal) {
+      const Pressure p = pressure(contact, run.now);
+      const double G = run.now.lines[contact.out].thrust[0];
+      if (is == Grip::equal && G > 0 && run.now.contacts[i].log_ratio > 0 && std::max(p.in, p.out) > -G) {
+        note(run, run.now.t, "lift_off", contact_name(run, contact), {{"G", G}});
+      }
+      continue;
+    }
+    note(run, run.now.t, is == Grip::stuck ? "stick" : "slip", contact_name(run, contact));
+  }
+  note_faces(run);
+}
+
+namespace {
+
+/// What lies on a drum in the step to `v`; none where the description does not say how much there is.
+std::optional<double> content_ahead(const Run& run, const Contact& contact, const Values& v) {
+  if (contact.drum < 0 || !run.model.drums[contact.drum].length_on_drum) return {};
+  const double passed = v.q[contact.column] - run.before.q[contact.column];
+  return run.before.drums[contact.drum].content + (contact.in < 0 ? -passed : passed);
+}
+
+/// Whether a drum changes its layer in the step to `v`, or has no rope left then.
+bool winds_on(const Run& run, const Values& v) {
+  return std::any_of(run.m.contacts.begin(), run.m.contacts.end(), [&](const Contact& contact) {
+    const auto content = content_ahead(run, contact, v);
+    if (!content) return false;
+    const machine::Drum& drum = run.model.drums[contact.drum];
+    const bool climbs =
+        drum.automatic_layers && layer_of(run, contact, *content) != run.before.drums[contact.drum].layer;
+    return climbs || *content < -no_rope_on_drum;
+  });
+}
+
+}  // namespace
+
+bool run_out(Run& run) {
+  for (const Contact& contact : run.m.contacts) {
+    const auto content = content_ahead(run, contact, run.before);
+    if (!content || *content >= -no_rope_on_drum) continue;
+    const std::string& drum = run.model.drums[contact.drum].name;
+    note(run, run.before.t, "length_zero", drum, {{"L", *content}});
+    run.result.outcome = infeasible(
+        fmt::format("at t = {:.6g} s no rope is left on the drum '{}': stop the motion before, or give it more",
+                    run.before.t, drum));
+    return true;
+  }
+  return false;
+}
+
+bool comes_true(const Run& run, const Values& v) {
+  if (!run.model.drums.empty() && winds_on(run, v)) return true;
+  const auto overdrawn = [](const LineValues& line) { return line.gone == 0 && !(line.L > 0); };
+  if (std::any_of(v.lines.begin(), v.lines.end(), overdrawn)) return true;  // the end runs off before
+  for (std::size_t i = 0; i < run.model.events.size(); ++i) {
+    const machine::Event& event = run.model.events[i];
+    if (!run.happened[i] && event.when && holds(run, v, *event.when)) return true;
+  }
+  return meets_an_edge(run.m, v);
+}
+
+bool happen(Run& run, Values& v, bool& stop) {
+  bool any = false;
+  for (std::size_t i = 0; i < run.model.events.size(); ++i) {
+    const machine::Event& event = run.model.events[i];
+    if (run.happened[i]) continue;
+    const bool due = (event.at && v.t >= *event.at) || (event.when && holds(run, v, *event.when));
+    if (!due) continue;
+    run.happened[i] = 1;
+    any = true;
+    stop = apply_event(run, v, event) || stop;
+  }
+  if (any) fade(run, v.t, v);
+  return any;
+}
+
+void fade(const Run& run, double t, Values& v) {
+  for (const Run::Breaking& one : run.breaking) {
+    v.lines[one.line].gone = one.over > 0 ? std::clamp(1 - (t - one.from) / one.over, 0.0, 1.0) : 0.0;
+  }
+}
+
+double step_of_fading(const Run& run) {
+  constexpr double steps = 32;
+  double shortest = run.options.duration;
+  for (const Run::Breaking& one : run.breaking) {
+    if (run.before.t < one.from + one.over) shortest = std::min(shortest, one.over / steps);
+  }
+  return shortest;
+}
+
+bool change_layers(Run& run, Values& v) {
+  bool any = false;
+  for (std::size_t i = 0; i < run.m.contacts.size(); ++i) {
+    const Contact& contact = run.m.contacts[i];
+    if (contact.drum < 0) continue;
+    const machine::Drum& drum = run.model.drums[contact.drum];
+    if (!drum.automatic_layers || !drum.length_on_drum) continue;
+    DrumValues& is = v.drums[contact.drum];
+    const rope::DrumLayers layers = layers_on(run, contact);
+    if (layers.width == 0) continue;
+    const int layer = layer_of(run, contact, is.content);
+    const int line = contact.in >= 0 ? contact.in : contact.out;
+    const std::size_t end = contact.in >= 0 ? 1 : 0;
+    LineValues& rope = v.lines[line];
+    const double radius = rope::layer_radius(layers, layer);
+    if (layer == is.layer && std::abs(rope.radius[end] - radius) <= rounding_of_radius * radius) continue;
+    // the strain is kept: a rope climbs onto the next layer within a turn
+    const double strain = std::max(0.0, end_strain(run.m, v, line, end));
+    while (static_cast<int>(is.strain.size()) < layer) is.strain.push_back(strain);
+    if (layer > is.layer) is.strain[layer - 1] = strain;
+    is.layer = layer;
+    for (int k = line;; k += end == 0 ? 1 : -1) {  // all parts of the free line
+      const Line& part = run.m.lines[k];
+      LineValues& of = v.lines[k];
+      if (sags(part, of)) {
+        hang_on_new_radius(part, v.bodies, end, radius, of, v.sags[part.sag]);
+        of.radius[end] = radius;
+        break;
+      }
+      of.radius[end] = radius;
+      const LineValues as_was = of;
+      if (place_line(part, v.bodies, as_was, of)) {
+        lay_on_rounds(part, as_was, of);
+        of.L = path_of(part, of) / (1 + of.e);
+      }
+      if (!part.at_load[1 - end]) break;
+    }
+    note(run, v.t, "layer", drum.name, {{"layer", layer}, {"R", radius}});
+    any = true;
+  }
+  return any;
+}
+
+Array<double> stops_of(const machine::Model& model, double from, double to) {
+  Array<double> stops;
+  const auto add = [&](const machine::Signal& signal) {
+    for (const double t : machine::breakpoints(signal)) stops.push_back(t);
+  };
+  for (const machine::Signal& signal : model.signals) add(signal);
+  for (const machine::Drum& drum : model.drums) add(drum.drive.signal);
+  for (const machine::Motor& motor : model.motors) add(motor.drive.signal);
+  for (const machine::Actuator& actuator : model.actuators) add(actuator.signal);
+  for (const machine::Tensioner& tensioner : model.tensioners) add(tensioner.change);
+  for (const machine::Load& load : model.loads) {
+    if (load.over_time) add(*load.over_time);
+  }
+  for (const machine::Body& body : model.bodies) {
+    for (const machine::DrivenWay& way : body.driven) add(way.signal);
+  }
+  for (const machine::Reeving& rope : model.reevings) {
+    for (const machine::Node& node : rope.nodes) {
+      if (node.load.signal) add(*node.load.signal);
+    }
+  }
+  for (const machine::Event& event : model.events) {
+    if (event.kind == machine::EventKind::drive) add(event.drive.signal);
+    if (!event.at) continue;
+    stops.push_back(*event.at);
+    if (event.over > 0) stops.push_back(*event.at + event.over);
+  }
+  std::sort(stops.begin(), stops.end());
+  stops.erase(std::unique(stops.begin(), stops.end()), stops.end());
+  stops.erase(std::remove_if(stops.begin(), stops.end(), [&](double t) { return !(t > from && t < to); }), stops.end());
+  return stops;
+}
+
+bool jumps_at(const Run& run, double t) {
+  const double near = 1e-12 * std::max(std::abs(t), run.options.duration);
+  const Array<double> stops = stops_of(run.model, t - near, t + near);
+  return !stops.empty();
+}
+
+}  // namespace taut::solve::dynamics

@@ -1,0 +1,142 @@
+#pragma once
+#include "taut/base/array.hpp"
+#include "taut/solve/motion/parts/build.hpp"
+#include "taut/solve/motion/run/ledger.hpp"
+#include "taut/solve/motion/step/step.hpp"
+
+namespace taut::solve::dynamics {
+
+/// A run under way.
+struct Run {
+  const machine::Model& model;
+  const TransientOptions& options;
+  Mechanism m{};
+  Values before{}, now{};  ///< at the start and at the end of the step
+  Work w{};
+  Newton newton{};
+  Scheme scheme{};
+  Ledger ledger{};
+  TransientResult result{};
+  DynamicState origin{};   ///< what the state is completed from
+  Array<double> stops{};   ///< times to step onto, growing
+  Array<char> happened{};  ///< by event
+  struct Breaking {
+    int line = 0;
+    double from = 0, over = 0;  ///< s
+  };
+  Array<Breaking> breaking{};
+  double end = 0;
+  double h = 0;
+  double floor = 0;                     ///< where a law changes no step need be shorter, s
+  bool fresh = false;                   ///< what slips does not go on as it did: after a start, an event, an Euler step
+  int rough_left = 0, rough_more = 1;   ///< Euler steps to go on with; how many were asked for last
+  bool rough_next = false;              ///< the next step is an implicit Euler step
+  bool begins_anew = false;             ///< something has happened at the end of the run: what goes on has to begin so
+  bool fell = false;                    ///< a quasi-static step has ended where the machine came to rest again
+  double grid_from = 0, grid_step = 0;  ///< of the outputs, s
+  bool resumed = false;                 ///< from the memory of an earlier run
+  int since_asked = 0;                  ///< tries of a step since `progress` was asked
+  // what the control of the error looks back on
+  int known = 0;                       ///< steps since the last restart
+  Array<double> nu_old{}, rate_old{};  ///< at the start of the last step
+  Array<double> T_old{}, T_older{};    ///< by line
+  double h_last = 0, h_older = 0;
+  int careful = 0;            ///< steps that still grow a little at a time
+  Array<double> T_largest{};  ///< by reeving, N
+  Array<double> L_first{};    ///< by line, m
+  double lacks = 0;           ///< largest residual of the ledger at an output step, J
+  // of Verlet's steps
+  Array<double> T_rate{};      ///< by line: change of its tension in the last step over that step, N/s; NaN: none
+  Array<double> T_error{};     ///< by reeving: largest error of its tensions, N
+  Array<double> T_expected{};  ///< by reeving: largest tension in an earlier, coarser run, N; empty: there is none
+  // of measures
+  struct Mean {
+    double integral = 0, duration = 0;  ///< of the value over time, s
+    double last_t = 0, last_value = 0;
+    bool inside = false;  ///< at the step before
+  };
+  double last_time = -1;      ///< of the step before, s
+  Array<double> reference{};  ///< by what is observed; NaN: none yet
+  Array<Mean> means{};
+};
+
+/// The machine with the sides that its sheaves without a given side have where it comes to rest; as described where the
+/// motion begins as described.
+machine::Model sided_at_rest(const machine::Model& model, Start start);
+
+/// Builds the mechanism where the motion begins, settles it where the options say so, finds the damping. False with an
+/// outcome in the result.
+bool open_run(Run& run);
+
+/// The value of an observable now; of a measure as its deck wants it seen.
+double observe(const Run& run, const Values& v, const machine::Observable& what);
+double observe_as_it_is(const Run& run, const Values& v, const machine::Observable& what);
+/// What relative measures relate to, from their `since` on; before the extremes of a step.
+void take_references(Run& run, const Values& v);
+/// Adds the step to the mean of what is observed.
+void add_to_mean(Run& run, const Values& v, std::size_t observed, double value);
+void extend(Extreme& e, double value, double t, bool first);
+
+/// Writes down one output step; extremes at every step.
+void record_frame(Run& run, const Values& v);
+void record_extremes(Run& run, const Values& v);
+/// Of the observed quantities alone.
+void extend_observed(Run& run, const Values& v);
+TransientFrame frame_of(const Mechanism& m, const Values& v);
+
+/// Notes what has changed in a step: slack and taut, stick and slip, lift-off.
+void note_changes(Run& run);
+/// A line that became slack or taut in the step of h from t.
+void note_slack(Run& run, std::size_t line, double e_before, double e_now, double t, double h);
+void note(Run& run, double t, std::string what, std::string where, Array<std::pair<std::string, double>> values = {},
+          std::optional<int> reeving = {});
+
+/// Events of the model: those due at t happen. Whether any did (a restart is needed); `stop`: the run is over.
+bool happen(Run& run, Values& v, bool& stop);
+/// Whether a condition of an event not yet happened holds.
+bool comes_true(const Run& run, const Values& v);
+/// Drums whose rope has come onto another layer take its radius; whether any did.
+bool change_layers(Run& run, Values& v);
+/// Ends the run where a drum has let out all the rope that the description gives it. Whether one has.
+bool run_out(Run& run);
+/// Times of events and breakpoints of signals, without those before `from`.
+Array<double> stops_of(const machine::Model& model, double from, double to);
+/// Whether an event is due at t or a signal jumps there.
+bool jumps_at(const Run& run, double t);
+
+/// Sets what is left of breaking lines at t.
+void fade(const Run& run, double t, Values& v);
+/// The longest step that follows the breaks under way: a rope whose stiffness fades stretches ever faster, s.
+double step_of_fading(const Run& run);
+
+/// How many times longer the steps of fast motions may be than their errors say: 1, until a run has taken many.
+double impatience(const Run& run);
+/// Notes when that begins.
+void note_impatience(Run& run);
+/// The step's energy; `rough`: by implicit Euler.
+void book_step(Run& run, bool rough);
+/// Whether a line gets slack or taut in the step and its books do not close, by more than a thousandth of what is
+/// turned over; not where a step of half the size would be one of implicit Euler.
+bool snatches_too_far(const Run& run);
+/// Where a law changes no step need be shorter, s.
+double floor_of(const Run& run);
+/// A step that resolves the fastest motion, s.
+double resolving_step(const Run& run);
+/// Of all ropes so far, N.
+double largest_tension(const Run& run);
+/// The error of the step by the tolerance: 1 is as much as is allowed. `kink`: per step, not per time.
+double error_of(const Run& run, bool kink);
+/// Whether no rope is left of line `i`.
+bool used_up(Run& run, std::size_t i);
+/// Of a dead end: then nothing is left of it for good.
+void mark_run_off(Run& run, std::size_t i);
+/// Why the run can't go on at t.
+Outcome failure(Run& run, StepEnd end, double t);
+
+/// Keeps what the next one needs.
+void keep_history(Run& run);
+
+/// Steps until the end. Fills the outcome.
+void march(Run& run);
+
+}  // namespace taut::solve::dynamics
