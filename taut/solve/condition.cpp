@@ -9,6 +9,7 @@
 #include "taut/base/expects.hpp"
 #include "taut/math/index.hpp"
 #include "taut/math/roots.hpp"
+#include "taut/solve/beam_tables.hpp"
 
 namespace taut::solve {
 namespace {
@@ -57,12 +58,13 @@ class ConditionSearch {
     return tried_.emplace_back(u, search(u)).second;
   }
 
-  /// Why there is no equilibrium where there was none last; ok where there always was one.
+  /// Why there is no equilibrium where there was none last; ok where there always was one. Which beam buckles, and by
+  /// how much, is found here only.
   Outcome failure() const {
-    if (!failed_) return {};
+    if (failed_.message != some_beam_buckles) return failed_;
     EquilibriumOptions telling = options_;
     telling.beam_factors = true;
-    return equilibrium(varied(*failed_), telling, near_).outcome;
+    return equilibrium(varied(failed_at_), telling, near_).outcome;
   }
 
   Conditioned best;
@@ -79,7 +81,8 @@ class ConditionSearch {
     machine::Model model = varied(u);
     EquilibriumResult r = equilibrium(model, options_, near_);
     if (!r.outcome.ok()) {
-      failed_ = u;
+      failed_ = r.outcome;
+      failed_at_ = u;
       return std::nan("");
     }
     near_ = r.state;
@@ -120,7 +123,8 @@ class ConditionSearch {
   EquilibriumOptions options_;
   std::optional<machine::State> near_;
   double first_;
-  std::optional<double> failed_;            ///< u without an equilibrium, the last one
+  Outcome failed_;                          ///< where there was no equilibrium last
+  double failed_at_ = 0;                    ///< u there
   Array<std::pair<double, double>> tried_;  ///< u and what was open there
   double best_misfit = std::numeric_limits<double>::infinity();
 };
