@@ -144,7 +144,8 @@ std::optional<std::pair<double, double>> bracket(ConditionSearch& search, double
     }
     if ((open < 0) != (at_zero < 0)) return std::minmax(known, next);
     const double to_zero = open / (at_known - open) * step;
-    const double longer = to_zero > 0 ? std::clamp(beyond * to_zero, step / 4, most_growth * step) : 2 * step;
+    const double longer =
+        to_zero > 0 ? std::clamp(beyond * to_zero, std::max(step / 4, 2 * least_step), most_growth * step) : 2 * step;
     known = next;
     at_known = open;
     step = std::min(longer, (none - std::abs(known)) / 2);

@@ -43,7 +43,7 @@ constexpr double lightest = 1.0 / 256;  ///< share of the weight of a fed rope t
 constexpr double least_weight_step = 1e-3;
 constexpr int most_pull_doublings = 5;
 constexpr double pull_precision = 1e-4;
-constexpr int coarser_beams = 3;  ///< steps of a beam for one of a fall: their error, 1e-5, is below where a fall ends
+constexpr int coarser_beams = 3;  ///< steps of a beam for one of a fall: their error is below where a fall ends
 
 /// The weight of a body and of the loads on it, N.
 double weight_on(const machine::Model& model, int body) {
