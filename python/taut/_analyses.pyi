@@ -1,6 +1,6 @@
 """Made from the descriptions by python/tools/make_stub.py; do not edit. `./dev python stub` makes it again.
 
-schema: 2eff893a3a0dad46370f582a257efb40294e0e2e10ff280b2165bbf9ae9e8cae
+schema: 5e4e9f2326e852e9ffea96d8d62e01ac8d9c05076798c467506118d9a7bfd5eb
 """
 
 from collections.abc import Mapping, Sequence

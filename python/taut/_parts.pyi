@@ -1,6 +1,6 @@
 """Made from the descriptions by python/tools/make_stub.py; do not edit. `./dev python stub` makes it again.
 
-schema: 2eff893a3a0dad46370f582a257efb40294e0e2e10ff280b2165bbf9ae9e8cae
+schema: 5e4e9f2326e852e9ffea96d8d62e01ac8d9c05076798c467506118d9a7bfd5eb
 """
 
 from collections.abc import Mapping, Sequence
@@ -293,8 +293,8 @@ class Parts:
         copies: number of equal parallel ropes (at least 1). Default: 1.
         haul: direction when hoisting or hauling in; default: to its drum or given tension, else to its start: `to_start`,
             `to_end`.
-        segments: in motion the number of segments of each branch, with the mass of the rope at their joints (at least 1 and
-            at most 1000). Default: 1.
+        segments: in motion the number of segments of each branch, with the mass of the rope at their joints, which may run
+            over rounds and onto drums (at least 1 and at most 1000). Default: 1.
         may_slack: true: it may go slack without an unsafe warning. Default: false.
         closed: an endless rope, from the last element back to the first. Default: false.
 

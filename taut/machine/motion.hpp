@@ -191,6 +191,7 @@ struct Observable {
   bool has_mean = false;  ///< mean while the quantity `mean_of` lies between mean_from and mean_to
   double mean_from = 0, mean_to = 0;
   std::optional<int> mean_of = std::nullopt;  ///< index in Model::mean_windows; empty: the time
+  std::optional<int> joint = std::nullopt;    ///< of the branch `part` of the rope `index`, from 1: its place
 };
 
 struct Condition {

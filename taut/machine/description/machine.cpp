@@ -38,9 +38,9 @@ const Description& Machine::describe() {
           .named_records(&Machine::actuators, "actuators", "cylinders")
           .record(&Machine::tensioners, "tensioners", "lengths of ropes changed by a signal")
           .record(&Machine::events, "events", "events of a transient, at a time or on a condition")
-          .field(
-              &Machine::observe, "observe",
-              "quantities that a transient records: car.z, skyline.T_max, ext[2].T; default: see the guide on dynamics")
+          .field(&Machine::observe, "observe",
+                 "quantities that a transient records: car.z, skyline.T_max, ext[2].T, ext[2,7].x; default: see the "
+                 "guide on dynamics")
           .named_records(&Machine::measures, "measures",
                          "quantities of a motion under names of their own, recorded in addition to those of 'observe'");
   return d;
@@ -226,7 +226,8 @@ const Description& Reeving::describe() {
           .choice(&Reeving::haul, "haul", {{"to_start", Haul::to_start}, {"to_end", Haul::to_end}},
                   "direction when hoisting or hauling in; default: to its drum or given tension, else to its start")
           .field(&Reeving::segments, "segments", "n", si::one,
-                 "in motion the number of segments of each branch, with the mass of the rope at their joints")
+                 "in motion the number of segments of each branch, with the mass of the rope at their joints, which "
+                 "may run over rounds and onto drums")
           .at_least(1)
           .at_most(1000)
           .field(&Reeving::may_slack, "may_slack", "true: it may go slack without an unsafe warning")

@@ -50,6 +50,16 @@ const ObservableNames of_branch = {
      .unit = si::N,
      .words = "largest tension of branch N, from 1 along the path"},
     {.name = "length", .quantity = Observed::branch_length, .unit = si::m, .words = "its unstretched length"}};
+const ObservableNames of_joint = {
+    {.name = "x",
+     .quantity = Observed::x,
+     .unit = si::m,
+     .words = "place of joint J of branch N, of a rope in segments"},
+    {.name = "y", .quantity = Observed::y, .unit = si::m, .words = "joints from 1, at equal distances along the rope"},
+    {.name = "z", .quantity = Observed::z, .unit = si::m, .words = "the same"},
+    {.name = "vx", .quantity = Observed::vx, .unit = si::m_per_s, .words = "velocity of the rope there"},
+    {.name = "vy", .quantity = Observed::vy, .unit = si::m_per_s, .words = "the same"},
+    {.name = "vz", .quantity = Observed::vz, .unit = si::m_per_s, .words = "the same"}};
 const ObservableNames of_sheave = {
     {.name = "T_in", .quantity = Observed::T_in, .unit = si::N, .words = "tension before it along the path"},
     {.name = "T_out", .quantity = Observed::T_out, .unit = si::N, .words = "tension behind it"},
@@ -102,10 +112,10 @@ const Named* find(const ObservableNames& names, std::string_view name) {
   return at == names.end() ? nullptr : &*at;
 }
 
-/// "ext[2].T" -> ext, 2, T. ObservableNames of parts may have dots: the last one counts.
+/// "ext[2].T" -> ext, 2, T; "ext[2,7].x" -> ext, 2, 7, x. Names of parts may have dots: the last one counts.
 struct Path {
   std::string name;
-  std::optional<int> number;
+  std::optional<int> number, joint;
   std::string quantity;
 };
 
@@ -116,11 +126,16 @@ Path split(const std::string& text) {
   if (dot != std::string::npos) p.quantity = text.substr(dot + 1);
   const std::size_t open = p.name.rfind('[');
   if (open != std::string::npos && p.name.back() == ']') {
-    int number = 0;
-    const char* first = p.name.data() + open + 1;
-    const char* last = p.name.data() + p.name.size() - 1;
-    const auto [end, error] = std::from_chars(first, last, number);
-    if (error == std::errc{} && end == last) {
+    const std::size_t comma = p.name.find(',', open);
+    const auto whole = [&](std::size_t from, std::size_t to) -> std::optional<int> {
+      int number = 0;
+      const auto [end, error] = std::from_chars(p.name.data() + from, p.name.data() + to, number);
+      return error == std::errc{} && end == p.name.data() + to ? std::optional(number) : std::nullopt;
+    };
+    const std::size_t last = p.name.size() - 1;
+    const auto number = whole(open + 1, std::min(comma, last));
+    if (comma != std::string::npos) p.joint = whole(comma + 1, last);
+    if (number && (comma == std::string::npos || p.joint)) {
       p.number = number;
       p.name.resize(open);
     }
@@ -193,9 +208,19 @@ class Resolver {
     const auto i = index_of(model_.reevings, path_.name);
     if (!i) return std::nullopt;
     if (!path_.number) return make(of_rope, *i);
-    const int branches = branch_count(model_.reevings[*i]);
-    if (*path_.number >= 1 && *path_.number <= branches) return make(of_branch, *i, *path_.number - 1);
-    reason = fmt::format("'{}' has the branches 1 to {} along its path", path_.name, branches);
+    const int branches = branch_count(model_.reevings[*i]), segments = model_.reevings[*i].segments;
+    if (*path_.number < 1 || *path_.number > branches) {
+      reason = fmt::format("'{}' has the branches 1 to {} along its path", path_.name, branches);
+      return std::nullopt;
+    }
+    if (!path_.joint) return make(of_branch, *i, *path_.number - 1);
+    if (segments > 1 && *path_.joint >= 1 && *path_.joint < segments) {
+      auto found = make(of_joint, *i, *path_.number - 1);
+      if (found) found->joint = path_.joint;
+      return found;
+    }
+    reason = segments > 1 ? fmt::format("a branch of '{}' has the joints 1 to {}", path_.name, segments - 1)
+                          : fmt::format("'{}' has no joints: give it 'segments'", path_.name);
     return std::nullopt;
   }
   std::optional<Observable> sheave() {
@@ -209,7 +234,8 @@ class Resolver {
           return make(of_load, static_cast<int>(r), static_cast<int>(n));
         }
         if (!over || nodes[n].name != path_.name) continue;
-        if (++count == path_.number.value_or(1)) return make(of_sheave, static_cast<int>(r), static_cast<int>(n));
+        if (!path_.joint && ++count == path_.number.value_or(1))
+          return make(of_sheave, static_cast<int>(r), static_cast<int>(n));
       }
     }
     if (count > 0) reason = fmt::format("ropes run over '{}' {} times: [1] to [{}]", path_.name, count, count);
@@ -300,9 +326,9 @@ std::optional<Condition> condition(const std::string& text, const Model& model, 
 
 std::vector<QuantityWords> observable_words() {
   const std::vector<std::pair<std::string, const ObservableNames*>> all = {
-      {"BODY.", &of_place},      {"BODY.", &of_body},         {"POINT.", &of_place},  {"ROPE.", &of_rope},
-      {"ROPE[N].", &of_branch},  {"SHEAVE.", &of_sheave},     {"LOAD.", &of_load},    {"DRUM.", &of_drum},
-      {"CONTACT.", &of_contact}, {"CYLINDER.", &of_actuator}, {"energy.", &of_energy}};
+      {"BODY.", &of_place},     {"BODY.", &of_body},       {"POINT.", &of_place},       {"ROPE.", &of_rope},
+      {"ROPE[N].", &of_branch}, {"ROPE[N,J].", &of_joint}, {"SHEAVE.", &of_sheave},     {"LOAD.", &of_load},
+      {"DRUM.", &of_drum},      {"CONTACT.", &of_contact}, {"CYLINDER.", &of_actuator}, {"energy.", &of_energy}};
   std::vector<QuantityWords> words;
   for (const auto& [of, names] : all) {
     for (const Named& one : *names) words.push_back({of + one.name, "", one.unit, one.words});

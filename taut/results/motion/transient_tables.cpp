@@ -109,7 +109,8 @@ void add_energy(const study::TransientRun& run, Result& r) {
   };
   add_if_any("weight of slack ropes", &solve::EnergyLedger::slack, 1e-5);
   add_if_any("flanges, where ropes leave rounds out of their plane", &solve::EnergyLedger::flanges, 1e-5);
-  add_if_any("numerical, where ropes go taut at once", &solve::EnergyLedger::numerical, 0);
+  add_if_any("the steps themselves: ropes that go taut at once, joints laid out anew", &solve::EnergyLedger::numerical,
+             0);
   add("residual", &solve::EnergyLedger::residual);
   r.tables.push_back(make_table("energy" + run.ending,
                                 "Energy: what the machine holds, what was supplied and lost since the start",

@@ -125,7 +125,7 @@ struct EnergyLedger {
   double contacts = 0;   ///< dashpots and friction of faces
   double slack = 0;      ///< by the weight of rope that runs into slack branches (lost) and out of them (< 0)
   double flanges = 0;    ///< of rounds that ropes leave out of their plane: T (1 - cos d) R d(phi); a gain is < 0
-  double numerical = 0;  ///< by the Euler steps over kinks: impacts of ropes without mass; else part of the residual
+  double numerical = 0;  ///< by the Euler steps over kinks (impacts of ropes without mass) and by joints laid out anew
   double supplied = 0;   ///< by all drives, tensioners, driven bodies, actuators
   double residual = 0;
   double turnover = 0;  ///< largest of what was stored, supplied and dissipated: a scale for the residual

@@ -38,11 +38,12 @@ class Builder {
     add_contacts();
     add_chain_loads(m(), options_.method);
     add_spins();
-    add_lumps();
+    list_chains();
     number();
     add_couples(m());
     list_places();
     classify(built_.mechanism, options_.arcs);
+    lump_masses(m(), start_);
     fill_values(start_, built_);
     measure_loaded_spans(built_.mechanism, start_);
     if (built_.outcome.ok()) built_.outcome = check(built_.mechanism, start_, built_.values);
@@ -64,9 +65,8 @@ class Builder {
         body.about[f] = given.free[f].about;
         body.turns = body.turns || given.free[f].about != Vector3::Zero();
       }
-      body.mass = body.own_mass = given.mass;
-      body.centre = body.own_centre = given.centre;
-      body.inertia = given.inertia.asDiagonal();
+      body.own_mass = given.mass;
+      body.own_centre = given.centre;
       mark_point(body);
       m().bodies.push_back(body);
     }
@@ -259,35 +259,26 @@ class Builder {
     }
   }
 
-  /// Half of each line's mass to the bodies at its ends, at its rounds; and what hangs on the bodies.
-  void add_lumps() {
-    for (const machine::Load& load : model_.loads) {
-      if (load.at.body >= 0 && load.mass > 0) add_mass(m().bodies[load.at.body], load.mass, load.at.at);
-    }
-    for (int i = 0; i < count(m().lines.size()); ++i) {
-      const Line& line = m().lines[i];
-      const double mass = line.copies * line.mass * length_of(i);
-      for (const std::size_t end : {0U, 1U}) {
-        if (line.body[end] < 0 || mass == 0) continue;
-        add_mass(m().bodies[line.body[end]], mass * (end == 0 ? 1 - line.middle : line.middle), line.place[end]);
+  /// Where rope runs on or off at an end.
+  void list_chains() {
+    for (const auto& [first, lines] : m().first_line) {
+      Array<Chain> of_rope;
+      for (int i = first; i < first + lines; ++i) {
+        const Line& line = m().lines[i];
+        const bool goes_on = i > first && line.body[0] >= 0 && m().bodies[line.body[0]].model < 0;
+        if (!goes_on) of_rope.push_back({i, 0});
+        ++of_rope.back().count;
+      }
+      const auto tensioned = [&](int line) {
+        return std::any_of(m().tensioner.begin(), m().tensioner.end(), [&](const auto& t) { return t.first == line; });
+      };
+      for (const Chain& chain : of_rope) {
+        const int last = chain.first + chain.count - 1;
+        const bool runs = m().lines[chain.first].contact[0] >= 0 || m().lines[last].contact[1] >= 0;
+        if (chain.count > 1 && (runs || tensioned(chain.first) || tensioned(last))) m().chains.push_back(chain);
       }
     }
   }
-
-  static void add_mass(Body& body, double mass, const Vector3& place) {
-    const double total = body.mass + mass;
-    const Vector3 centre = (body.mass * body.centre + mass * place) / total;
-    const auto shift = [&](double by, const Vector3& from) {
-      const Vector3 d = from - centre;
-      body.inertia += by * (d.squaredNorm() * Matrix3::Identity() - d * d.transpose());
-    };
-    shift(body.mass, body.centre);
-    shift(mass, place);
-    body.mass = total;
-    body.centre = centre;
-  }
-
-  double length_of(int i) const { return lumped_length(built_.mechanism, start_, i); }
 
   void number();
   void list_places();

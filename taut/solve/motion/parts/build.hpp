@@ -16,6 +16,9 @@ Built build(const machine::Model& model, const DynamicState& start, const Transi
 Outcome check(const Mechanism& m, const DynamicState& start, const Values& v);
 /// Which of its parts are of simpler kinds, and which have rope on rounds.
 void classify(Mechanism& m, Arcs arcs);
+/// The mass, its centre and the inertia of every body: its own, that of the loads on it, and half of the mass of each
+/// line at its ends, by the lengths that `state` shares out.
+void lump_masses(Mechanism& m, const DynamicState& state);
 /// The values at the start, once the mechanism stands.
 void fill_values(const DynamicState& start, Built& built);
 /// Unstretched length of a line at the start, m.

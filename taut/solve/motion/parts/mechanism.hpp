@@ -152,6 +152,11 @@ struct ChainLoad {
   double bristle = 1;  ///< stiffness of its bristle, of a segment's
 };
 
+/// Lines of a rope in segments that meet at joints.
+struct Chain {
+  int first = 0, count = 0;
+};
+
 /// How a contact is in the step.
 enum class Grip : std::int8_t {
   stuck,
@@ -170,6 +175,7 @@ struct Mechanism {
   Array<std::pair<int, int>> first_line;  ///< by reeving: first line and count
   Array<Array<int>> inside;               ///< by reeving: bodies that are inner nodes
   Array<std::pair<int, int>> tensioner;   ///< by tensioner: line and end
+  Array<Chain> chains;                    ///< at whose ends rope runs on or off
   Array<ChainLoad> chain_loads;           ///< along ropes in segments
   Array<Couple> couples;                  ///< contacts of the model on faces, then its actuators, then `pushes`
   Array<int> pushes;                      ///< loads of the model whose size is a signal

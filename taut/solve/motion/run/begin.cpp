@@ -174,7 +174,6 @@ void classify(Mechanism& m, Arcs arcs) {
     body.driven = body.model >= 0 && !m.model->bodies[body.model].driven.empty();
     body.dead = -body.own_mass * m.model->gravity * up();
     if (body.model >= 0) body.dead += dead_load(m, body.model);
-    if (body.model >= 0) body.mass += m.model->bodies[body.model].counterweight;
     m.body_columns += body.count;
   }
   const auto shifts = [&](int body) { return body < 0 || (!m.bodies[body].turns && !m.bodies[body].driven); };

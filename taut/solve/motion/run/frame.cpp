@@ -142,21 +142,30 @@ double observe_from(const Motion3& seat, const Motion3& body, const Vector3& arm
   }
 }
 
+/// The body of a place: that of a joint is its own.
+int body_of(const Run& run, const machine::Observable& what) {
+  if (!what.joint) return what.index;
+  return run.m
+      .lines[run.m.first_line[what.index].first + *what.part * run.model.reevings[what.index].segments + *what.joint]
+      .body[0];
+}
+
 double observe_place(const Run& run, const Values& v, const machine::Observable& what) {
   static const Motion3 still;
-  const Motion3& body = what.index == machine::ground ? still : v.bodies[what.index];
+  const int index = body_of(run, what);
+  const Motion3& body = index == machine::ground ? still : v.bodies[index];
   const Vector3 arm = body.R * what.at;
   const int k = static_cast<int>(what.quantity);
-  const auto counted = [&](int body_of) { return counted_turn(run, v, body_of, k % 3); };
+  const auto counted = [&](int of) { return counted_turn(run, v, of, k % 3); };
   if (what.seen_from != machine::ground) {
-    const double turn = k / 3 == static_cast<int>(Observed::rx) / 3 ? counted(what.index) - counted(what.seen_from) : 0;
+    const double turn = k / 3 == static_cast<int>(Observed::rx) / 3 ? counted(index) - counted(what.seen_from) : 0;
     return observe_from(v.bodies[what.seen_from], body, arm, what.quantity, turn);
   }
   const auto in = [&](Observed first) { return k >= static_cast<int>(first) && k < static_cast<int>(first) + 3; };
   const auto axis = [&](Observed first) { return k - static_cast<int>(first); };
   if (in(Observed::x)) return (body.x + arm)[axis(Observed::x)];
   if (in(Observed::vx)) return (body.v + body.w.cross(arm))[axis(Observed::vx)];
-  if (in(Observed::rx)) return angle_about(body.R, axis(Observed::rx), counted(what.index));
+  if (in(Observed::rx)) return angle_about(body.R, axis(Observed::rx), counted(index));
   return body.w[axis(Observed::wx)];
 }
 

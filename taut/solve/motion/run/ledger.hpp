@@ -37,7 +37,7 @@ struct Ledger {
   double running = 0;    ///< kinetic energy of rope that has run over bends which move
   double hung = 0;       ///< taken by the weight of rope that runs into slack branches and out of them
   double askew = 0;      ///< taken by flanges that lead ropes into their grooves at an angle
-  double numerical = 0;  ///< by implicit Euler
+  double numerical = 0;  ///< by implicit Euler, and by joints laid out anew
   double turnover = 0;
   Powers last;
   Array<Prices> prices;  ///< by contact, at the time reached

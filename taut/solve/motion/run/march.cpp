@@ -212,11 +212,16 @@ void accept_as_it_is(Run& run, double h, bool rough) {
   if (run.options.step > 0) run.h = run.options.step;
 }
 
-/// The size of the next step, at most to `limit`; no rest that is next to nothing stays behind.
+/// The size of the next step, at most to `limit`; no rest that is next to nothing stays behind. Of Verlet one of equal
+/// steps: its dampers go by the velocity of half a step before.
 double size_of_step(const Run& run, double limit) {
   const bool fixed = run.options.step > 0;  // of Verlet always
   const double left = limit - run.before.t, h = std::min(run.h, fixed ? stable_step(run) : step_of_fading(run));
   if (h > 0.999999 * left) return left;
+  if (run.options.method == TimeMethod::verlet) {
+    const double parts = left / h;
+    return std::abs(parts - std::round(parts)) < 1e-6 * parts ? h : left / std::ceil(parts);
+  }
   return !fixed && h > left / 2 ? left / 2 : h;
 }
 
@@ -338,8 +343,10 @@ StepEnd look_round(Run& run, bool jump, bool& stop) {
   StepEnd end = StepEnd::ok;
   double broken = 0;
   const bool event = happen(run, run.before, stop) || change_layers(run, run.before);
-  const bool jolts = jump && !run.options.quasi_static;
-  run.begins_anew = event;
+  const bool joints = lay_out_joints(run, run.before);
+  const bool jolts = joints || (jump && !run.options.quasi_static);
+  if (joints) run.floor = resolving_step(run) / shorter_at_kinks;
+  run.begins_anew = event || joints;
   if ((event || jolts) && !stop && run.before.t < run.end) {
     run.begins_anew = false;
     end = begin_again(run, broken);

@@ -97,6 +97,9 @@ bool happen(Run& run, Values& v, bool& stop);
 bool comes_true(const Run& run, const Values& v);
 /// Drums whose rope has come onto another layer take its radius; whether any did.
 bool change_layers(Run& run, Values& v);
+/// Joints of a chain that run up to one of its ends are laid out anew along it; whether any were. What that takes of
+/// the stored energy is booked with the scheme's own.
+bool lay_out_joints(Run& run, Values& v);
 /// Ends the run where a drum has let out all the rope that the description gives it. Whether one has.
 bool run_out(Run& run);
 /// Times of events and breakpoints of signals, without those before `from`.

@@ -15,11 +15,13 @@ double equal_step(const TransientOptions& options, double step) {
 }
 
 double stable_step(const Run& run) {
-  constexpr double near_the_limit = 0.95;
+  constexpr double longer = 0.95 / verlet_share;  // than that share: until then the step stays
   const double step = run.options.step;
   if (run.options.method != TimeMethod::verlet || run.m.simple) return step;
   const double limit = stability_limit(run.m, run.before);
-  return step > near_the_limit * limit ? equal_step(run.options, verlet_share * limit) : step;
+  // a run that begins with a finer step than the usual one, for its error, keeps it as fine
+  const double share = std::min(verlet_share, step / run.result.stability_limit);
+  return step > longer * share * limit ? equal_step(run.options, share * limit) : step;
 }
 
 void note_tension_errors(Run& run) {
@@ -36,7 +38,13 @@ void note_tension_errors(Run& run) {
   }
 }
 
-void forget_tension_rates(Run& run) { run.T_rate.assign(run.m.lines.size(), std::numeric_limits<double>::quiet_NaN()); }
+void forget_tension_rates(Run& run) {
+  run.T_rate.assign(run.m.lines.size(), std::numeric_limits<double>::quiet_NaN());
+  // at an unchanged time dampers hold whatever they have to; the first step is compared with what they can
+  for (std::size_t i = 0; i < run.m.lines.size() && run.options.method == TimeMethod::verlet; ++i) {
+    if (!sags(run.m.lines[i], run.before.lines[i])) pull(run.m.lines[i], run.before.lines[i]);
+  }
+}
 
 double tension_error(const Run& run) {
   double error = 0;
