@@ -166,9 +166,13 @@ analyses: [{equilibrium: {motion: at_rest}}, {equilibrium: {motion: in}}]
   ASSERT_EQ(r.checks.size(), 1U);
   EXPECT_NEAR(r.checks[0].value, 1 / 0.9, 1e-9);
   EXPECT_NEAR(r.checks[0].limit, std::exp(0.2 * M_PI), 1e-9);
-  EXPECT_NE(to_text(run_text(text, {"machine.sheaves.drive.diameter=1 m", "machine.sheaves.idler.motor={}"}).errors)
-                .find("one sheave with a 'motor' that drives it, not 2"),
+  EXPECT_NE(run_text(text, {"machine.sheaves.idler.motor={}"}).message.find("give all motors but one a 'torque'"),
             std::string::npos);
+  // a given torque is met: 2 kN m at the radius of 0.5 m
+  const Result helped = run_text(text, {"machine.sheaves.idler.motor={torque: 2 kN m}"});
+  ASSERT_EQ(helped.status, Status::ok) << helped.message << to_text(helped.errors);
+  EXPECT_NEAR(value_of(helped, "idler.torque"), 2e3, 1e-6);
+  EXPECT_NEAR(value_of(helped, "drive.torque"), -2e3, 1e-6);
 }
 
 TEST(MachineRun, ChecksTheBreakingForceAndSaysInfeasibleWithAReason) {

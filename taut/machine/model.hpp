@@ -105,9 +105,10 @@ struct Node {
   double drag = 0;           ///< of such a sheave: moment against its angular velocity, N m s
   std::optional<int> drum;   ///< of an anchor: index of its drum; empty: a pin
   std::optional<int> motor;  ///< of a sheave: index of the motor that drives it
+  std::optional<int> wheel;  ///< of a sheave: nodes with the same number turn together; empty: by itself
   RopeLoad load;             ///< of a load
-  /// Of a drive: T_in - T_out by its given torque, of one copy, N; empty: the torque follows. A closed rope with a
-  /// given length and a given torque needs an open load.
+  /// Of a driven sheave: T_in - T_out by its given torque, of one copy, N; empty: the torque follows. A closed rope
+  /// with a given length and a given torque of its drive needs an open load. A contact with it helps the drive.
   std::optional<double> tension_drop;
 };
 

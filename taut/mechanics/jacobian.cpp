@@ -175,6 +175,10 @@ void add_arc(Assembly& a, int turn, int row) {
 void add_contact(Assembly& a, int turn) {
   const Layout::Turn& t = a.system.layout.turns[turn];
   const machine::Node& node = a.system.model.reevings[t.reeving].nodes[t.node];
+  if (node.tension_drop) {
+    add_turn(a, turn, *t.row, 1, -1, 0);
+    return;
+  }
   const Loss lost = loss(node.law, a.e.bends[turn].wrap);
   const double flow = a.system.losses * t.flow;
   const double in = std::exp(flow * lost.log / 2), out = 1 / in;

@@ -81,6 +81,8 @@ void add_laws(const System& s, const Configuration& c, Evaluation& e) {
       const double T_in = e.branches[turn.before].T_to, T_out = e.branches[turn.after].T_from;
       if (node.kind == machine::NodeKind::clamp) {
         e.residual[*turn.row] = length - node.length_before * (1 + reeving.thermal_strain);
+      } else if (node.kind == machine::NodeKind::contact && node.tension_drop) {
+        e.residual[*turn.row] = drop_misfit(s, e, t);
       } else if (node.kind == machine::NodeKind::contact) {
         const double g = s.losses * turn.flow * loss(node.law, e.bends[t].wrap).log;
         e.residual[*turn.row] = T_out * std::exp(-g / 2) - T_in * std::exp(g / 2);

@@ -56,7 +56,7 @@ void warn_of_friction(const machine::Model& m, Result& r) {
   std::set<std::string> reported;
   for (const machine::Reeving& one : m.reevings) {
     for (const machine::Node& own : one.nodes) {
-      if (own.kind != machine::NodeKind::drive || !std::isfinite(own.law.friction)) continue;
+      if (!own.motor || !std::isfinite(own.law.friction)) continue;
       if (own.law.friction <= doubtful_friction || !reported.insert(own.name).second) continue;
       r.warnings.push_back(
           fmt::format("friction {:.3g} on '{}' is more than a wet, oily or sap-covered rope gives: mine hoists are "

@@ -1,9 +1,13 @@
 #include "taut/solve/drives.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <numbers>
+#include <set>
 
 #include "taut/base/array.hpp"
 #include "taut/machine/compile/drums.hpp"
@@ -43,7 +47,7 @@ void fill_ledger(const machine::Reeving& rope, int sense, const EquilibriumResul
   const double arrives = sense > 0 ? d.T_in : d.T_out;
   const double u = std::abs(*d.speed) / (1 + arrives / rope.stiffness);
   d.power_loads = d.power_losses = d.power_carriages = 0;
-  double driven = 0;
+  double driven = 0, given = 0;
   for (const ContactResult& c : result.contacts) {
     if (c.reeving != d.reeving || c.state == ContactState::lifted) continue;
     const double grows = sense * (c.T_out - c.T_in);
@@ -52,23 +56,64 @@ void fill_ledger(const machine::Reeving& rope, int sense, const EquilibriumResul
       case machine::NodeKind::load:
         *d.power_loads += power;
         break;
-      case machine::NodeKind::contact:
-        *d.power_losses += power;
-        break;
       case machine::NodeKind::clamp:
         *d.power_carriages += power;
         break;
+      case machine::NodeKind::contact:
+        if (!rope.nodes[c.node].tension_drop) {
+          *d.power_losses += power;
+          break;
+        }
+        [[fallthrough]];  // another motor helps the drive
       case machine::NodeKind::drive:
-        driven = -power;
+        driven -= power;
+        given += rope.copies * (c.T_in - c.T_out) * *d.speed;
         break;
       case machine::NodeKind::anchor:
         break;
     }
   }
-  d.power_creep = d.power - driven;
+  d.power_creep = given - driven;
 }
 
+/// Nodes of driven sheaves, or of wheels with several grooves.
+struct Groove {
+  const machine::Reeving* rope;
+  const machine::Node* node;
+};
+
 }  // namespace
+
+std::optional<std::string> undetermined_drive(const machine::Model& model) {
+  std::map<int, Array<Groove>> wheels;
+  for (const machine::Reeving& rope : model.reevings) {
+    const machine::Node* leads = nullptr;
+    for (const machine::Node& node : rope.nodes) {
+      if (node.wheel) wheels[*node.wheel].push_back({&rope, &node});
+      if (!node.motor || node.tension_drop) continue;
+      if (leads != nullptr && leads->name != node.name) {
+        return fmt::format(
+            "'{}' and '{}' both drive '{}': how they share its pull follows from the creep of the rope, in motion "
+            "only; "
+            "give all motors but one a 'torque'",
+            leads->name, node.name, rope.name);
+      }
+      leads = &node;
+    }
+  }
+  for (const auto& [wheel, grooves] : wheels) {
+    const machine::Node& first = *grooves.front().node;
+    std::set<const machine::Reeving*> ropes;
+    for (const Groove& groove : grooves) ropes.insert(groove.rope);
+    const bool by_speed = first.motor && !first.tension_drop;  // it gives each rope what it needs
+    if (grooves.size() < 2 || (by_speed && ropes.size() == grooves.size())) continue;
+    return fmt::format(
+        "'{}' is one wheel with {} grooves: how they share its torque follows from the creep of the ropes, in motion "
+        "only",
+        first.name, grooves.size());
+  }
+  return std::nullopt;
+}
 
 Array<DriveResult> drives(const machine::Model& model, const EquilibriumResult& result) {
   Array<DriveResult> all;
@@ -76,7 +121,8 @@ Array<DriveResult> drives(const machine::Model& model, const EquilibriumResult& 
     const machine::Reeving& rope = model.reevings[r];
     for (int n = 0; n < static_cast<int>(rope.nodes.size()); ++n) {
       const machine::Node& node = rope.nodes[n];
-      const ContactResult* c = node.kind == machine::NodeKind::drive ? contact_at(result, r, n) : nullptr;
+      const bool drives = node.kind == machine::NodeKind::drive || node.tension_drop;
+      const ContactResult* c = drives ? contact_at(result, r, n) : nullptr;
       if (c == nullptr) continue;
       DriveResult d;
       d.reeving = r;
@@ -91,7 +137,7 @@ Array<DriveResult> drives(const machine::Model& model, const EquilibriumResult& 
       if (rope.speed > 0 && sense != 0) {
         d.speed = sense * rope.speed;
         d.power = rope.copies * (d.T_in - d.T_out) * *d.speed;
-        if (rope.closed) fill_ledger(rope, sense, result, d);
+        if (rope.closed && node.kind == machine::NodeKind::drive) fill_ledger(rope, sense, result, d);
       }
       all.push_back(d);
     }

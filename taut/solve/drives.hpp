@@ -1,5 +1,6 @@
 #pragma once
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "taut/base/array.hpp"
@@ -27,6 +28,10 @@ struct DriveResult {
   double power = 0;
   std::optional<double> power_loads, power_losses, power_carriages, power_creep;
 };
+
+/// Why the pull of a driven sheave is not determined at rest or in steady running; empty: it is. Several motors on one
+/// rope need a given torque each, but for one; a wheel with several grooves has one torque for all of them.
+std::optional<std::string> undetermined_drive(const machine::Model& model);
 
 /// Of every motor of the model.
 Array<DriveResult> drives(const machine::Model& model, const EquilibriumResult& result);

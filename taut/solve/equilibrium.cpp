@@ -14,6 +14,7 @@
 #include "taut/mechanics/configuration.hpp"
 #include "taut/solve/band.hpp"
 #include "taut/solve/beam_tables.hpp"
+#include "taut/solve/drives.hpp"
 #include "taut/solve/rest/far_loop.hpp"
 #include "taut/solve/rest/fed_rope.hpp"
 #include "taut/solve/rest/first_state.hpp"
@@ -531,13 +532,17 @@ Outcome stands_by_itself(const machine::Model& model, const EquilibriumOptions& 
 
 EquilibriumResult equilibrium(const machine::Model& model, const EquilibriumOptions& options,
                               const std::optional<machine::State>& start) {
+  EquilibriumResult result;
+  if (const auto open = options.lengths_kept ? std::nullopt : undetermined_drive(model)) {
+    result.outcome = taut::infeasible(*open);
+    return result;
+  }
   const Flow flow = flow_of(model, options);
   bool runs = false;
   for (std::size_t r = 0; r < model.reevings.size(); ++r) runs = runs || centrifugal(model.reevings[r], flow[r]) > 0;
   const auto solve_on = [&](const machine::Model& on, const std::optional<machine::State>& near) {
     return standing(on, options, flow, near);
   };
-  EquilibriumResult result;
   if (runs) {
     const auto moving = running(model, flow);
     if (!moving) {

@@ -28,6 +28,7 @@ constexpr double pushed = 0.01;  ///< of the longest span
 bool has_followers(const mechanics::System& s) {
   return std::any_of(s.layout.turns.begin(), s.layout.turns.end(), [&](const mechanics::Layout::Turn& t) {
     const machine::Node& node = s.model.reevings[t.reeving].nodes[t.node];
+    if (node.kind == machine::NodeKind::contact && node.tension_drop) return true;
     if (node.kind == machine::NodeKind::load || (node.kind == machine::NodeKind::drive && t.row)) return true;
     return node.kind == machine::NodeKind::drive && s.model.reevings[t.reeving].given == machine::Given::torque;
   });

@@ -244,6 +244,23 @@ const Description& PhaseRequest::describe() {
   return d;
 }
 
+namespace {
+
+/// The work of a second motor on an endless rope is not in the books of a cycle.
+void refuse_helpers(Names& names, const std::string& path) {
+  for (const machine::Reeving& rope : names.model.reevings) {
+    for (const machine::Node& node : rope.nodes) {
+      if (node.kind != machine::NodeKind::contact || !node.motor) continue;
+      names.complaints.push_back({path, fmt::format("'{}' drives '{}' beside '{}': a cycle counts one motor for each "
+                                                    "endless rope; leave out its 'motor'",
+                                                    node.name, rope.name, rope.nodes.front().name)});
+      return;
+    }
+  }
+}
+
+}  // namespace
+
 const Description& CycleRequest::describe() {
   static const Description d =
       Describe<CycleRequest>()
@@ -304,6 +321,7 @@ CycleRun resolve(const CycleRequest& request, const std::string& path, Names& na
   if (run.winches.empty()) {
     names.complaints.push_back({path, "nothing pulls: no rope ends on a drum, has a tension given, or is a mainline"});
   }
+  refuse_helpers(names, path);
   return run;
 }
 

@@ -76,7 +76,7 @@ ModesRun resolve(const ModesRequest& request, const std::string& path, Names& na
   run.options.rope_mass = request.rope_mass;
   run.options.branches = branches_of(request.branches);
   check_inertia(names.machine, names.model, names.complaints);
-  check_masses(names.machine, names.model, request.rope_mass, names.complaints);
+  check_masses(names.machine, names.model, {.rope_mass = request.rope_mass}, names.complaints);
   return run;
 }
 

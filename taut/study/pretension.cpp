@@ -396,7 +396,7 @@ PretensionRun resolve(const PretensionRequest& request, const std::string& path,
     } else {
       check_inertia(names.machine, names.model, names.complaints);
       check_guides(names.machine, names.complaints);
-      check_masses(names.machine, names.model, true, names.complaints);
+      check_masses(names.machine, names.model, {.slowly = true}, names.complaints);
     }
   }
   return run;

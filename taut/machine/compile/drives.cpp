@@ -23,7 +23,7 @@ void add_motor(Node& node, Reeving& reeving, const Motor& motor) {
   if (motor.drive.kind == DriveKind::torque && node.radius > 0) {
     node.tension_drop = at(motor.drive.signal, 0).value / (node.radius * reeving.copies);
   }
-  if (const auto speed = speed_of(motor.drive)) reeving.speed = *speed;
+  if (const auto speed = speed_of(motor.drive); speed && node.kind == NodeKind::drive) reeving.speed = *speed;
 }
 
 void add_drum(const description::Drum& given, const RopeData& rope, Reeving& reeving, Drum& drum) {
@@ -51,7 +51,7 @@ void finish_drives(const Machine& machine, const Array<RopeData>& ropes, Model& 
     reeving.mass = ropes[r].mass;
     reeving.diameter = ropes[r].diameter;
     for (Node& node : reeving.nodes) {
-      if (node.kind != NodeKind::drive) continue;
+      if (node.kind != NodeKind::drive && node.kind != NodeKind::contact) continue;
       for (const Motor& motor : model.motors) {
         if (motor.name == node.name) add_motor(node, reeving, motor);
       }

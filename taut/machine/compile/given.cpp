@@ -25,17 +25,20 @@ std::optional<double> pull_of(const Machine& machine, const Model& model, const 
   return std::nullopt;
 }
 
-/// The motor on the path, if there is one.
+bool gives_torque(const Motor& motor) { return motor.drive.kind == DriveKind::torque; }
+
+/// The motor that drives the rope, if there is one: of several the first without a given torque, else the first.
 const Motor* motor_on(const Model& model, const description::Reeving& given) {
+  const Motor* found = nullptr;
   for (const auto& e : given.path) {
     for (const Motor& motor : model.motors) {
-      if (e.over && motor.name == *e.over) return &motor;
+      if (!e.over || motor.name != *e.over) continue;
+      if (!gives_torque(motor)) return &motor;
+      if (found == nullptr) found = &motor;
     }
   }
-  return nullptr;
+  return found;
 }
-
-bool gives_torque(const Motor& motor) { return motor.drive.kind == DriveKind::torque; }
 
 int haul_of(const description::Reeving& given, const Reeving& reeving) {
   if (given.haul != Haul::automatic) return given.haul == Haul::to_end ? 1 : -1;

@@ -44,6 +44,8 @@ Stop round_stop(const Machine& machine, const Target& target, Side side) {
   stop.side = side;
   Node& node = stop.node;
   stop.drives = round.motor.has_value();
+  stop.by_torque = stop.drives && round.motor->torque.has_value();
+  if (stop.drives || round.one_wheel) node.wheel = target.index;
   node.name = round.name;
   node.kind = NodeKind::contact;
   node.at = target.place;
@@ -301,16 +303,18 @@ class OpenSides {
   Array<bool> open_;
 };
 
-/// Turns an endless path so that its drive comes first.
+/// Turns an endless path so that its drive comes first: the first motor without a given torque, which gives what the
+/// others leave, else the first one.
 void begin_at_drive(Array<Stop>& stops, const std::string& path, std::vector<Complaint>& complaints) {
-  const auto is_drive = [](const Stop& stop) { return stop.drives; };
-  const auto drives = std::count_if(stops.begin(), stops.end(), is_drive);
-  if (drives != 1) {
-    complaints.push_back(
-        {path, fmt::format("an endless rope has one sheave with a 'motor' that drives it, not {}", drives)});
+  auto drive =
+      std::find_if(stops.begin(), stops.end(), [](const Stop& stop) { return stop.drives && !stop.by_torque; });
+  if (drive == stops.end())
+    drive = std::find_if(stops.begin(), stops.end(), [](const Stop& stop) { return stop.drives; });
+  if (drive == stops.end()) {
+    complaints.push_back({path, "an endless rope needs a sheave with a 'motor' that drives it"});
     return;
   }
-  std::rotate(stops.begin(), std::find_if(stops.begin(), stops.end(), is_drive), stops.end());
+  std::rotate(stops.begin(), drive, stops.end());
   stops.front().node.kind = NodeKind::drive;
 }
 

@@ -23,7 +23,8 @@ struct Stop {
   int roller = 0;               ///< of a carriage with several: which one
   bool grip = false;            ///< where a rope that the carriage does not ride on is fixed to it
   bool saddle = false;
-  bool drives = false;  ///< has a motor
+  bool drives = false;     ///< has a motor
+  bool by_torque = false;  ///< that has a given torque
   std::optional<AheadOf> ahead_of = std::nullopt;
 };
 

@@ -91,6 +91,7 @@ struct Round {
   std::optional<double> inertia;   ///< kg m2, for dynamics
   double drag = 0;                 ///< N m s, for dynamics
   std::optional<Motor> motor;
+  bool one_wheel = false;                                ///< all ropes and turns of ropes over it turn one wheel
   std::optional<OverGround> over_ground = std::nullopt;  ///< in place of `at`
   /// "ahead_of CARRIAGE": it is in the path of a rope that ends at this carriage only where it lies between the
   /// carriage and what the rope comes from.

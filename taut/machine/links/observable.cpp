@@ -362,11 +362,13 @@ Array<Observable> usual_observables(const Model& model) {
     for_each_moving(body, [&](const Named& coordinate) { add_one(body.name, coordinate, i, std::nullopt); });
   }
   for (std::size_t i = 0; i < model.drums.size(); ++i) add(model.drums[i].name, of_drum, {"speed"}, i);
+  Array<bool> seen(model.motors.size(), false);  // one may have several grooves
   for (std::size_t r = 0; r < model.reevings.size(); ++r) {
     for (std::size_t n = 0; n < model.reevings[r].nodes.size(); ++n) {
       const Node& node = model.reevings[r].nodes[n];
       const bool load = node.kind == NodeKind::load && !(node.load.part > 0);
-      if (node.motor) add(node.name, of_sheave, {"speed"}, r, static_cast<int>(n));
+      if (node.motor && !seen[*node.motor]) add(node.name, of_sheave, {"speed"}, r, static_cast<int>(n));
+      if (node.motor) seen[*node.motor] = true;
       if (load) add(node.name, of_load, {"T_in", "T_out"}, r, static_cast<int>(n));
     }
   }

@@ -206,4 +206,16 @@ TEST(CycleAnalysis, TellsEachMistakeAtItsPlace) {
   expect_mistake(run_text(good, {"analyses[0].cycle.phases[0]={motion: in}"}), "lacks 'name'");
 }
 
+TEST(CycleAnalysis, CountsOneMotorForEachEndlessRope) {
+  const std::vector<std::string> endless = {
+      "machine.sheaves={drive: {at: [0 m, 0 m, -2 m], diameter: 1 m, friction: 0.3, motor: {}}, back: {at: [200 m, 0 "
+      "m, 58 m], "
+      "diameter: 1 m, friction: 0.3, motor: {torque: 1 kN m}}}",
+      "machine.reevings[1]={rope: pull, path: [{over: drive}, {through: car}, {over: back}], closed: true, length: 422 "
+      "m}",
+      "machine.carriages.car={mass: 300 kg, rides: track, hold: fixed_to, fixed_to: pull}", "machine.drums={}"};
+  const Result r = run_text(incline("{name: a}", 4), endless);
+  EXPECT_NE(to_text(r.errors).find("a cycle counts one motor"), std::string::npos) << to_text(r.errors) << r.message;
+}
+
 }  // namespace cycle_analysis_test

@@ -5,6 +5,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 namespace taut::study {
 namespace {
@@ -77,6 +78,24 @@ void check_motors(const machine::Machine& machine, const machine::Model& model, 
     if (turns) continue;
     complaints.push_back(
         {place_of_sheave(machine, model.motors[i].name), "a torque drives it: a motion needs its 'inertia'"});
+  }
+}
+
+/// Wheels with several grooves: what couples the ropes over them is their turning.
+void check_wheels(const machine::Machine& machine, const machine::Model& model, bool slowly,
+                  std::vector<Complaint>& complaints) {
+  std::map<int, Array<const machine::Node*>> wheels;
+  for (const machine::Reeving& rope : model.reevings) {
+    for (const machine::Node& node : rope.nodes) {
+      if (node.wheel && !node.motor) wheels[*node.wheel].push_back(&node);
+    }
+  }
+  for (const auto& [wheel, grooves] : wheels) {
+    const machine::Node& node = *grooves.front();
+    if (grooves.size() < 2 || (node.inertia > 0 && !slowly)) continue;
+    complaints.push_back({place_of_sheave(machine, node.name) + ".one_wheel",
+                          slowly ? "a quasi-static motion has no inertia that a wheel with several grooves turns by"
+                                 : "a motion needs the 'inertia' of a wheel with several grooves"});
   }
 }
 
@@ -154,11 +173,13 @@ void check_guides(const machine::Machine& machine, std::vector<Complaint>& compl
   }
 }
 
-void check_masses(const machine::Machine& machine, const machine::Model& model, bool rope_mass,
+void check_masses(const machine::Machine& machine, const machine::Model& model, const Moves& moves,
                   std::vector<Complaint>& complaints) {
+  const bool rope_mass = moves.rope_mass;
   if (machine.beams.empty()) check_bodies(machine, model, rope_mass, complaints);
   check_ropes(machine, model, rope_mass, complaints);
   check_motors(machine, model, complaints);
+  check_wheels(machine, model, moves.slowly, complaints);
   check_radii(machine, model, complaints);
 }
 

@@ -5,6 +5,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "taut/base/array.hpp"
 #include "taut/base/expects.hpp"
@@ -227,6 +228,7 @@ class Builder {
 
   void add_spins() {
     Array<int> of_drum(model_.drums.size(), -1);
+    std::map<int, int> of_wheel;
     for (int i = 0; i < count(m().contacts.size()); ++i) {
       Contact& contact = m().contacts[i];
       const machine::Node& node = model_.reevings[contact.reeving].nodes[contact.node];
@@ -250,10 +252,13 @@ class Builder {
         contact.spin = known;
       } else if (node.motor || (node.inertia > 0 && node.law.efficiency > 0 && !options_.quasi_static)) {
         contact.spin = count(m().spins.size());
+        if (node.wheel) contact.spin = of_wheel.try_emplace(*node.wheel, contact.spin).first->second;
         spin.axis = along * node.axis;
         spin.inertia = node.inertia;
         spin.drag = options_.quasi_static ? 0 : node.drag;
-        m().spins.push_back(spin);
+        if (contact.spin == count(m().spins.size())) m().spins.push_back(spin);
+        // a rope that runs over it the other way than the first one
+        if (spin.axis.dot(m().spins[contact.spin].axis) < 0) contact.sense = -1;
       }
       if (contact.spin >= 0) m().spins[contact.spin].contacts.emplace_back(i, contact.sense);
     }

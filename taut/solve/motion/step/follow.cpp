@@ -169,8 +169,10 @@ void bound(const Mechanism& m, const Scheme& s, const Values& before, std::size_
   }
   if (s.lossless) {
     // an endless rope would run round by itself
-    const bool held = contact.spin >= 0 && m.spins[contact.spin].motor >= 0;
-    if (held && m.model->reevings[contact.reeving].closed) is.log_ratio = infinite;
+    const machine::Reeving& rope = m.model->reevings[contact.reeving];
+    const machine::Node& node = rope.nodes[contact.node];
+    const bool held = node.kind == machine::NodeKind::drive || node.tension_drop;
+    if (held && contact.spin >= 0 && rope.closed) is.log_ratio = infinite;
     return;
   }
   const double grip = everywhere ? infinite : contact.friction * std::max(0.0, is.wrap);
