@@ -13,7 +13,7 @@ namespace taut::study {
 namespace {
 
 constexpr double most_lines = 1e6, most_numbers = 1e8;
-constexpr double usual_tolerance = 1e-6, coarse_tolerance = 1e-3;
+constexpr double usual_tolerance = 1e-6;
 
 double lines_of(const TransientRequest& request) {
   const double step = request.output_step.value_or(request.duration / 1000);

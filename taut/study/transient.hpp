@@ -86,6 +86,8 @@ void solve(TransientRun& run, const std::optional<solve::DynamicState>& from, co
 /// How it has free ropes.
 solve::Branches branches_of(TransientRequest::Branches branches);
 
+constexpr double coarse_tolerance = 1e-3;  ///< of a motion in given steps where the deck gives none
+
 /// The share of the energy exchanged that the energy ledger may leave open: the tolerance. Where the deck gives none
 /// and the steps do not follow each error (a given step, Verlet): a thousandth.
 double energy_tolerance(const TransientRun& run);

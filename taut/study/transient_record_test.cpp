@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "test/support/machine_decks.hpp"
@@ -162,6 +163,33 @@ TEST(TransientRecord, EnergyOpenBeyondTheToleranceIsUnsafe) {
   const Result own = run_text(pendulum("duration: 2 s, method: verlet, tolerance: 1e-4"));
   ASSERT_EQ(own.status, Status::ok) << own.message << to_text(own.errors);
   EXPECT_TRUE(own.unsafe.empty()) << own.unsafe.front();
+}
+
+/// A mass between two stiff ropes shakes without end: steps beyond a number are no more within the tolerance of all.
+TEST(TransientRecord, StepsThatErrByMoreThanTheToleranceAreTold) {
+  const std::string deck = R"(taut: 1
+machine:
+  points: {a: [-1 m, 0 m, 0 m], b: [1 m, 0 m, 0 m]}
+  ropes: {r: {mass: 0 kg/m, stiffness: 1 MN}}
+  bodies: {bob: {mass: 2 kg, at: [2 mm, 0 m, 0 m], guide: [1, 0, 0]}}
+  reevings:
+    - {name: left, rope: r, path: [{anchor: a}, {anchor: bob}], length: 0.99 m}
+    - {name: right, rope: r, path: [{anchor: bob}, {anchor: b}], length: 0.99 m}
+analyses: [{transient: {duration: DURATION, start: assembled, tolerance: 1e-6}}]
+)";
+  const auto lasting = [&](const std::string& duration) {
+    std::string text = deck;
+    text.replace(text.find("DURATION"), 8, duration);
+    return run_text(text);
+  };
+  const auto told = [](const std::vector<std::string>& all) {
+    return std::any_of(all.begin(), all.end(),
+                       [](const std::string& one) { return one.find("errors of its steps add up to") < one.size(); });
+  };
+  const Result within = lasting("0.1 s"), beyond = lasting("0.5 s"), far = lasting("0.75 s");
+  EXPECT_FALSE(told(within.warnings) || told(within.unsafe));
+  EXPECT_TRUE(told(beyond.warnings) || told(beyond.unsafe)) << to_text(beyond.errors) << beyond.message;
+  for (const std::string& one : far.warnings) EXPECT_LE(one.size(), 160U) << one;
 }
 
 }  // namespace transient_record_test

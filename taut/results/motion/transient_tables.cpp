@@ -132,6 +132,14 @@ void warn_of_errors(const study::TransientRun& run, Result& r) {
                                "{:.2g} %: {}",
                                words_of(run), 100 * result.open, result.t_open, 100 * tolerance, better));
   }
+  if (result.spent > 1) {
+    std::string words = fmt::format(
+        "{}: the errors of its steps add up to {:.2g}, tolerance {:.2g}: ropes shake fast, undamped; give a "
+        "'damping_ratio', a coarser 'tolerance' or a 'step'",
+        words_of(run), result.spent * tolerance, tolerance);
+    const bool counts = result.spent * tolerance > study::coarse_tolerance;
+    counts ? warn_unsafe(r, std::move(words)) : r.warnings.push_back(std::move(words));
+  }
   if (result.tension_error > tolerance) {
     warn_unsafe(r,
                 fmt::format("{}: Verlet's steps leave an error of up to {:.2g} % in the tensions, tolerance {:.2g} %: "

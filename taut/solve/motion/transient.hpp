@@ -224,6 +224,8 @@ struct TransientResult {
   long steps = 0, rejected = 0, iterations = 0;
   double smallest_step = 0, largest_step = 0;  ///< s
   double stability_limit = 0;                  ///< of Verlet at the start, s
+  /// What the errors of implicit steps add up to, as a share of the tolerance; those with a kink and Euler's left out.
+  double spent = 0;
   double open = 0, t_open = 0;  ///< largest residual of the ledger at an output step, of the turnover; when, s
   /// Of Verlet: the error of the tensions within each of their swings, as a share of the rope's largest.
   /// docs/theory/dynamics-steps.md.

@@ -122,10 +122,13 @@ double error_of(const Run& run, bool kink) {
     const double off = std::abs(run.now.lines[i].T - predicted) - rounding * (1 + h / h1) * (1 + h / h2);
     if (largest > 0) error = std::max(error, third * off / largest);
   }
+  return error / (run.options.tolerance * allowed_share(run, kink));
+}
+
+double allowed_share(const Run& run, bool kink) {
   // what shakes without end, and fast, is resolved within each swing then, no more over all of them together
   const double share = least_share * std::pow(impatience(run), 3);
-  const double allowed = run.options.tolerance * (kink ? 1 : std::clamp(h / run.options.duration, share, 1.0));
-  return error / allowed;
+  return kink ? 1 : std::clamp(run.scheme.h / run.options.duration, share, 1.0);
 }
 
 void keep_history(Run& run) {

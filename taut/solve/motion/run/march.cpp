@@ -263,6 +263,7 @@ StepEnd advance(Run& run, double limit) {
     if (run.careful > 0) --run.careful;
     const double factor = error > 0 ? std::clamp(0.9 / std::sqrt(error), 0.3, most) : growth;
     const bool shortened = h < 0.9 * run.h;
+    if (!tries.kink) run.result.spent += error * allowed_share(run, false);
     accept(run);
     run.fresh = false;
     if (tries.kink) run.known = 0;

@@ -127,8 +127,10 @@ double floor_of(const Run& run);
 double resolving_step(const Run& run);
 /// Of all ropes so far, N.
 double largest_tension(const Run& run);
-/// The error of the step by the tolerance: 1 is as much as is allowed. `kink`: per step, not per time.
+/// The error of the step by what it may be: 1 is as much as is allowed. `kink`: per step, not per time.
 double error_of(const Run& run, bool kink);
+/// What it may be, as a share of the tolerance.
+double allowed_share(const Run& run, bool kink);
 /// Whether no rope is left of line `i`.
 bool used_up(Run& run, std::size_t i);
 /// Of a dead end: then nothing is left of it for good.
