@@ -1,6 +1,6 @@
 """Made from the descriptions by python/tools/make_stub.py; do not edit. `./dev python stub` makes it again.
 
-schema: 5e4e9f2326e852e9ffea96d8d62e01ac8d9c05076798c467506118d9a7bfd5eb
+schema: 68d2c7eabd140ce70888f389ca7aad1474b6dfb3e94b246295d859efe3c91534
 """
 
 from collections.abc import Mapping, Sequence
@@ -98,6 +98,7 @@ class Parts:
         inertia: Quantity | None = None,
         drag: Quantity | None = None,
         holds: str | Quantity | None = None,
+        one_wheel: bool | None = None,
         motor: Mapping[str, Any] | None = None,
     ) -> Machine:
         """Adds one to `sheaves`: sheaves and saddles.
@@ -118,6 +119,8 @@ class Parts:
             least 0 N m s and at most 1e12 N m s). Default: 0 N m s.
         holds: 'ahead_of CARRIAGE': it holds a rope that ends at this carriage only while the carriage has not passed it;
             default: always.
+        one_wheel: true: one wheel with a groove for each rope, and each turn of one, that runs over it; default: sheaves
+            beside each other that turn by themselves; a driven sheave is always one wheel. Default: false.
         motor: the sheave drives its rope.
 
         A number is SI, a text has its unit. Returns the machine; its mistakes are told when it is calculated.
@@ -137,6 +140,7 @@ class Parts:
         inertia: Quantity | None = None,
         drag: Quantity | None = None,
         holds: str | Quantity | None = None,
+        one_wheel: bool | None = None,
         motor: Mapping[str, Any] | None = None,
     ) -> Machine:
         """Adds one to `supports`: supports of a standing line: saddles.
@@ -157,6 +161,8 @@ class Parts:
             least 0 N m s and at most 1e12 N m s). Default: 0 N m s.
         holds: 'ahead_of CARRIAGE': it holds a rope that ends at this carriage only while the carriage has not passed it;
             default: always.
+        one_wheel: true: one wheel with a groove for each rope, and each turn of one, that runs over it; default: sheaves
+            beside each other that turn by themselves; a driven sheave is always one wheel. Default: false.
         motor: the sheave drives its rope.
 
         A number is SI, a text has its unit. Returns the machine; its mistakes are told when it is calculated.
@@ -482,6 +488,7 @@ class Parts:
         table: Mapping[str, Any] | None = None,
         sine: Mapping[str, Any] | None = None,
         sequence: Sequence[Mapping[str, Any] | str] | None = None,
+        formula: str | Quantity | None = None,
     ) -> Machine:
         """Adds one to `signals`: quantities over time; a signal that no key uses has no effect.
 
@@ -490,7 +497,9 @@ class Parts:
         table: values at given times.
         sine: mean + amplitude sin(2 pi f t + phase).
         sequence: changes one after the other, beginning from 0.
-        Give exactly one of constant, ramp, table, sine, sequence.
+        formula: of the time t: numbers with their units, + - * / ^, pi, and the functions sqrt abs min max sin cos tan asin
+            acos atan atan2: '0.5 m/s * sin(90 deg/s * t)'.
+        Give exactly one of constant, ramp, table, sine, sequence, formula.
 
         A number is SI, a text has its unit. Returns the machine; its mistakes are told when it is calculated.
         """

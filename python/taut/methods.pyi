@@ -1,6 +1,6 @@
 """Made from the descriptions by python/tools/make_stub.py; do not edit. `./dev python stub` makes it again.
 
-schema: 5e4e9f2326e852e9ffea96d8d62e01ac8d9c05076798c467506118d9a7bfd5eb
+schema: 68d2c7eabd140ce70888f389ca7aad1474b6dfb3e94b246295d859efe3c91534
 """
 
 from collections.abc import Mapping, Sequence

@@ -1,10 +1,15 @@
 #pragma once
+#include <memory>
 #include <string>
 #include <variant>
 #include <vector>
 
 #include "taut/base/array.hpp"
 #include "taut/units/unit.hpp"
+
+namespace taut {
+struct FormulaText;
+}
 
 namespace taut::machine {
 
@@ -53,17 +58,20 @@ struct Sine {
   double phase = 0;  ///< rad
 };
 
+/// Of the time t in s, units/expression.hpp.
+using TimeFormula = std::shared_ptr<const FormulaText>;
+
 struct Signal {
   std::string name;  ///< empty: a constant written where it is used
   Unit unit;
-  std::variant<double, Moves, Curve, Sine> law = 0.0;
+  std::variant<double, Moves, Curve, Sine, TimeFormula> law = 0.0;
 };
 
 /// Value and derivatives at t. At a jump: those after the jump.
 SignalValue at(const Signal& signal, double t);
 
-/// Integral of the value from `from` to `to`, `to` >= `from`; exact except for rounding. It is the rope that a drum
-/// with a given speed takes in.
+/// Integral of the value from `from` to `to`, `to` >= `from`; exact except for rounding, of a formula to 1e-12 of its
+/// largest value. It is the rope that a drum with a given speed takes in.
 double integral(const Signal& signal, double from, double to);
 
 /// The times at which the value or a derivative jumps, increasing. An integrator has to end a step there.

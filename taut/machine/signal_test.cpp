@@ -5,6 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
+
+#include "taut/units/expression.hpp"
 
 namespace taut::machine::signal_test {
 
@@ -137,6 +140,31 @@ RC_GTEST_PROP(Signal, TheIntegralIsAdditiveAndItsDerivativeTheValue, ()) {
   RC_ASSERT(std::abs(integral(s, 0, middle) + integral(s, middle, t + 1) - integral(s, 0, t + 1)) < 1e-11);
   const std::vector<double> breaks = breakpoints(s);
   RC_ASSERT(std::is_sorted(breaks.begin(), breaks.end()));
+}
+
+Signal of_formula(const char* text) {
+  return {.name = "f",
+          .unit = si::m_per_s,
+          .law = std::make_shared<const FormulaText>(formula_text(text, "t", si::s.dimension).value())};
+}
+
+TEST(Signal, AFormulaIsTheSineThatItSays) {
+  const Signal f = of_formula("1 m/s + 0.5 m/s * sin(2 rad/s * t + 20 deg)");
+  const Signal sine = {
+      .name = "s", .unit = si::m_per_s, .law = Sine{.mean = 1, .amplitude = 0.5, .omega = 2, .phase = M_PI / 9}};
+  for (const double t : {0.0, 0.7, 3.1}) {
+    EXPECT_NEAR(at(f, t).value, at(sine, t).value, 1e-14);
+    EXPECT_NEAR(at(f, t).rate, at(sine, t).rate, 1e-14);
+    EXPECT_NEAR(at(f, t).acceleration, at(sine, t).acceleration, 1e-14);
+    EXPECT_NEAR(integral(f, t, t + 7.3), integral(sine, t, t + 7.3), 1e-11);
+  }
+  EXPECT_TRUE(breakpoints(f).empty());
+}
+
+/// Over kinks too: a triangle of 2 s, and what is left of a sine above zero.
+TEST(Signal, TheIntegralOfAFormulaPassesItsKinks) {
+  EXPECT_NEAR(integral(of_formula("max(0 m/s, 1 m/s - 1 m/s^2 * abs(t - 1.23 s))"), 0, 5), 1, 1e-11);
+  EXPECT_NEAR(integral(of_formula("1 m/s * max(0, sin(1 rad/s * t))"), 0, 2 * M_PI), 2, 1e-11);
 }
 
 }  // namespace taut::machine::signal_test

@@ -54,6 +54,21 @@ void check_signals(const machine::Machine& machine, const machine::Model& model,
   }
 }
 
+/// Formulas that have no value somewhere in the motion.
+void check_formulas(const machine::Model& model, double duration, std::vector<Complaint>& complaints) {
+  constexpr int places = 2000;
+  for (const machine::Signal& signal : model.signals) {
+    if (!std::holds_alternative<machine::TimeFormula>(signal.law)) continue;
+    for (int i = 0; i <= places; ++i) {
+      const double t = duration * i / places;
+      if (std::isfinite(machine::at(signal, t).value)) continue;
+      complaints.push_back(
+          {fmt::format("machine.signals.{}.formula", signal.name), fmt::format("has no value at t = {:.4g} s", t)});
+      break;
+    }
+  }
+}
+
 /// A cylinder that is ever locked, or moves by a speed, is as stiff as the deck says.
 void check_actuators(const machine::Model& model, std::vector<Complaint>& complaints) {
   for (std::size_t i = 0; i < model.actuators.size(); ++i) {
@@ -172,6 +187,7 @@ void check(const TransientRequest& request, const std::string& path, Names& p) {
   }
   check_names(request, path, complaints);
   check_signals(p.machine, p.model, complaints);
+  check_formulas(p.model, request.duration, complaints);
   check_inertia(p.machine, p.model, complaints);
   check_guides(p.machine, complaints);
   check_masses(p.machine, p.model, {request.rope_mass, request.quasi_static}, complaints);

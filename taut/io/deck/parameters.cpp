@@ -8,7 +8,7 @@
 #include <unordered_map>
 
 #include "taut/base/suggest.hpp"
-#include "taut/io/deck/expression.hpp"
+#include "taut/units/expression.hpp"
 
 namespace taut::io {
 namespace {

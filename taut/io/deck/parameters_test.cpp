@@ -9,108 +9,12 @@
 #include <numbers>
 
 #include "taut/io/deck/deck.hpp"
-#include "taut/io/deck/expression.hpp"
 #include "taut/io/deck/read.hpp"
 #include "taut/io/deck/sample_test.hpp"
 
 namespace taut::io::parameters_test {
 
 namespace fs = std::filesystem;
-
-tl::expected<Measure, UnitError> value_of(std::string_view text) {
-  return evaluate(text, [](std::string_view name) -> tl::expected<Measure, std::string> {
-    if (name == "gap") return Measure{.value = 0.95, .dimension = dimension(0, 1, 0), .is_angle = false};
-    if (name == "beta") return Measure{.value = 0.5, .dimension = {}, .is_angle = true};
-    return tl::unexpected(fmt::format("no {}", name));
-  });
-}
-
-TEST(Expression, Arithmetic) {
-  const std::vector<std::pair<std::string, double>> rows = {
-      {"2 + 3 * 4", 14},
-      {"(2 + 3) * 4", 20},
-      {"2 - 3 - 4", -5},
-      {"12 / 3 / 2", 2},
-      {"-2^2", -4},
-      {"2^3^1", 8},
-      {"2^-1", 0.5},
-      {"--3", 3},
-      {"9 m - gap", 8.05},
-      {"9 m - 2*gap", 7.1},
-      {"gap/2", 0.475},
-      {"1 m/gap", 1 / 0.95},
-      {"60 km/h * 3 s", 50},
-      {"3.5 kN/m * 2 m + 1 kN", 8000},
-      {"5 1/s * 2 s", 10},
-      {"2 m^2 / 4 m", 0.5},
-      {"1 kg m^2 / 2 kg m2", 0.5},
-      {"30 deg + beta", std::numbers::pi / 6 + 0.5},
-      {"sin(30 deg) * 2", 1},
-      {"tan(beta)", std::tan(0.5)},
-      {"atan2(1 m, 1 m)", std::numbers::pi / 4},
-      {"max(gap, 90 cm) + min(1 m, gap)", 1.9},
-      {"sqrt(9 m^2) - abs(-1 m)", 2},
-      {"2 * pi", 2 * std::numbers::pi},
-      {"15 %", 0.15},
-      {".5e1 + 1.5E-1", 5.15},
-      {"1e3 N", 1000},
-  };
-  for (const auto& [text, expected] : rows) {
-    const auto got = value_of(text);
-    ASSERT_TRUE(got) << text << ": " << got.error().message;
-    EXPECT_NEAR(got->value, expected, 1e-12 * std::max(1.0, std::abs(expected))) << text;
-  }
-  EXPECT_EQ(value_of("3 kN * 2 m")->dimension, si::N_m.dimension);
-  EXPECT_TRUE(value_of("2 * beta")->is_angle);
-  EXPECT_FALSE(value_of("beta / (1 deg)")->is_angle);
-  EXPECT_FALSE(value_of("beta * gap")->is_angle);
-}
-
-TEST(Expression, TellsWhereItIsWrong) {
-  const std::vector<std::tuple<std::string, std::string, int>> rows = {
-      {"1 m + 2", "the left side is in ", 4},
-      {"", "a value is missing", 0},
-      {"2 *", "a value is missing", 2},
-      {"(1 + 2", "is not closed", 0},
-      {"1 2", "an operator", 2},
-      {"2 gap", "gap", 2},
-      {"gip + 1 m", "no gip", 0},
-      {"1 m + 3 furlongs", "furlongs", 8},
-      {"sine(1)", "there is no function 'sine'; did you mean 'sin'?", 0},
-      {"sin(1)", "an angle is expected", 0},
-      {"asin(2)", "outside -1 to 1", 0},
-      {"sqrt(-1)", "below 0", 0},
-      {"sqrt(1, 2)", "one value is expected", 0},
-      {"max(1)", "two values are expected", 0},
-      {"max(1 m, 1 s)", "the first value is", 0},
-      {"gap^0.5", "a whole number", 3},
-      {"beta + 1", "the left side is an angle", 5},
-      {"1/0", "not a finite number", 0},
-      {"#", "is expected here", 0},
-  };
-  for (const auto& [text, message, offset] : rows) {
-    const auto got = value_of(text);
-    ASSERT_FALSE(got) << text;
-    EXPECT_NE(got.error().message.find(message), std::string::npos) << text << ": " << got.error().message;
-    EXPECT_EQ(got.error().offset, offset) << text << ": " << got.error().message;
-  }
-  EXPECT_NE(value_of(std::string(100, '(') + "1" + std::string(100, ')')).error().message.find("deeper than 64"),
-            std::string::npos);
-  EXPECT_FALSE(value_of(std::string(100000, '-') + "1"));
-}
-
-TEST(Expression, AValueIsWrittenSoThatItIsReadBackExactly) {
-  for (const char* text : {"0.1 m * 3", "7 kN / 3", "1 kg m^2 / 7", "beta / 3", "3 kN s/m / 7", "1/3", "4 m/s/3"}) {
-    const auto value = value_of(text);
-    ASSERT_TRUE(value) << text;
-    const auto back = parse_any_quantity(to_text(*value));
-    ASSERT_TRUE(back) << to_text(*value) << ": " << back.error().message;
-    EXPECT_EQ(back->value, value->value) << to_text(*value);
-    EXPECT_EQ(back->unit.dimension, value->dimension);
-    EXPECT_EQ(back->unit.is_angle, value->is_angle);
-  }
-  EXPECT_EQ(to_text(*value_of("sqrt(1 m)")), "");
-}
 
 struct Reading {
   Sample sample;

@@ -81,7 +81,11 @@ const Description& Signal::describe() {
           .record(&Signal::table, "table", "values at given times")
           .record(&Signal::sine, "sine", "mean + amplitude sin(2 pi f t + phase)")
           .record(&Signal::sequence, "sequence", "changes one after the other, beginning from 0")
-          .exactly_one({"constant", "ramp", "table", "sine", "sequence"});
+          .field(
+              &Signal::formula, "formula",
+              "of the time t: numbers with their units, + - * / ^, pi, and the functions sqrt abs min max sin cos tan "
+              "asin acos atan atan2: '0.5 m/s * sin(90 deg/s * t)'")
+          .exactly_one({"constant", "ramp", "table", "sine", "sequence", "formula"});
   return d;
 }
 

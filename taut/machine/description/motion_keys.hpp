@@ -52,6 +52,7 @@ struct Signal {
   std::optional<SignalTable> table;
   std::optional<Sine> sine;
   std::vector<Move> sequence;
+  std::optional<std::string> formula = std::nullopt;  ///< of t
   static const Description& describe();
 };
 

@@ -9,6 +9,8 @@
 #include "taut/base/array.hpp"
 #include "taut/base/suggest.hpp"
 #include "taut/units/any_quantity.hpp"
+#include "taut/units/dimension.hpp"
+#include "taut/units/expression.hpp"
 
 namespace taut::machine {
 namespace {
@@ -38,6 +40,7 @@ class Values {
     complaints_.push_back({path_ + key, std::move(message)});
   }
   const Unit& unit() const { return unit_; }
+  void set_unit(const Unit& unit) { unit_ = unit; }
 
  private:
   std::string path_;
@@ -108,6 +111,31 @@ Sine sine_of(const description::Sine& given, Values& values) {
   return law;
 }
 
+constexpr Unit no_kind{
+    .dimension = {}, .symbol = "", .shown = "", .is_angle = false, .kind = ""};  ///< not to be told twice
+
+/// 0 where the text is no formula.
+std::variant<double, Moves, Curve, Sine, TimeFormula> formula_law(const std::string& text, Values& values) {
+  const auto refuse = [&](std::string message) {
+    values.complain(".formula", std::move(message));
+    values.set_unit(no_kind);
+    return 0.0;
+  };
+  auto formula = formula_text(text, "t", si::s.dimension);
+  if (!formula) {
+    const UnitError& e = formula.error();
+    const auto from = static_cast<std::size_t>(std::max(e.offset, 0));
+    return refuse(fmt::format("at '{}': {}", from < text.size() ? text.substr(from) : text, e.message));
+  }
+  taut::Measure one = formula->is;
+  one.value = 1;
+  const auto kind = parse_any_quantity(to_text(one));
+  if (!kind) return refuse(fmt::format("its values are in {}, which nothing takes", to_text(one.dimension)));
+  if (!std::isfinite(jet_at(*formula, 0).value)) return refuse("has no value at t = 0");
+  values.set_unit(kind->unit);
+  return std::make_shared<const FormulaText>(*std::move(formula));
+}
+
 Signal signal_of(const description::Signal& given, std::vector<Complaint>& complaints) {
   Values values(fmt::format("signals.{}", given.name), complaints);
   Signal signal;
@@ -117,6 +145,7 @@ Signal signal_of(const description::Signal& given, std::vector<Complaint>& compl
   if (given.table) signal.law = table_of(*given.table, values);
   if (given.sine) signal.law = sine_of(*given.sine, values);
   if (!given.sequence.empty()) signal.law = sequence_of(given.sequence, values);
+  if (given.formula) signal.law = formula_law(*given.formula, values);
   signal.unit = values.unit();
   return signal;
 }
@@ -139,7 +168,7 @@ std::optional<Signal> signal_or_constant(const std::string& text, const Unit& un
                                          const std::string& path, std::vector<Complaint>& complaints) {
   const auto named = std::find_if(signals.begin(), signals.end(), [&](const Signal& s) { return s.name == text; });
   if (named != signals.end()) {
-    if (same_kind(named->unit, unit)) return *named;
+    if (same_kind(named->unit, unit) || named->unit.kind == no_kind.kind) return *named;
     complaints.push_back(
         {path, fmt::format("signal '{}' is a {}; here a {} is wanted", text, named->unit.kind, unit.kind)});
     return std::nullopt;

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "taut/units/display.hpp"
+#include "taut/units/expression.hpp"
 
 namespace taut::results {
 namespace {
@@ -81,6 +82,7 @@ Json signal(const machine::Signal& s) {
   if (const auto* sine = std::get_if<machine::Sine>(&s.law)) {
     j["sine"] = numbers({sine->mean, sine->amplitude, sine->omega, sine->phase});
   }
+  if (const auto* formula = std::get_if<machine::TimeFormula>(&s.law)) j["formula"] = (*formula)->text;
   return j;
 }
 
@@ -111,6 +113,11 @@ machine::Signal signal_in(const Json& j) {
   if (j.contains("sine")) {
     const std::vector<double> x = numbers_in(j["sine"]);
     s.law = machine::Sine{.mean = x.at(0), .amplitude = x.at(1), .omega = x.at(2), .phase = x.at(3)};
+  }
+  if (j.contains("formula")) {
+    auto formula = formula_text(j["formula"].get<std::string>(), "t", si::s.dimension);
+    if (!formula) throw std::out_of_range("a formula");
+    s.law = std::make_shared<const FormulaText>(*std::move(formula));
   }
   return s;
 }

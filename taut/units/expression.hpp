@@ -4,10 +4,11 @@
 #include <string_view>
 #include <tl/expected.hpp>
 
+#include "taut/base/array.hpp"
 #include "taut/units/any_quantity.hpp"
 #include "taut/units/dimension.hpp"
 
-namespace taut::io {
+namespace taut {
 
 /// A number with its dimension, SI. An angle is a plain number that may stand where an angle is asked for.
 struct Measure {
@@ -26,6 +27,53 @@ using NameMeaning = std::function<tl::expected<Measure, std::string>(std::string
 /// deep.
 tl::expected<Measure, UnitError> evaluate(std::string_view text, const NameMeaning& meaning);
 
+/// One step of a formula: of the results `a` and `b` of steps before it, or a `constant` (of a power: the exponent).
+struct Operation {
+  enum class Kind {
+    constant,
+    variable,
+    plus,
+    minus,
+    times,
+    over,
+    power,
+    root,
+    size,
+    least,
+    most,
+    sin,
+    cos,
+    tan,
+    asin,
+    acos,
+    atan,
+    atan2
+  };
+  Kind kind = Kind::constant;
+  int a = 0, b = 0;
+  double constant = 0;
+};
+
+/// A text as a function of one variable.
+struct FormulaText {
+  std::string text;
+  Measure is;                   ///< the kind of its values; its value where it does not depend on the variable
+  Array<Operation> operations;  ///< the last one is its value
+};
+
+/// A value and its first two derivatives by the variable.
+struct Jet {
+  double value = 0, first = 0, second = 0;
+};
+
+/// The formula of a text as `evaluate` reads it, in which the name `variable` has the given dimension and no other name
+/// means anything. Where it is the name of a unit too, it never stands for that.
+tl::expected<FormulaText, UnitError> formula_text(std::string_view text, std::string_view variable,
+                                                  Dimension dimension);
+
+/// Its value where the variable has the value `variable`, SI. Not finite where the text has no value: 1/t at 0.
+Jet jet_at(const FormulaText& formula, double variable);
+
 /// Whether `name` can stand for a value: letters, digits and _, no digit first; neither a unit nor a function.
 bool is_free_name(std::string_view name);
 
@@ -33,4 +81,4 @@ bool is_free_name(std::string_view name);
 /// Empty when it has a fraction of a dimension, such as the square root of a length.
 std::string to_text(const Measure& measure);
 
-}  // namespace taut::io
+}  // namespace taut
