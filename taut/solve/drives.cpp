@@ -94,8 +94,7 @@ std::optional<std::string> undetermined_drive(const machine::Model& model) {
       if (leads != nullptr && leads->name != node.name) {
         return fmt::format(
             "'{}' and '{}' both drive '{}': how they share its pull follows from the creep of the rope, in motion "
-            "only; "
-            "give all motors but one a 'torque'",
+            "only; give all motors but one a 'torque'",
             leads->name, node.name, rope.name);
       }
       leads = &node;

@@ -81,7 +81,7 @@ Shape shape_of(const Mechanism& m, const Values& v, const Chain& chain) {
 }
 
 /// A line whose joints have moved, of the strain e. Where it meets a round in another direction now, its rope goes with
-/// the place where it does.
+/// the place where it does: by R delta^2/2 less or more, delta the turn. Its tension is kept, not this rope.
 void place_anew(const Mechanism& m, int i, double e, Values& v) {
   const Line& line = m.lines[i];
   LineValues& is = v.lines[i];
