@@ -1,6 +1,6 @@
 """Made from the descriptions by python/tools/make_stub.py; do not edit. `./dev python stub` makes it again.
 
-schema: 68d2c7eabd140ce70888f389ca7aad1474b6dfb3e94b246295d859efe3c91534
+schema: b223606f302c5d234786a9c2d81318cbbddc46c68b9314201581524b2f94f86f
 """
 
 from collections.abc import Mapping, Sequence

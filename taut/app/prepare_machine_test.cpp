@@ -168,6 +168,13 @@ analyses: [{equilibrium: {motion: at_rest}}, {equilibrium: {motion: in}}]
   EXPECT_NEAR(r.checks[0].limit, std::exp(0.2 * M_PI), 1e-9);
   EXPECT_NE(run_text(text, {"machine.sheaves.idler.motor={}"}).message.find("give all motors but one a 'torque'"),
             std::string::npos);
+  // two grooves of one driven wheel: no torque says how long the rope is
+  EXPECT_NE(to_text(run_text(text, {"machine.sheaves.drive.motor={torque: 2 kN m}",
+                                    "machine.reevings=[{rope: saw, path: [{over: drive}, {over: idler}, {over: drive}, "
+                                    "{over: idler}], closed: true}]"})
+                        .errors)
+                .find("runs over 'drive' 2 times"),
+            std::string::npos);
   // a given torque is met: 2 kN m at the radius of 0.5 m
   const Result helped = run_text(text, {"machine.sheaves.idler.motor={torque: 2 kN m}"});
   ASSERT_EQ(helped.status, Status::ok) << helped.message << to_text(helped.errors);

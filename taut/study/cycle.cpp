@@ -246,7 +246,7 @@ const Description& PhaseRequest::describe() {
 
 namespace {
 
-/// The work of a second motor on an endless rope is not in the books of a cycle.
+/// A cycle counts the work of one motor on each endless rope. A deck with a second motor is refused.
 void refuse_helpers(Names& names, const std::string& path) {
   for (const machine::Reeving& rope : names.model.reevings) {
     for (const machine::Node& node : rope.nodes) {

@@ -54,18 +54,33 @@ void check_signals(const machine::Machine& machine, const machine::Model& model,
   }
 }
 
-/// Formulas that have no value somewhere in the motion.
-void check_formulas(const machine::Model& model, double duration, std::vector<Complaint>& complaints) {
+/// A formula without a finite value, rate or acceleration somewhere from `begin` on.
+struct FormulaGap {
+  const machine::Signal* signal = nullptr;
+  std::string words;
+};
+
+std::optional<FormulaGap> formula_gap(const machine::Model& model, double begin, double duration) {
   constexpr int places = 2000;
   for (const machine::Signal& signal : model.signals) {
     if (!std::holds_alternative<machine::TimeFormula>(signal.law)) continue;
     for (int i = 0; i <= places; ++i) {
-      const double t = duration * i / places;
-      if (std::isfinite(machine::at(signal, t).value)) continue;
-      complaints.push_back(
-          {fmt::format("machine.signals.{}.formula", signal.name), fmt::format("has no value at t = {:.4g} s", t)});
-      break;
+      const double t = begin + duration * i / places;
+      const machine::SignalValue is = machine::at(signal, t);
+      const bool value = std::isfinite(is.value);
+      if (value && std::isfinite(is.rate) && std::isfinite(is.acceleration)) continue;
+      return FormulaGap{.signal = &signal,
+                        .words = fmt::format("has no finite {} at t = {:.4g} s", value ? "rate" : "value", t)};
     }
+  }
+  return std::nullopt;
+}
+
+/// Of a motion that goes on from a saved state only its start says when it is (solve).
+void check_formulas(const machine::Model& model, const TransientRequest& request, std::vector<Complaint>& complaints) {
+  if (request.restart) return;
+  if (const auto gap = formula_gap(model, 0, request.duration)) {
+    complaints.push_back({fmt::format("machine.signals.{}.formula", gap->signal->name), gap->words});
   }
 }
 
@@ -187,7 +202,7 @@ void check(const TransientRequest& request, const std::string& path, Names& p) {
   }
   check_names(request, path, complaints);
   check_signals(p.machine, p.model, complaints);
-  check_formulas(p.model, request.duration, complaints);
+  check_formulas(p.model, request, complaints);
   check_inertia(p.machine, p.model, complaints);
   check_guides(p.machine, complaints);
   check_masses(p.machine, p.model, {request.rope_mass, request.quasi_static}, complaints);
@@ -362,7 +377,11 @@ void solve(TransientRun& run, const std::optional<solve::DynamicState>& from, co
     run.record.take(run.model, so_far);
     if (watchers.so_far) watchers.so_far(so_far);
   };
-  run.result = solve::transient(run.model, o);
+  if (const auto gap = formula_gap(run.model, begin, request.duration)) {
+    run.result.outcome = infeasible(fmt::format("the formula of the signal '{}' {}", gap->signal->name, gap->words));
+  } else {
+    run.result = solve::transient(run.model, o);
+  }
   o.progress = {};
   o.anew = {};
   o.take = {};

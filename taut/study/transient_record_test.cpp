@@ -192,4 +192,27 @@ analyses: [{transient: {duration: DURATION, start: assembled, tolerance: 1e-6}}]
   for (const std::string& one : far.warnings) EXPECT_LE(one.size(), 160U) << one;
 }
 
+/// A formula has to have a value and a rate all over the motion; a steady speed is not read from one.
+TEST(TransientRecord, AFormulaWithoutAValueIsRefused) {
+  const auto hoist = [](const std::string& formula, const std::string& analyses) {
+    return run_text(fmt::format(R"(taut: 1
+machine:
+  signals: {{v: {{formula: "{}"}}}}
+  ropes: {{r: {{mass: 0.4 kg/m, stiffness: 1 MN}}}}
+  bodies: {{hook: {{mass: 200 kg, at: [0 m, 0 m, 0 m], guide: [0, 0, 1]}}}}
+  drums: {{winch: {{at: [0 m, 0 m, 10 m], drive: {{speed: v}}, core_diameter: 100 mm}}}}
+  reevings: [{{rope: r, path: [{{drum: winch}}, {{anchor: hook}}], length: 10 m}}]
+analyses: [{}]
+)",
+                                formula, analyses));
+  };
+  const std::string motion = "transient: {duration: 2 s, tolerance: 1e-3}";
+  const auto mistake = [&](const std::string& formula) { return to_text(hoist(formula, "{" + motion + "}").errors); };
+  EXPECT_EQ(mistake("0.2 m/s * sin(pi * t / 2 s)"), "");
+  EXPECT_NE(mistake("0.2 m/s * sqrt(1 - t / 1 s)").find("has no finite rate at t = 1 s"), std::string::npos);
+  EXPECT_NE(mistake("0.2 m/s * sqrt(t / 1 s)").find("has no finite rate at t = 0 s"), std::string::npos);
+  EXPECT_NE(mistake("0.2 m/s * x").find("there is no 'x' here"), std::string::npos);
+  EXPECT_EQ(mistake("0.2 m/s * x").find("here a speed is wanted"), std::string::npos) << "told once";
+}
+
 }  // namespace transient_record_test

@@ -365,8 +365,7 @@ class ExpressionParser {
   Part call(std::string_view word, std::size_t from) {
     const Function* function = function_named(word);
     if (function == nullptr) {
-      fail(fmt::format("there is no function {}{}", fmt::format("'{}'", word), did_you_mean(word, function_names())),
-           from, word.size());
+      fail(fmt::format("there is no function '{}'{}", word, did_you_mean(word, function_names())), from, word.size());
     }
     take('(');
     std::vector<Part> given;

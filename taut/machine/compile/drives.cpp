@@ -10,9 +10,10 @@
 namespace taut::machine {
 namespace {
 
-/// The largest speed of a signal, m/s: a rope that runs up is calculated as it runs. Empty where nobody says it.
+/// The largest speed of a signal, m/s: a rope that runs up is calculated as it runs. Empty where nobody says it: a
+/// formula has no largest value without the duration of a motion.
 std::optional<double> speed_of(const Drive& drive) {
-  if (drive.kind != DriveKind::speed) return std::nullopt;
+  if (drive.kind != DriveKind::speed || std::holds_alternative<TimeFormula>(drive.signal.law)) return std::nullopt;
   double speed = std::abs(at(drive.signal, 0).value);
   if (const auto* sine = std::get_if<Sine>(&drive.signal.law)) speed = std::abs(sine->mean) + std::abs(sine->amplitude);
   for (const double t : breakpoints(drive.signal)) speed = std::max(speed, std::abs(at(drive.signal, t).value));

@@ -119,7 +119,13 @@ void set_given(const Machine& machine, const Model& model, const DescribedReevin
   }
   const Array<Said> said = said_of(machine, model, described, motor);
   const bool takes_two = !given.closed && by_speed;
-  const std::string wrong = wrong_with(said, given.closed, takes_two);
+  std::string wrong = wrong_with(said, given.closed, takes_two);
+  const auto grooves = std::count_if(given.path.begin(), given.path.end(),
+                                     [&](const auto& e) { return motor != nullptr && e.over == motor->name; });
+  if (wrong.empty() && !said.empty() && said[0].what == Given::torque && grooves > 1) {
+    wrong = fmt::format("runs over '{}' {} times: how they share its torque is not known at rest; give its 'length'",
+                        motor->name, grooves);
+  }
   if (!wrong.empty()) complaints.push_back({described.path, wrong});
   if (!said.empty()) {
     reeving.given = said[0].what;

@@ -39,7 +39,8 @@ const Description& Machine::describe() {
           .record(&Machine::tensioners, "tensioners", "lengths of ropes changed by a signal")
           .record(&Machine::events, "events", "events of a transient, at a time or on a condition")
           .field(&Machine::observe, "observe",
-                 "quantities that a transient records: car.z, skyline.T_max, ext[2].T, ext[2,7].x; default: see the "
+                 "quantities that a transient records: car.z, skyline.T_max, ext[2].T, ext[2,7].x (joint 7 of a branch "
+                 "in segments); default: see the "
                  "guide on dynamics")
           .named_records(&Machine::measures, "measures",
                          "quantities of a motion under names of their own, recorded in addition to those of 'observe'");

@@ -50,16 +50,6 @@ const ObservableNames of_branch = {
      .unit = si::N,
      .words = "largest tension of branch N, from 1 along the path"},
     {.name = "length", .quantity = Observed::branch_length, .unit = si::m, .words = "its unstretched length"}};
-const ObservableNames of_joint = {
-    {.name = "x",
-     .quantity = Observed::x,
-     .unit = si::m,
-     .words = "place of joint J of branch N, of a rope in segments"},
-    {.name = "y", .quantity = Observed::y, .unit = si::m, .words = "joints from 1, at equal distances along the rope"},
-    {.name = "z", .quantity = Observed::z, .unit = si::m, .words = "the same"},
-    {.name = "vx", .quantity = Observed::vx, .unit = si::m_per_s, .words = "velocity of the rope there"},
-    {.name = "vy", .quantity = Observed::vy, .unit = si::m_per_s, .words = "the same"},
-    {.name = "vz", .quantity = Observed::vz, .unit = si::m_per_s, .words = "the same"}};
 const ObservableNames of_sheave = {
     {.name = "T_in", .quantity = Observed::T_in, .unit = si::N, .words = "tension before it along the path"},
     {.name = "T_out", .quantity = Observed::T_out, .unit = si::N, .words = "tension behind it"},
@@ -215,7 +205,7 @@ class Resolver {
     }
     if (!path_.joint) return make(of_branch, *i, *path_.number - 1);
     if (segments > 1 && *path_.joint >= 1 && *path_.joint < segments) {
-      auto found = make(of_joint, *i, *path_.number - 1);
+      auto found = make(of_place, *i, *path_.number - 1);
       if (found) found->joint = path_.joint;
       return found;
     }
@@ -327,7 +317,7 @@ std::optional<Condition> condition(const std::string& text, const Model& model, 
 std::vector<QuantityWords> observable_words() {
   const std::vector<std::pair<std::string, const ObservableNames*>> all = {
       {"BODY.", &of_place},     {"BODY.", &of_body},       {"POINT.", &of_place},       {"ROPE.", &of_rope},
-      {"ROPE[N].", &of_branch}, {"ROPE[N,J].", &of_joint}, {"SHEAVE.", &of_sheave},     {"LOAD.", &of_load},
+      {"ROPE[N].", &of_branch}, {"ROPE[N,J].", &of_place}, {"SHEAVE.", &of_sheave},     {"LOAD.", &of_load},
       {"DRUM.", &of_drum},      {"CONTACT.", &of_contact}, {"CYLINDER.", &of_actuator}, {"energy.", &of_energy}};
   std::vector<QuantityWords> words;
   for (const auto& [of, names] : all) {

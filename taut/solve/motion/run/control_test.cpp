@@ -199,7 +199,7 @@ TEST(TransientControl, ALongShakingRunGrowsCoarserAndKeepsItsSwing) {
   const TransientResult usual = run(0.14), longer = run(0.6), longest = run(0.75);
   EXPECT_LT(usual.steps, 150'000);
   EXPECT_TRUE(usual.events.empty());
-  // what the steps err by is told: the phase of a swing of 160/s, off by the cube of its steps
+  // the run reports the sum of the errors of its steps
   EXPECT_GT(usual.spent, 0.2);
   EXPECT_LT(usual.spent, 1e-5 * static_cast<double>(usual.steps));  // the least share of a step
   EXPECT_GT(longest.spent, 10);

@@ -17,11 +17,8 @@ using taut::solve::TransientFrame;
 using taut::solve::TransientOptions;
 using taut::solve::TransientResult;
 
-TransientOptions lasting(double duration, double tolerance) {
-  TransientOptions options;
-  options.duration = duration;
-  options.output_step = duration / 100;
-  options.tolerance = tolerance;
+TransientOptions settled(double duration, double tolerance) {
+  TransientOptions options = lasting(duration, tolerance, 100);
   options.start = Start::settled;
   return options;
 }
@@ -47,9 +44,9 @@ double largest(const TransientResult& r) { return r.ropes[0].T.max; }
 
 /// The rope runs by its joints' distances many times: 0.2 m at the drum and at the wheel.
 TEST(Joints, RunOverAWheelAndOntoADrum) {
-  const TransientResult straight = run_to_end(hoist(1, 1, 43), lasting(12, 1e-5));
+  const TransientResult straight = run_to_end(hoist(1, 1, 43), settled(12, 1e-5));
   for (const int segments : {2, 5, 12}) {
-    const TransientResult chain = run_to_end(hoist(segments, 1, 43), lasting(12, 1e-5));
+    const TransientResult chain = run_to_end(hoist(segments, 1, 43), settled(12, 1e-5));
     const TransientFrame &a = chain.frames.back(), &b = straight.frames.back();
     EXPECT_NEAR(a.bodies[0].position.z(), b.bodies[0].position.z(), 2e-3) << segments;
     EXPECT_NEAR(a.drums[0].speed, 1, 1e-9);
@@ -66,15 +63,15 @@ TEST(Joints, RunTheOtherWayAlongThePath) {
   machine::Model m = hoist(5, 1, 43), swapped = m;
   std::reverse(swapped.reevings[0].nodes.begin(), swapped.reevings[0].nodes.end());
   for (machine::Node& node : swapped.reevings[0].nodes) node.side = -node.side;
-  const TransientResult a = run_to_end(m, lasting(8, 1e-6)), b = run_to_end(swapped, lasting(8, 1e-6));
+  const TransientResult a = run_to_end(m, settled(8, 1e-6)), b = run_to_end(swapped, settled(8, 1e-6));
   EXPECT_NEAR(a.frames.back().bodies[0].position.z(), b.frames.back().bodies[0].position.z(), 1e-7);
   EXPECT_NEAR(largest(a), largest(b), 1e-5 * largest(a));
 }
 
 /// Let out: the rope comes back from the drum, and the joints go apart.
 TEST(Joints, GoApartAsRopeIsLetOut) {
-  const TransientResult chain = run_to_end(hoist(6, -1, 26), lasting(10, 1e-5));
-  const TransientResult straight = run_to_end(hoist(1, -1, 26), lasting(10, 1e-5));
+  const TransientResult chain = run_to_end(hoist(6, -1, 26), settled(10, 1e-5));
+  const TransientResult straight = run_to_end(hoist(1, -1, 26), settled(10, 1e-5));
   const TransientFrame& last = chain.frames.back();
   EXPECT_NEAR(last.bodies[0].position.z(), straight.frames.back().bodies[0].position.z(), 3e-3);
   double shortest = 1e9, longest = 0;
@@ -90,7 +87,7 @@ TEST(Joints, GoApartAsRopeIsLetOut) {
 /// A heavy rope hangs deep between drum and wheel. A joint on the chord of its neighbours would stretch it: with four
 /// segments the tension would jump to twice its size.
 TEST(Joints, KeepTheTensionOfARopeThatHangs) {
-  const TransientOptions options = lasting(6, 1e-5);
+  const TransientOptions options = settled(6, 1e-5);
   const TransientResult fine = run_to_end(hoist(24, -1, 30, 3 * 9.81), options);
   for (const int segments : {4, 8}) {
     const TransientResult coarse = run_to_end(hoist(segments, -1, 30, 3 * 9.81), options);
@@ -101,7 +98,7 @@ TEST(Joints, KeepTheTensionOfARopeThatHangs) {
 
 /// Against another integrator of the same laws, without dampers: what a joint was given is not forgotten.
 TEST(Joints, AreLaidOutInTheReferenceToo) {
-  TransientOptions options = lasting(4, 2e-7);
+  TransientOptions options = settled(4, 2e-7);
   machine::Model m = hoist(4, 1.5, 43);
   m.reevings[0].damping_time = 0;
   const TransientResult implicit = run_to_end(m, options);
@@ -114,7 +111,7 @@ TEST(Joints, AreLaidOutInTheReferenceToo) {
 }
 
 TEST(Joints, AreLaidOutBetweenVerletsSteps) {
-  TransientOptions options = lasting(3, 1e-3);
+  TransientOptions options = settled(3, 1e-3);
   machine::Model m = hoist(4, 1.5, 43);
   const TransientResult implicit = run_to_end(m, options);
   options.method = TimeMethod::verlet;
@@ -131,7 +128,7 @@ TEST(Joints, AreLaidOutWhereATensionerShortensTheRope) {
   m.reevings[0].segments = 8;
   m.reevings[0].damping_time = 2e-2;
   m.tensioners.push_back({.reeving = 0, .at_start = true, .change = smooth_move(0, -3.5, 0.5, 4)});
-  const TransientResult r = run_to_end(m, lasting(6, 1e-4));
+  const TransientResult r = run_to_end(m, settled(6, 1e-4));
   double length = 0;
   for (const TransientFrame::Branch& branch : r.frames.back().branches) {
     EXPECT_GT(branch.unstretched, 0.4 * 30.5 / 8);
@@ -148,7 +145,7 @@ TEST(Joints, AreObserved) {
     std::vector<taut::Complaint> complaints;
     m.observed.push_back(taut::machine::observable(name, m, "observe", complaints).value());
   }
-  const TransientResult r = run_to_end(m, lasting(6, 1e-5));
+  const TransientResult r = run_to_end(m, settled(6, 1e-5));
   const auto last = [&](std::size_t k) { return r.observed[k].back(); };
   EXPECT_GT(last(0), last(1));
   EXPECT_GT(last(1), last(3));
@@ -159,7 +156,7 @@ TEST(Joints, AreObserved) {
 /// The joints of a saved state have the masses that they were given last.
 TEST(Joints, GoOnFromASavedState) {
   const machine::Model m = hoist(5, 1, 43);
-  TransientOptions options = lasting(6, 1e-6);
+  TransientOptions options = settled(6, 1e-6);
   options.step = 2e-3;
   options.output_step = 0.1;
   const TransientResult whole = run_to_end(m, options);

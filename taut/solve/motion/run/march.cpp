@@ -219,8 +219,9 @@ double size_of_step(const Run& run, double limit) {
   const double left = limit - run.before.t, h = std::min(run.h, fixed ? stable_step(run) : step_of_fading(run));
   if (h > 0.999999 * left) return left;
   if (run.options.method == TimeMethod::verlet) {
+    constexpr double rounding = 1e-6;  // of the number of steps: then h itself fits
     const double parts = left / h;
-    return std::abs(parts - std::round(parts)) < 1e-6 * parts ? h : left / std::ceil(parts);
+    return std::abs(parts - std::round(parts)) < rounding * parts ? h : left / std::ceil(parts);
   }
   return !fixed && h > left / 2 ? left / 2 : h;
 }
