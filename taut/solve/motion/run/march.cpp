@@ -80,8 +80,8 @@ struct Tries {
 };
 
 /// A step of h to the time t, which is before.t + h but for rounding.
-/// `last`: of those to an output or an event. Implicit Euler takes whatever comes in it.
-StepEnd try_step(Run& run, double h, double t, bool last, const Tries& tries) {
+/// Implicit Euler takes whatever comes in it.
+StepEnd try_step(Run& run, double h, double t, const Tries& tries) {
   Scheme& s = run.scheme;
   s.h = h;
   if (run.options.quasi_static) return try_slowly(run, h, t);
@@ -110,7 +110,7 @@ StepEnd try_step(Run& run, double h, double t, bool last, const Tries& tries) {
     run.newton.tolerance = 1e-10;
     run.newton.largest = largest_tension(run);
     run.now.rate = run.before.rate;
-    return verlet_step(run.m, s, run.before, t, run.now, run.w, run.newton, last);
+    return verlet_step(run.m, s, run.before, t, run.now, run.w, run.newton);
   }
   // accelerations go on as they changed
   const double slope = run.known > 0 ? h / run.h_last : 0;
@@ -240,7 +240,7 @@ StepEnd advance(Run& run, double limit) {
     }
     const double h = size_of_step(run, limit);
     const bool last = h == limit - run.before.t;
-    const StepEnd end = try_step(run, h, last ? limit : run.before.t + h, last, tries);
+    const StepEnd end = try_step(run, h, last ? limit : run.before.t + h, tries);
     if (end != StepEnd::ok) {
       if (!try_shorter(run, h, tries)) return end;
       continue;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "taut/math/index.hpp"
 #include "taut/solve/motion/step/stable.hpp"
@@ -9,126 +10,263 @@
 namespace taut::solve::dynamics {
 namespace {
 
-void gather(const Run& run, Points& p) {
-  const Mechanism& m = run.m;
-  const std::size_t n = m.bodies.size() + 1;
-  p.x.assign(3 * n, 0.0);
-  p.v = p.a = p.dead = p.force = p.x;
-  p.inverse_mass.assign(n, 0.0);
+constexpr double shortest_link = std::numeric_limits<double>::min();  ///< m: a link between strands may have no length
+
+/// Joints of a chain, which no other rope touches.
+bool is_joint(const Mechanism& m, int body) { return body >= 0 && m.bodies[body].model < 0; }
+
+/// Numbers the nodes: one strand after another, cut where a rope is held by a body of the model.
+void lay_out(const Mechanism& m, Points& p) {
+  p.starts.clear();
+  p.ends.clear();
+  p.line.clear();
+  p.joint.clear();
+  p.body.clear();
+  p.link.resize(m.lines.size());
+  Array<int> place(m.bodies.size(), -1);
   for (std::size_t b = 0; b < m.bodies.size(); ++b) {
-    const Body& body = m.bodies[b];
-    const bool moves = body.count > 0;
-    if (moves) p.inverse_mass[b + 1] = 1 / body.mass;
-    for (std::size_t k = 0; k < 3; ++k) {
-      const std::size_t i = 3 * (b + 1) + k;
-      p.x[i] = run.before.bodies[b].x[static_cast<int>(k)];
-      p.dead[i] = body.dead[static_cast<int>(k)];
-      if (!moves) continue;
-      p.v[i] = run.before.nu[as_size(body.first) + k];
-      p.a[i] = run.before.rate[as_size(body.first) + k];
-    }
+    if (is_joint(m, static_cast<int>(b))) continue;
+    place[b] = static_cast<int>(p.body.size());
+    p.body.push_back(static_cast<int>(b));
   }
-  p.links.resize(m.lines.size());
-  p.e.resize(m.lines.size());
-  p.e_last.resize(m.lines.size());
-  p.T.resize(m.lines.size());
-  p.change.resize(m.lines.size());
+  const auto end_at = [&](const Line& line, std::size_t end) {
+    const int b = line.body[end];
+    return Points::End{static_cast<int>(p.line.size()), b < 0 ? -1 : place[b], line.offset[end]};
+  };
+  for (const auto& [first, count] : m.first_line) {
+    for (int i = first; i < first + count; ++i) {
+      const Line& line = m.lines[i];
+      const int before = i > first ? m.lines[i - 1].body[1] : -1;
+      const bool goes_on = is_joint(m, before) && before == line.body[0];
+      if (goes_on) {
+        p.joint.back() = before;
+      } else {
+        if (i > first) p.ends.push_back(end_at(m.lines[i - 1], 1));
+        if (!p.line.empty()) p.line.push_back(-1), p.joint.push_back(-1);
+        p.starts.push_back(end_at(line, 0));
+      }
+      p.link[i] = static_cast<int>(p.line.size());
+      p.line.push_back(i);
+      p.joint.push_back(-1);
+    }
+    if (count > 0) p.ends.push_back(end_at(m.lines[first + count - 1], 1));
+  }
+}
+
+void resize(Points& p, Eigen::Index links) {
+  for (Points::Places* of : {&p.x, &p.v, &p.a, &p.free_fall}) of->setZero(links + 1, 3);
+  p.share.setZero(links + 1);
+  p.force.setZero(links, 3);
+  for (Points::Column* of : {&p.L, &p.per_length, &p.stiffness, &p.damping, &p.copies, &p.hangs, &p.l, &p.e, &p.e_was,
+                             &p.T, &p.held, &p.change, &p.error}) {
+    of->setZero(links);
+  }
+  p.e.setConstant(-1);
+}
+
+void gather_links(const Run& run, Points& p) {
+  const Mechanism& m = run.m;
+  p.damped = std::any_of(m.lines.begin(), m.lines.end(), [](const Line& line) { return line.damping > 0; });
+  p.changes_known = true;
   for (std::size_t i = 0; i < m.lines.size(); ++i) {
     const Line& line = m.lines[i];
     const LineValues& is = run.before.lines[i];
-    const Vector3 beside = line.offset[1] - line.offset[0];
+    const Eigen::Index k = p.link[i];
     const double half = line.weight * is.L / 2;
-    p.links[i] = {line.body[0] + 1,
-                  line.body[1] + 1,
-                  beside.x(),
-                  beside.y(),
-                  beside.z(),
-                  1 / is.L,
-                  line.copies * line.stiffness * is.gone,
-                  line.damping,
-                  line.copies,
-                  line.segment < 0 ? half : 0};
-    for (const int body : line.body) p.dead[3 * as_size(body + 1) + 2] -= line.copies * half;
-    p.e[i] = is.e;
-    p.T[i] = is.T;
-    p.change[i] = run.T_rate[i] * run.options.step;
+    p.L[k] = is.L;
+    p.per_length[k] = 1 / is.L;
+    p.stiffness[k] = line.stiffness * is.gone;
+    p.damping[k] = line.damping;
+    p.copies[k] = line.copies;
+    p.hangs[k] = line.segment < 0 ? half : 0;
+    p.e[k] = is.e;
+    p.T[k] = is.T;
+    p.held[k] = is.T - p.stiffness[k] * std::max(0.0, is.e);
+    p.changes_known = p.changes_known && !std::isnan(run.T_rate[i]);
+    p.change[k] = p.changes_known ? run.T_rate[i] * run.options.step : 0;
   }
 }
 
-/// Forces of a rope's lines; the work of its dampers is added.
-struct RopeStep {
-  double largest = 0;  ///< tension at an end of any line, of one copy, N
-  double error = 0;    ///< of the tension of any line, N
-  int branch = 0;
-  bool turned = false;  ///< a line became slack or taut
-};
+void gather(const Run& run, Points& p) {
+  const Mechanism& m = run.m;
+  lay_out(m, p);
+  resize(p, static_cast<Eigen::Index>(p.line.size()));
+  gather_links(run, p);
+  Array<Vector3> dead(m.bodies.size());
+  for (std::size_t b = 0; b < m.bodies.size(); ++b) dead[b] = m.bodies[b].dead;
+  for (std::size_t i = 0; i < m.lines.size(); ++i) {
+    for (const int body : m.lines[i].body) {
+      if (body >= 0) dead[body].z() -= m.lines[i].copies * m.lines[i].weight * run.before.lines[i].L / 2;
+    }
+  }
+  const auto three = [](const Array<double>& all, const Body& body) {
+    return Vector3(all[body.first], all[body.first + 1], all[body.first + 2]);
+  };
+  for (std::size_t i = 0; i < p.joint.size(); ++i) {
+    if (p.joint[i] < 0) continue;
+    const Body& body = m.bodies[p.joint[i]];
+    const auto node = static_cast<Eigen::Index>(i + 1);
+    p.x.row(node) = run.before.bodies[p.joint[i]].x.array().transpose();
+    p.v.row(node) = three(run.before.nu, body).array().transpose();
+    p.a.row(node) = three(run.before.rate, body).array().transpose();
+    p.free_fall.row(node) = dead[p.joint[i]].array().transpose() / body.mass;
+    p.share[node] = 1 / body.mass;
+  }
+  const std::size_t n = p.body.size();
+  p.at.assign(n, Vector3::Zero());
+  p.velocity = p.rate = p.on_body = p.still = p.at;
+  p.body_share.assign(n, 0.0);
+  for (std::size_t k = 0; k < n; ++k) {
+    const Body& body = m.bodies[p.body[k]];
+    p.at[k] = run.before.bodies[p.body[k]].x;
+    p.still[k] = dead[p.body[k]];
+    if (body.count == 0) continue;
+    p.body_share[k] = 1 / body.mass;
+    p.velocity[k] = three(run.before.nu, body);
+    p.rate[k] = three(run.before.rate, body);
+  }
+}
 
+/// The velocities by `h` of the accelerations.
+void hurry(Points& p, double h) {
+  p.v += h * p.a;
+  for (std::size_t b = 0; b < p.at.size(); ++b) p.velocity[b] += h * p.rate[b];
+}
+
+/// The places by the velocities, which are those of the middle of the step.
+void drift(Points& p, double h) {
+  p.x += h * p.v;
+  for (std::size_t b = 0; b < p.at.size(); ++b) p.at[b] += h * p.velocity[b];
+}
+
+/// The ends of the strands go with their bodies.
+void follow_bodies(Points& p) {
+  const auto follow = [&](const Points::End& end) {
+    for (int k = 0; k < 3; ++k) {
+      p.x(end.node, k) = end.offset[k] + (end.body < 0 ? 0 : p.at[end.body][k]);
+      p.v(end.node, k) = end.body < 0 ? 0 : p.velocity[end.body][k];
+    }
+  };
+  for (const Points::End& end : p.starts) follow(end);
+  for (const Points::End& end : p.ends) follow(end);
+}
+
+/// Tensions by the places, T = EA max(0, min(e + beta e', 2 e)), their errors, and the force of each link on the node
+/// before it. The work that the dampers have taken in the step, J. One pass, so that nothing waits for memory.
 template <bool damped>
-RopeStep pull_rope(Points& p, int first, int count, double& work) {
-  RopeStep step;
-  double* const F = p.force.data();
-  const double *const X = p.x.data(), *const V = p.v.data();
-  for (std::size_t i = as_size(first); i < as_size(first + count); ++i) {
-    const Points::Link& link = p.links[i];
-    const int a = 3 * link.from, b = 3 * link.to;
-    const double x = X[b] - X[a] + link.dx, y = X[b + 1] - X[a + 1] + link.dy, z = X[b + 2] - X[a + 2] + link.dz;
-    const double l = std::sqrt(x * x + y * y + z * z), e = l * link.per_length - 1, was = p.e_last[i];
-    double T = e > 0 ? link.stiffness * e : 0, damper = 0;
+double pull(Points& p) {
+  const auto n = static_cast<std::size_t>(p.l.size());
+  const double *const x = p.x.col(0).data(), *const y = p.x.col(1).data(), *const z = p.x.col(2).data();
+  const double *const u = p.v.col(0).data(), *const v = p.v.col(1).data(), *const w = p.v.col(2).data();
+  const double *const L = p.L.data(), *const per_length = p.per_length.data(), *const EA = p.stiffness.data();
+  const double *const beta = p.damping.data(), *const copies = p.copies.data();
+  double *const l = p.l.data(), *const e = p.e.data(), *const e_was = p.e_was.data(), *const T = p.T.data();
+  double *const held = p.held.data(), *const change = p.change.data(), *const error = p.error.data();
+  double *const X = p.force.col(0).data(), *const Y = p.force.col(1).data(), *const Z = p.force.col(2).data();
+  double taken = 0;
+#pragma omp simd reduction(+ : taken)
+  for (std::size_t i = 0; i < n; ++i) {
+    const double dx = x[i + 1] - x[i], dy = y[i + 1] - y[i], dz = z[i + 1] - z[i];
+    const double length = std::sqrt(dx * dx + dy * dy + dz * dz);
+    const double some = length > shortest_link ? length : shortest_link;
+    const double was = e[i], is = length * per_length[i] - 1, stretched = is > 0 ? is : 0;
+    double tension = EA[i] * stretched, off = 0;
     if constexpr (damped) {
-      const double rate = (x * (V[b] - V[a]) + y * (V[b + 1] - V[a + 1]) + z * (V[b + 2] - V[a + 2])) / l;
-      const double elastic = T, elastic_before = was > 0 ? link.stiffness * was : 0;
-      if (e > 0) T = link.stiffness * std::clamp(e + link.damping * rate * link.per_length, 0.0, 2 * e);
-      work += (T - elastic + link.copies * p.T[i] - elastic_before) / (2 * link.per_length) * (e - was);
-      damper = (T - elastic - (link.copies * p.T[i] - elastic_before)) / link.copies;
+      const double rate = (dx * (u[i + 1] - u[i]) + dy * (v[i + 1] - v[i]) + dz * (w[i + 1] - w[i])) / some;
+      const double strain = stretched + beta[i] * rate * per_length[i];
+      const double pulls = strain > 0 ? strain : 0, bounded = pulls < 2 * stretched ? pulls : 2 * stretched;
+      const double by_damper = EA[i] * bounded - tension, change_of_it = by_damper - held[i];
+      taken += copies[i] * (by_damper + held[i]) * L[i] * (is - was) / 2;
+      off = (change_of_it > 0 ? change_of_it : -change_of_it) / 4;
+      held[i] = by_damper;
+      tension += by_damper;
     }
-    step.turned = step.turned || (e > 0) != (was > 0);
-    p.e[i] = e;
-    const double change = T / link.copies - p.T[i], error = step_error(change, p.change[i], damper);
-    if (error > step.error) step.error = error;
-    p.change[i] = change;
-    p.T[i] = T / link.copies;
-    const double per = T / l, end = p.T[i] + hung_at_ends(link.hangs * std::abs(z) / l, p.T[i]);
-    if (end > step.largest) {
-      step.largest = end;
-      step.branch = static_cast<int>(i) - first;
-    }
-    F[a] += per * x;
-    F[a + 1] += per * y;
-    F[a + 2] += per * z;
-    F[b] -= per * x;
-    F[b + 1] -= per * y;
-    F[b + 2] -= per * z;
+    const double more = tension - T[i], bend = more - change[i];
+    off += (bend > 0 ? bend : -bend) / 8;
+    error[i] = off > error[i] ? off : error[i];
+    change[i] = more;
+    T[i] = tension;
+    l[i] = length;
+    e_was[i] = was;
+    e[i] = is;
+    const double per = copies[i] * tension / some;
+    X[i] = per * dx;
+    Y[i] = per * dy;
+    Z[i] = per * dz;
   }
-  return step;
+  return taken;
 }
 
-void extend_rope(Run& run, std::size_t r, const RopeStep& step, double t) {
-  RopeExtreme& of = run.result.ropes[r];
-  of.T.end = step.largest;
-  if (step.largest < of.T.min) {
-    of.T.min = step.largest;
-    of.T.t_min = t;
+void pull_bodies(Points& p) {
+  p.on_body = p.still;
+  for (const Points::End& start : p.starts) {
+    if (start.body >= 0) p.on_body[start.body] += p.force.row(start.node).matrix().transpose();
   }
-  if (step.largest <= of.T.max) return;
-  of.T.max = step.largest;
-  of.T.t_max = t;
-  of.branch = step.branch;
-  run.T_largest[r] = std::max(run.T_largest[r], step.largest);
+  for (const Points::End& end : p.ends) {
+    if (end.body >= 0) p.on_body[end.body] -= p.force.row(end.node - 1).matrix().transpose();
+  }
+  for (std::size_t b = 0; b < p.at.size(); ++b) p.rate[b] = p.on_body[b] * p.body_share[b];
 }
 
-void pull_all(Run& run, Points& p, double t, double h) {
-  std::copy(p.dead.begin(), p.dead.end(), p.force.begin());
-  std::swap(p.e, p.e_last);
+void accelerate(Points& p) {
+  const Eigen::Index inner = p.l.size() - 1;
+  for (int k = 0; k < 3; ++k) {
+    p.a.col(k).segment(1, inner) =
+        p.free_fall.col(k).segment(1, inner) +
+        (p.force.col(k).tail(inner) - p.force.col(k).head(inner)) * p.share.segment(1, inner);
+  }
+}
+
+/// From the forces of one step to the places of the next: accelerate(), hurry() and drift() in one pass.
+void go_on_to_next(Points& p, double h) {
+  const auto n = static_cast<std::size_t>(p.l.size());
+  const double* const share = p.share.data();
+  for (int k = 0; k < 3; ++k) {
+    double *const x = p.x.col(k).data(), *const v = p.v.col(k).data();
+    const double *const F = p.force.col(k).data(), *const g = p.free_fall.col(k).data();
+#pragma omp simd
+    for (std::size_t i = 1; i < n; ++i) {
+      v[i] += h * (g[i] + (F[i] - F[i - 1]) * share[i]);
+      x[i] += h * v[i];
+    }
+  }
+  for (std::size_t b = 0; b < p.at.size(); ++b) {
+    p.velocity[b] += h * p.rate[b];
+    p.at[b] += h * p.velocity[b];
+  }
+}
+
+/// Keeps the largest tension of each rope, and where a line became slack or taut in the step.
+void watch_ropes(Run& run, const Points& p, double t, double h) {
   for (std::size_t r = 0; r < run.m.first_line.size(); ++r) {
     const auto [first, count] = run.m.first_line[r];
     if (count == 0) continue;
-    const bool damped = p.links[first].damping > 0;
-    const RopeStep step = damped ? pull_rope<true>(p, first, count, run.ledger.damped)
-                                 : pull_rope<false>(p, first, count, run.ledger.damped);
-    extend_rope(run, r, step, t);
-    run.T_error[r] = std::max(run.T_error[r], step.error);
-    for (std::size_t i = as_size(first); step.turned && i < as_size(first + count); ++i) {
-      if (p.links[i].stiffness > 0) note_slack(run, i, p.e_last[i], p.e[i], t - h, h);
+    const Eigen::Index from = p.link[first], links = p.link[first + count - 1] + 1 - from;
+    const auto at_ends = [&](Eigen::Index k) {
+      return p.T[k] + hung_at_ends(p.hangs[k] * std::abs(p.x(k + 1, 2) - p.x(k, 2)) / p.l[k], p.T[k]);
+    };
+    double largest = run.m.lines[first].segment < 0 ? 0 : p.T.segment(from, links).maxCoeff();
+    if (run.m.lines[first].segment < 0) {
+      for (int i = first; i < first + count; ++i) largest = std::max(largest, at_ends(p.link[i]));
+    }
+    RopeExtreme& of = run.result.ropes[r];
+    of.T.end = largest;
+    if (largest < of.T.min) {
+      of.T.min = largest;
+      of.T.t_min = t;
+    }
+    if (largest > of.T.max) {
+      of.T.max = largest;
+      of.T.t_max = t;
+      for (int i = first + count - 1; i >= first; --i) {
+        if (at_ends(p.link[i]) >= largest) of.branch = i - first;
+      }
+      run.T_largest[r] = std::max(run.T_largest[r], largest);
+    }
+    const bool turned = (p.e.segment(from, links) * p.e_was.segment(from, links)).minCoeff() <= 0;
+    for (int i = first; turned && i < first + count; ++i) {
+      const Eigen::Index k = p.link[i];
+      if (p.stiffness[k] > 0) note_slack(run, as_size(i), p.e_was[k], p.e[k], t - h, h);
     }
   }
 }
@@ -138,24 +276,30 @@ void scatter(Run& run, const Points& p, double t) {
   const Mechanism& m = run.m;
   Values& v = run.before;
   v.t = v.when = t;
-  for (std::size_t b = 0; b < m.bodies.size(); ++b) {
-    if (m.bodies[b].count == 0) continue;
-    for (std::size_t k = 0; k < 3; ++k) {
-      const std::size_t c = as_size(m.bodies[b].first) + k, i = 3 * (b + 1) + k;
-      v.q[c] += p.x[i] - v.bodies[b].x[static_cast<int>(k)];
-      v.bodies[b].x[static_cast<int>(k)] = p.x[i];
-      v.bodies[b].v[static_cast<int>(k)] = v.nu[c] = p.v[i];
-      v.rate[c] = p.a[i];
+  const auto put = [&](std::size_t b, const Vector3& x, const Vector3& velocity, const Vector3& rate) {
+    for (int k = 0; k < 3; ++k) {
+      const int c = m.bodies[b].first + k;
+      v.q[c] += x[k] - v.bodies[b].x[k];
+      v.nu[c] = velocity[k];
+      v.rate[c] = rate[k];
     }
+    v.bodies[b].x = x;
+    v.bodies[b].v = velocity;
+  };
+  for (std::size_t k = 0; k < p.body.size(); ++k) {
+    if (p.body_share[k] > 0) put(as_size(p.body[k]), p.at[k], p.velocity[k], p.rate[k]);
+  }
+  for (std::size_t i = 0; i < p.joint.size(); ++i) {
+    const auto node = static_cast<Eigen::Index>(i + 1);
+    if (p.joint[i] >= 0) put(as_size(p.joint[i]), p.x.row(node), p.v.row(node), p.a.row(node));
   }
   for (std::size_t i = 0; i < m.lines.size(); ++i) {
-    const Line& line = m.lines[i];
+    const Eigen::Index k = p.link[i];
     LineValues& is = v.lines[i];
-    is.e = p.e[i];
-    is.T = p.T[i];
+    is.e = p.e[k];
+    is.T = p.T[k];
     is.l = (1 + is.e) * is.L;
-    const auto end_z = [&](std::size_t end) { return p.x[3 * as_size(line.body[end] + 1) + 2] + line.offset[end].z(); };
-    const double hangs = hung_at_ends(p.links[i].hangs * (end_z(1) - end_z(0)) / is.l, is.T);
+    const double hangs = hung_at_ends(p.hangs[k] * (p.x(k + 1, 2) - p.x(k, 2)) / is.l, is.T);
     is.end_T = {is.T - hangs, is.T + hangs};
   }
 }
@@ -175,22 +319,37 @@ bool steps_as_points(const Run& run) {
 void step_points(Run& run, Points& p, double limit, long most) {
   const double h = run.options.step, start = run.before.t;
   const long steps = std::min(most, static_cast<long>((limit - start) / h) - 1);
-  if (steps < 1) return;
+  if (steps < 1 || run.m.lines.empty()) return;
   gather(run, p);
-  const std::size_t n = p.inverse_mass.size();
+  const bool observed = !run.model.observed.empty();
+  hurry(p, h / 2);
+  drift(p, h);
   for (long s = 1; s <= steps; ++s) {
     const double t = start + static_cast<double>(s) * h;
-    for (std::size_t i = 0; i < 3 * n; ++i) p.x[i] += h * (p.v[i] += h / 2 * p.a[i]);
-    pull_all(run, p, t, h);
-    for (std::size_t b = 0; b < n; ++b) {
-      for (std::size_t i = 3 * b; i < 3 * b + 3; ++i) p.v[i] += h / 2 * (p.a[i] = p.force[i] * p.inverse_mass[b]);
+    follow_bodies(p);
+    run.ledger.damped += p.damped ? pull<true>(p) : pull<false>(p);
+    if (s == 1 && !p.changes_known) p.error.setZero();
+    pull_bodies(p);
+    watch_ropes(run, p, t, h);
+    if (s < steps && !observed) {
+      go_on_to_next(p, h);
+      continue;
     }
-    if (run.model.observed.empty()) continue;
+    accelerate(p);
+    hurry(p, h / 2);
+    if (s == steps) break;
     scatter(run, p, t);
     extend_observed(run, run.before);
+    hurry(p, h / 2);
+    drift(p, h);
   }
   scatter(run, p, start + static_cast<double>(steps) * h);
-  for (std::size_t i = 0; i < p.change.size(); ++i) run.T_rate[i] = p.change[i] / h;
+  if (observed) extend_observed(run, run.before);
+  for (std::size_t i = 0; i < run.m.lines.size(); ++i) {
+    double& largest = run.T_error[run.m.lines[i].reeving];
+    largest = std::max(largest, p.error[p.link[i]]);
+    run.T_rate[i] = p.change[p.link[i]] / h;
+  }
   run.result.steps += steps;
   run.result.largest_step = std::max(run.result.largest_step, h);
   if (run.result.smallest_step == 0) run.result.smallest_step = h;

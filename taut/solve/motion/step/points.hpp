@@ -1,27 +1,46 @@
 #pragma once
+#include <Eigen/Core>
+
 #include "taut/base/array.hpp"
 #include "taut/solve/motion/run/run.hpp"
 
 namespace taut::solve::dynamics {
 
-/// Point masses and the lines between them side by side, for many explicit steps in a row. Node 0 is the ground.
+/// Ropes between point masses laid out side by side, for many explicit steps in a row. The nodes of a strand (a rope,
+/// or its part between two bodies) stand one after another: its joints, and at either end a copy of the body's place.
+/// The link i runs from node i to node i + 1; between two strands it is none, without stiffness.
 struct Points {
-  Array<double> x, v, a, dead;  ///< by node, three each: m, m/s, m/s2; dead: forces that do not change, N
-  Array<double> inverse_mass;   ///< by node, 1/kg; 0: does not move
-  struct Link {
-    int from = 0, to = 0;
-    double dx = 0, dy = 0, dz = 0;  ///< from the origin of one end's body to the other's, beside their places, m
-    double per_length = 1;          ///< 1/L
-    double stiffness = 0;           ///< EA of all copies, N
-    double damping = 0;             ///< beta, s
-    double copies = 1;
-    double hangs = 0;  ///< half of its weight, of one copy, N
+  using Column = Eigen::ArrayXd;
+  using Places = Eigen::Array<double, Eigen::Dynamic, 3>;
+
+  /// By node. free_fall: acceleration by forces that do not change.
+  Places x, v, a, free_fall;  ///< m, m/s, m/s2, m/s2
+  Column share;               ///< 1/mass, 1/kg; 0 at the ends of strands
+  struct End {
+    int node = 0, body = -1;
+    Vector3 offset = Vector3::Zero();  ///< from the body's origin, m
   };
-  Array<Link> links;        ///< by line
-  Array<double> e, e_last;  ///< by line: strain now and before
-  Array<double> T;          ///< by line: of one copy, N
-  Array<double> change;     ///< by line: of that in the last step, N
-  Array<double> force;      ///< by node, three each, N
+  Array<End> starts, ends;        ///< by strand; body: -1 is the ground
+  Array<Vector3> at, velocity;    ///< by body that is no joint, m, m/s
+  Array<Vector3> rate;            ///< m/s2
+  Array<Vector3> on_body, still;  ///< all forces, and those that do not change, N
+  Array<double> body_share;       ///< 1/mass, 1/kg; 0: does not move
+
+  Array<int> link;                           ///< by line
+  Array<int> line;                           ///< by link; -1: none
+  Array<int> joint;                          ///< by link: of the mechanism's bodies the one at its end; -1: no joint
+  Array<int> body;                           ///< of the mechanism's, those that are no joints
+  Column L, per_length, stiffness, damping;  ///< by link: m, 1/m, EA of one copy, N, beta, s
+  Column copies;
+  Column hangs;  ///< half of its weight, of one copy, N; 0 between joints
+  bool damped = false;
+  bool changes_known = false;  ///< `change` is that of a step before
+  Places force;                ///< by link: on the node before it, of all copies, N
+  Column l;                    ///< by link, m
+  Column e, e_was;             ///< strain now and a step before
+  Column T, change;            ///< of one copy; in the last step, N
+  Column held;                 ///< of that, by the damper, N
+  Column error;                ///< the largest one of T, N
 };
 
 /// Whether the steps to come may be taken so: Verlet, nothing but points, no break under way, no condition to watch.

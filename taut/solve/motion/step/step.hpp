@@ -40,9 +40,8 @@ StepEnd solve_step(Mechanism& m, const Scheme& s, const Values& before, double t
 StepEnd iterate(Mechanism& m, const Scheme& s, const Values& before, double t, Values& now, Work& w, Newton& newton);
 
 /// One step of velocity Verlet of the size s.h (its reach is 0): half a kick, the way, the accelerations there, half a
-/// kick. Light contacts find their flows in between. `full`: all that a frame or an event reads is wanted.
-StepEnd verlet_step(Mechanism& m, const Scheme& s, Values& before, double t, Values& now, Work& w, Newton& newton,
-                    bool full);
+/// kick. Light contacts find their flows in between.
+StepEnd verlet_step(Mechanism& m, const Scheme& s, Values& before, double t, Values& now, Work& w, Newton& newton);
 
 /// Largest step for which it is stable, s: 2/omega (sqrt(1 + zeta^2) - zeta), omega the highest frequency, zeta its
 /// damping.

@@ -45,41 +45,8 @@ void pull_lines(const Mechanism& m, const Values& before, Values& now, Work& w) 
   }
 }
 
-/// The same without dampers, leaving out what nobody reads between two outputs.
-void pull_quickly(const Mechanism& m, const Values& before, Values& now, Work& w) {
-  double* const Q = w.residual.data();
-  for (std::size_t i = 0; i < m.lines.size(); ++i) {
-    const Line& line = m.lines[i];
-    LineValues& is = now.lines[i];
-    const auto place = [&](std::size_t end) -> Vector3 {
-      const int body = line.body[end];
-      if (body < 0) return line.place[end];
-      return m.bodies[body].model < 0 ? now.bodies[body].x : place_on(now.bodies[body], line.place[end]);
-    };
-    const Vector3 from = place(0), to = place(1);
-    const double x = to.x() - from.x(), y = to.y() - from.y(), z = to.z() - from.z();
-    const double l = std::sqrt(x * x + y * y + z * z), L = before.lines[i].L, e = l / L - 1;
-    const double T = e > 0 ? line.stiffness * is.gone * e : 0, half = line.weight * L / 2;
-    const double hangs = line.segment < 0 ? hung_at_ends(half * z / l, T) : 0;
-    is.l = l;
-    is.L = L;
-    is.e = e;
-    is.T = T;
-    is.end_T = {T - hangs, T + hangs};
-    const double per = line.copies * T / l, weight = line.copies * half;
-    for (std::size_t end = 0; end < 2; ++end) {
-      if (line.body[end] < 0 || m.bodies[line.body[end]].count == 0) continue;
-      double* const q = Q + m.bodies[line.body[end]].first;
-      const double share = end == 0 ? per : -per;
-      q[0] += share * x;
-      q[1] += share * y;
-      q[2] += share * z - weight;
-    }
-  }
-}
-
 /// Accelerations of point masses by lines between points.
-void accelerate_points(const Mechanism& m, const Values& before, Values& now, Work& w, bool full) {
+void accelerate_points(const Mechanism& m, const Values& before, Values& now, Work& w) {
   for (std::size_t b = 0; b < m.bodies.size(); ++b) {
     const Body& body = m.bodies[b];
     for (std::size_t k = 0; k < as_size(body.count); ++k) {
@@ -90,11 +57,7 @@ void accelerate_points(const Mechanism& m, const Values& before, Values& now, Wo
       w.residual[c] = k == 2 ? -body.own_mass * m.model->gravity : 0;
     }
   }
-  if (full || !m.lossless) {
-    pull_lines(m, before, now, w);
-  } else {
-    pull_quickly(m, before, now, w);
-  }
+  pull_lines(m, before, now, w);
   for (const Body& body : m.bodies) {
     if (body.count == 0) continue;
     const double share = 1 / body.mass;
@@ -108,8 +71,7 @@ void accelerate_points(const Mechanism& m, const Values& before, Values& now, Wo
 
 }  // namespace
 
-StepEnd verlet_step(Mechanism& m, const Scheme& s, Values& before, double t, Values& now, Work& w, Newton& newton,
-                    bool full) {
+StepEnd verlet_step(Mechanism& m, const Scheme& s, Values& before, double t, Values& now, Work& w, Newton& newton) {
   for (std::size_t c = 0; c < as_size(m.size); ++c) {
     w.nu_star[c] = before.nu[c] + s.h / 2 * before.rate[c];
     w.q_star[c] = before.q[c] + s.h * w.nu_star[c];
@@ -124,7 +86,7 @@ StepEnd verlet_step(Mechanism& m, const Scheme& s, Values& before, double t, Val
   }
   if (m.simple) {
     now.t = now.when = t;
-    accelerate_points(m, before, now, w, full);
+    accelerate_points(m, before, now, w);
   } else {
     const StepEnd end = iterate(m, s, before, t, now, w, newton);
     if (end != StepEnd::ok) return end;
