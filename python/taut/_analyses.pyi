@@ -1,6 +1,6 @@
 """Made from the descriptions by python/tools/make_stub.py; do not edit. `./dev python stub` makes it again.
 
-schema: b223606f302c5d234786a9c2d81318cbbddc46c68b9314201581524b2f94f86f
+schema: 0a5fe65a27092e187b7acedf710d6d06b2df3d5d6cb7d241382a664830642967
 """
 
 from collections.abc import Mapping, Sequence
@@ -298,7 +298,8 @@ class Analyses:
         output_step: s. time between two recorded lines; default: a thousandth of the duration (above 0 s and at most 3.2e7
             s).
         tolerance: largest error of the steps, relative to the largest tension, the size of the machine and the energy
-            exchanged; default 1e-6, with verlet or a given step 1e-3 (at least 1e-12 and at most 0.1).
+            exchanged; default 1e-5, with the reference 1e-6, with verlet or a given step 1e-3 (at least 1e-12 and at most
+            0.1).
         step: s. fixed step, without error control (above 0 s).
         method: implicit with steps by the tolerance, explicit (verlet) for waves and breaks, or the slow reference (IDA of
             SUNDIALS) to judge both: `implicit`, `verlet`, `reference`. Default: implicit.

@@ -1,6 +1,6 @@
 """Made from the descriptions by python/tools/make_stub.py; do not edit. `./dev python stub` makes it again.
 
-schema: b223606f302c5d234786a9c2d81318cbbddc46c68b9314201581524b2f94f86f
+schema: 0a5fe65a27092e187b7acedf710d6d06b2df3d5d6cb7d241382a664830642967
 """
 
 from collections.abc import Mapping, Sequence

@@ -150,8 +150,10 @@ enum class Observed {
   sheave_speed,
   sheave_omega,
   sheave_angle,
-  slip,  ///< N, N; of the sheave: rim speed along the path, m/s, angular velocity, 1/s, angle, rad; speed of the rope
-         ///< relative to the rim along the path, m/s
+  sheave_torque,
+  sheave_power,
+  slip,  ///< N, N; of the sheave: rim speed along the path, m/s, angular velocity, 1/s, angle, rad, torque along the
+         ///< path and power of its motor, N m, W; speed of the rope relative to the rim along the path, m/s
   drum_T,
   drum_speed,
   drum_length,

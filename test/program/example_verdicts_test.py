@@ -56,6 +56,7 @@ VERDICTS = {
     "more/guyed_mast.yaml": (WARNS, "guylines"),
     "more/rope_saw_take_up.yaml": (FAILS, "no slip"),  # the published tension, as always
     "motion/brake_stop.yaml": (PASSES, "hoist.dynamic_safety_factor"),
+    "motion/hoist_in_segments.yaml": (PASSES, "winder.on_sheave"),
     "motion/longspan_sag.yaml": (PASSES, "skyline.safety_factor"),
     "motion/rope_break.yaml": (PASSES, "The deck breaks skyline"),
     "motion/rope_saw.yaml": (WARNS, "loop.on_sheave"),
@@ -65,6 +66,7 @@ VERDICTS = {
     "motion/skyline_recoil.yaml": (PASSES, "The deck breaks skyline"),
     "motion/slewing_crane.yaml": (PASSES, "hoist.dynamic_safety_factor"),
     "motion/tackle_hoist.yaml": (WARNS, "hoist.phi2"),
+    "motion/two_motors.yaml": (WARNS, "loop.on_sheave"),
     "motion/yarder_pickup.yaml": (WARNS, "tower.wall"),
     "study/boom_break_chance.yaml": (UNASKED, "The deck breaks retraction"),  # one motion of the study
     "study/calibrated_line.yaml": (PASSES, "carries 2.957"),

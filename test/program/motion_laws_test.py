@@ -26,7 +26,7 @@ LOADS
   observe: [hook.z, hook.vz, hoist.T_max]
 analyses:
   - modes: {count: 2}
-  - transient: {duration: 1 s, output_step: 0.05 s, start: assembled}
+  - transient: {duration: 1 s, output_step: 0.05 s, tolerance: 1e-6, start: assembled}
 """
 
 PULLEY = """taut: 1
@@ -59,7 +59,7 @@ machine:
   observe: [b.ry, b.rx, b.wy, turner.rz]
   events: [{when: b.ry > 200 deg, stop: true}]
 analyses:
-  - transient: {duration: 4 s, output_step: 0.05 s, start: assembled}
+  - transient: {duration: 4 s, output_step: 0.05 s, tolerance: 1e-6, start: assembled}
 """
 
 BREAK = """taut: 1
@@ -140,7 +140,7 @@ machine:
     - {name: rb, rope: q, path: PATH, length: 8 m}
   observe: [a.vz, b.vz, dr.speed]
 analyses:
-  - transient: {duration: 1 s, output_step: 0.1 s, start: assembled}
+  - transient: {duration: 1 s, output_step: 0.1 s, tolerance: 1e-6, start: assembled}
 """
 
 

@@ -24,7 +24,7 @@ enum class TimeMethod { implicit, verlet, reference };
 /// half of its mass at each end in any case.
 enum class Branches { straight, catenary, by_weight };
 
-/// Rope on rounds between straight branches. stretch: half of it with the branch at either side. rigid: it keeps the
+/// Rope on rounds between two branches. stretch: half of it with the branch at either side. rigid: it keeps the
 /// strain with which it came there, as on a drum.
 enum class Arcs { stretch, rigid };
 

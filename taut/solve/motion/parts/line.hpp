@@ -21,6 +21,7 @@ struct LineValues {
   Vector3 apart = Vector3::Zero();     ///< velocity of the rope's touching points, fixed to their bodies, apart, m/s
   std::array<double, 2> arc{0, 0};     ///< on the rounds at its ends, what stretches with it, m
   double L = 1;                        ///< unstretched, with what lies on those, m
+  double hung = 0;                     ///< of a sagging line: of that between its rounds, m; of another one 0
   double e = 0, e_rate = 0;            ///< strain, 1/s
   double T = 0;                        ///< in the middle, N
   double T_e = 0, T_rate = 0;          ///< derivatives of T by strain and by its rate
@@ -36,6 +37,7 @@ inline double path_of(const Line& line, const LineValues& now) { return length_o
 /// Unstretched rope between the rounds, m: the strain is the same all along. A dead end may lie on a round altogether,
 /// and may be overdrawn while a step is looked for (left_in).
 inline double free_rope(const LineValues& line) {
+  if (line.hung > 0 && line.gone > 0) return line.hung;
   const double on = on_rounds(line);
   if (on == 0) return line.L;
   if (line.gone == 0) return std::min(std::max(line.L - on, 0.0), line.L);

@@ -33,9 +33,10 @@ struct SagValues {
 /// Whether the line hangs as a catenary: one that is broken does no more.
 inline bool sags(const Line& line, const LineValues& now) { return line.sag >= 0 && now.gone > 0; }
 
-/// The catenary between the rounds of `now` (their centres and radii), with the unstretched length `fed` while the rope
-/// leaves and arrives as it did in `before`, seen from its bodies; `winding`: stretch of what lies on each round,
-/// infinite where the turning of the line takes no rope. Fills touch, t, l, L, e, angle (from `angle`) and the shape.
+/// The catenary between the rounds of `now` (their centres and radii, and the rope on them as of `before`), with the
+/// unstretched length `fed` (that rope's too) while the rope leaves and arrives as it did in `before`, seen from its
+/// bodies; `winding`: stretch of what it leaves on a round where none stretches with it, infinite where the turning of
+/// the line takes no rope. Fills touch, t, l, L, hung, arc, e, angle (from `angle`) and the shape.
 /// False: there is none.
 bool hang(const Line& line, const Array<Motion3>& bodies, const std::array<double, 2>& winding, const SagValues& before,
           double fed, const std::array<double, 2>& angle, LineValues& now, SagValues& is);
@@ -56,7 +57,8 @@ struct SagColumn {
   std::array<Vector3, 2> touch{Vector3::Zero(), Vector3::Zero()};  ///< seen from the origin of its own body
   Vector3 chord = Vector3::Zero();
   Vector3 velocity = Vector3::Zero();  ///< of the touching point of the freedom's end, fixed to the body
-  double L = 0, e = 0, lowest = 0, stretches = 0;
+  double L = 0, hung = 0;              ///< unstretched, with what stretches on its rounds, and without
+  double e = 0, lowest = 0, stretches = 0;
   std::array<double, 2> T{0, 0}, angle{0, 0};
 };
 using SagColumns = std::array<SagColumn, 14>;
@@ -67,7 +69,8 @@ void sag_columns(const Line& line, const Array<Body>& shapes, const Array<Motion
 SagColumn sag_let_in(const Line& line, const Array<Motion3>& bodies, const std::array<double, 2>& winding,
                      const LineValues& now, const SagValues& is);
 
-/// Elastic energy of one copy, and that of its weight against both halves hanging at its ends, J.
+/// Elastic energy of one copy with what stretches on its rounds, and that of its weight against both halves hanging at
+/// its ends, J.
 struct SagEnergy {
   double elastic = 0, below = 0;
 };

@@ -26,7 +26,7 @@ std::array<double, 14> damper_slopes(const Scheme& s, const Line& line, const Va
                                      const SagValues& is, const SagColumns& columns) {
   std::array<double, 14> slopes{};
   const int freedoms = line.freedoms[0] + line.freedoms[1];
-  const double square = s.reach * s.reach, lambda = now.l / now.L;
+  const double square = s.reach * s.reach, lambda = now.l / now.hung;
   const double flows = (now.t.dot(now.apart) - is.chord_rate * now.L) / lambda;
   for (int k = 0; k < line.columns; ++k) {
     const SagColumn& c = columns[as_size(k)];
@@ -45,7 +45,7 @@ std::array<double, 14> damper_slopes(const Scheme& s, const Line& line, const Va
       apart += (end == 0 ? -1 : 1) * (scale * now.t.dot(moved) + (own ? s.reach * now.t.dot(c.velocity) : 0));
     }
     apart += scale * now.apart.dot(c.chord - l * now.t) / std::max(now.l, 1e-300);
-    double rate = (apart - scale * (l - lambda * c.L) / now.L * flows - is.chord_rate * scale * c.L) / now.L;
+    double rate = (apart - scale * (l - lambda * c.hung) / now.hung * flows - is.chord_rate * scale * c.L) / now.L;
     for (const std::size_t end : {0U, 1U}) {
       if (line.flow[end] != k) continue;
       const bool stuck = values_now.contacts[line.contact[end]].grip == Grip::stuck;
@@ -88,7 +88,7 @@ void pull_sagging(const Line& line, double damping, LineValues& now, SagValues& 
 
 Vector3 sagging_force(const Line& line, const LineValues& now, const SagValues& is, std::size_t end) {
   const Vector3 pull = now.gone * is.pull[end] + along_chord(now, is, end).T * now.t;
-  return (end == 0 ? pull : Vector3(-pull)) - (1 - now.gone) * line.weight * now.L / 2 * up();
+  return (end == 0 ? pull : Vector3(-pull)) - (1 - now.gone) * line.weight * now.hung / 2 * up();
 }
 
 double sagging_thrust(const LineValues& now, const SagValues& is, std::size_t end) {
@@ -140,7 +140,7 @@ void assemble_sagging(Mechanism& m, const Scheme& s, const Values& before, std::
       const Vector3 swing = along[end].T / std::max(now.l, 1e-300) * (c.chord - now.t.dot(c.chord) * now.t);
       const Vector3 pull = scale * (now.gone * c.pull[end] + swing) + T * now.t;
       double Q = sign * pull.dot(V) + scale * moment.dot(c.touch[end]);
-      Q -= (1 - now.gone) * line.weight * scale * c.L / 2 * V.z();
+      Q -= (1 - now.gone) * line.weight * scale * c.hung / 2 * V.z();
       values[places[k]] -= line.copies * Q;
     }
   }

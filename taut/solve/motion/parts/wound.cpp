@@ -40,9 +40,10 @@ void add_wound(const Mechanism& m, const Values& before, const Values& now, Ledg
       const LineValues &a = before.lines[i], &b = now.lines[i];
       const double onto = (end == 0 ? 1 : -1) * a.radius[end] * (b.angle[end] - a.angle[end]);
       const double winding = before.contacts[line.contact[end]].winding;
-      const auto stretch = [](const LineValues& v) { return 1 + std::max(0.0, v.e); };
-      const double laid =
-          line.arcs[end] ? b.arc[end] / stretch(b) - a.arc[end] / stretch(a) : onto / winding;  // unstretched, m
+      const auto unstretched = [&](const Values& values) {
+        return values.lines[i].arc[end] / (1 + std::max(0.0, end_strain(m, values, static_cast<int>(i), end)));
+      };
+      const double laid = line.arcs[end] ? unstretched(now) - unstretched(before) : onto / winding;  // m
       const auto tension = [&](const Values& values) {
         const LineValues& v = values.lines[i];
         return sags(line, v) ? v.end_T[end] : v.T;

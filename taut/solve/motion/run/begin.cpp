@@ -137,7 +137,10 @@ void fill_arcs(const DynamicState& start, Built& built) {
         is.arc[end] = share_that_stretches(node, wrap) * is.radius[end] * wrap / 2;
       }
     }
-    if (is.gone > 0) is.L += on_rounds(is) / (1 + std::max(0.0, is.e));
+    if (is.gone == 0) continue;
+    if (sags(line, is)) is.L = is.hung;
+    for (const std::size_t end : {0U, 1U})
+      is.L += is.arc[end] / (1 + std::max(0.0, end_strain(m, v, static_cast<int>(i), end)));
   }
 }
 
@@ -195,7 +198,7 @@ void classify(Mechanism& m, Arcs arcs) {
   }
   for (Line& line : m.lines) {
     for (const std::size_t end : {0U, 1U}) {
-      if (line.contact[end] < 0 || line.sag >= 0 || line.at_load[end] || line.radius[end] == 0) continue;
+      if (line.contact[end] < 0 || line.at_load[end] || line.radius[end] == 0) continue;
       const Contact& contact = m.contacts[line.contact[end]];
       line.arcs[end] = arcs == Arcs::stretch && contact.in >= 0 && contact.out >= 0 && !contact.load;
     }

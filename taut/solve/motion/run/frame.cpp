@@ -201,6 +201,8 @@ double observe_sheave(const Run& run, const Values& v, const machine::Observable
   }
   const int i = contact_at(run.m, what.index, *what.part);
   if (i < 0 || run.m.contacts[i].in < 0 || run.m.contacts[i].out < 0) return 0;
+  const int spin = run.m.contacts[i].spin;
+  const double moment = spin >= 0 && run.m.spins[spin].motor >= 0 ? drive_moment(run.m, spin, v) : 0;
   const TransientFrame::Contact c = contact_of(run.m, v, as_size(i));
   switch (what.quantity) {
     case Observed::T_in:
@@ -213,6 +215,10 @@ double observe_sheave(const Run& run, const Values& v, const machine::Observable
       return c.spin;
     case Observed::sheave_angle:
       return c.angle;
+    case Observed::sheave_torque:
+      return run.m.contacts[i].sense * moment;
+    case Observed::sheave_power:
+      return spin < 0 ? 0 : moment * v.spins[spin].omega;
     default:
       return c.slip;
   }

@@ -18,7 +18,7 @@ double per_metre(const Mechanism& m, const Values& v, int i, std::size_t end) {
   const LineValues& is = v.lines[i];
   if (!sags(line, is)) return is.end_T[end] * (1 + is.e) - elastic_tension(line, is) * is.e / 2;
   const double e = end_strain(m, v, i, end), T = line.stiffness * is.gone * e;
-  return T * (1 + e / 2) + (is.end_T[end] - T) * is.l / is.L;
+  return T * (1 + e / 2) + (is.end_T[end] - T) * is.l / is.hung;
 }
 
 /// What an end of a line would have to hold of its weight beyond what its tension allows, N: a slack rope's weight

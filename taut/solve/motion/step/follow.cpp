@@ -131,13 +131,15 @@ void turn_spins(const Mechanism& m, const Scheme& s, const Values& before, doubl
     if (m.tensioner[k].first == static_cast<int>(i)) L += now.tensioned[k] - before.tensioned[k];
   }
   is.L = L;
-  lay_on_rounds(line, was, is);
+  is.hung = 0;
   if (sagging) {
     const std::size_t k = as_size(line.sag);
+    is.arc = was.arc;
     if (!hang(line, now.bodies, windings_of(line, before), before.sags[k], is.L, was.angle, is, now.sags[k]))
       is.L = std::numeric_limits<double>::quiet_NaN();
     return;
   }
+  lay_on_rounds(line, was, is);
   if (is.gone > 0) {
     is.e = path_of(line, is) / L - 1;
     return;
@@ -288,7 +290,7 @@ void steady_flow(const Mechanism& m, const Scheme& s, const Values& before, std:
     is.e_rate = (line.share * dot(is.t, is.apart) - (1 + is.e) * flows + askew) / is.L;
     if (line.part) is.e_rate += turned_strain_rate(line, now.bodies, before.contacts, is);
     if (is.gone == 0) is.e_rate = 0;
-    if (sagging) now.sags[line.sag].chord_rate = (dot(is.t, is.apart) - is.l / is.L * flows) / is.L;
+    if (sagging) now.sags[line.sag].chord_rate = (dot(is.t, is.apart) - is.l / is.hung * flows) / is.L;
   }
   if (sagging) {
     pull_sagging(line, s.undamped ? 0 : line.damping, is, now.sags[line.sag]);
