@@ -22,7 +22,7 @@ double out_of_plane(const Line& line, const Values& v, const Vector3& along, std
 /// middle onto the round.
 double carried_along(const Line& line, const LineValues& is, const Values& v, std::size_t end, double onto,
                      double laid) {
-  if (line.weight == 0 || line.part || sags(line, is)) return 0;
+  if (line.weight == 0 || line.part || sags(line, is) || free_rope(is) == 0) return 0;
   const Vector3 axis = axis_of(line, v, end);
   const Vector3 groove = (is.t - is.t.dot(axis) * axis).normalized();
   return line.weight * (free_rope(is) * groove.z() * onto - is.l * is.t.z() * laid) / 2;
@@ -40,8 +40,12 @@ void add_wound(const Mechanism& m, const Values& before, const Values& now, Ledg
       const LineValues &a = before.lines[i], &b = now.lines[i];
       const double onto = (end == 0 ? 1 : -1) * a.radius[end] * (b.angle[end] - a.angle[end]);
       const double winding = before.contacts[line.contact[end]].winding;
+      // of a dead end all may lie there: less than the arc between the places where a rope leaves and arrives
       const auto unstretched = [&](const Values& values) {
-        return values.lines[i].arc[end] / (1 + std::max(0.0, end_strain(m, values, static_cast<int>(i), end)));
+        const LineValues& v = values.lines[i];
+        if (sags(line, v)) return v.arc[end] / (1 + end_strain(m, values, static_cast<int>(i), end));
+        const double on = on_rounds(v);
+        return on > 0 ? v.arc[end] / on * (v.L - free_rope(v)) : 0;
       };
       const double laid = line.arcs[end] ? unstretched(now) - unstretched(before) : onto / winding;  // m
       const auto tension = [&](const Values& values) {
