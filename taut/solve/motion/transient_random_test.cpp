@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <string>
 
 #include "test/paths.hpp"
 #include "test/support/random_machines.hpp"
@@ -55,6 +56,7 @@ TEST(TransientRandom, MachinesByChance) {
   const char* const given = std::getenv("TAUT_RANDOM_STEPS");
   const long most_steps = given != nullptr ? std::atol(given) : 1200;
   int ended = 0;
+  std::string refused, went_on;  // by seed
   const unsigned step = taut_test::watched ? 10 : 1;
   for (unsigned seed = 1; seed <= 500; seed += step) {
     SCOPED_TRACE(seed);
@@ -68,10 +70,14 @@ TEST(TransientRandom, MachinesByChance) {
       ++ended;
       continue;
     }
+    const bool out_of_steps = r.steps + r.rejected >= most_steps;
+    (out_of_steps ? went_on : refused) += std::to_string(seed) + (out_of_steps ? " " : ": " + r.outcome.message + "\n");
     EXPECT_FALSE(r.outcome.message.empty());
     EXPECT_TRUE(r.frames.empty() || r.outcome.message.find("t = ") != std::string::npos) << r.outcome.message;
   }
   RecordProperty("ended", ended);
+  RecordProperty("out_of_steps", went_on);
+  RecordProperty("refused", refused);
   EXPECT_GE(ended, 120 / static_cast<int>(step));
 }
 
