@@ -206,7 +206,7 @@ void check(const TransientRequest& request, const std::string& path, Names& p) {
   check_formulas(p.model, request, complaints);
   check_inertia(p.machine, p.model, complaints);
   check_guides(p.machine, complaints);
-  check_masses(p.machine, p.model, {request.rope_mass, request.quasi_static}, complaints);
+  check_masses(p.machine, p.model, {.rope_mass = request.rope_mass, .slowly = request.quasi_static}, complaints);
   check_actuators(p.model, complaints);
   check_rope_loads(p, complaints);
   check_quasi_static(request, path, p);

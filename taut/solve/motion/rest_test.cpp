@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "taut/solve/equilibrium.hpp"
 #include "test/paths.hpp"
 #include "test/support/dice.hpp"
 #include "test/support/machines.hpp"
@@ -18,6 +19,7 @@ namespace {
 using taut::solve::Branches;
 using taut::solve::BranchResult;
 using taut::solve::DynamicState;
+using taut::solve::equilibrium;
 using taut::solve::EquilibriumResult;
 using taut::solve::Start;
 using taut::solve::transient;
