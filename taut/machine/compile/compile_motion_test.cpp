@@ -186,6 +186,8 @@ TEST(CompileMotion, Observables) {
   EXPECT_THAT(complaints_of(m), HasSubstr("did you mean 'hook'"));
   m.observe = {"hook.height"};
   EXPECT_THAT(complaints_of(m), HasSubstr("'hook' has x, y, z"));
+  m.observe = {"head.power"};
+  EXPECT_THAT(complaints_of(m), HasSubstr("'head' has no motor, so no power"));
   m.observe = {"hoist[3].T"};
   EXPECT_THAT(complaints_of(m), HasSubstr("the branches 1 to 2"));
 }

@@ -62,7 +62,7 @@ const ObservableNames of_sheave = {
     {.name = "torque",
      .quantity = Observed::sheave_torque,
      .unit = si::N_m,
-     .words = "torque of its motor along the path; without one 0"},
+     .words = "torque of its motor along the path"},
     {.name = "power", .quantity = Observed::sheave_power, .unit = si::W, .words = "power of its motor"},
     {.name = "slip",
      .quantity = Observed::slip,
@@ -229,8 +229,13 @@ class Resolver {
           return make(of_load, static_cast<int>(r), static_cast<int>(n));
         }
         if (!over || nodes[n].name != path_.name) continue;
-        if (!path_.joint && ++count == path_.number.value_or(1))
-          return make(of_sheave, static_cast<int>(r), static_cast<int>(n));
+        if (path_.joint || ++count != path_.number.value_or(1)) continue;
+        auto found = make(of_sheave, static_cast<int>(r), static_cast<int>(n));
+        const bool of_motor =
+            found && (found->quantity == Observed::sheave_torque || found->quantity == Observed::sheave_power);
+        if (!of_motor || nodes[n].motor) return found;
+        reason = fmt::format("'{}' has no motor, so no {}", path_.name, path_.quantity);
+        return std::nullopt;
       }
     }
     if (count > 0) reason = fmt::format("ropes run over '{}' {} times: [1] to [{}]", path_.name, count, count);

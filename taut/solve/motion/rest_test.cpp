@@ -2,13 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <optional>
 #include <string>
 
 #include "taut/solve/equilibrium.hpp"
 #include "test/paths.hpp"
 #include "test/support/dice.hpp"
+#include "test/support/guyed_pole.hpp"
 #include "test/support/machines.hpp"
 #include "test/support/transient_runs.hpp"
 
@@ -79,7 +79,7 @@ Machine net(Dice& dice) {
   return t;
 }
 
-/// A carriage on a skyline, over sheaves with radius, held by a mainline.
+/// A carriage that rolls on a skyline, held by a mainline.
 Machine skyline(Dice& dice) {
   Machine t;
   t.kind = "skyline";
@@ -98,25 +98,12 @@ Machine skyline(Dice& dice) {
   return t;
 }
 
-/// A hinged pole between three to six guys.
 Machine pole(Dice& dice) {
   Machine t;
   t.kind = "pole";
-  const double h = dice.in(5, 30), weight = dice.below(2) * dice.in(2, 10);
-  t.model.bodies.push_back(body("pole", origin, dice.ten_to(2, 3.5), "XY"));
+  t.size = add_guyed_pole(dice, t.model);
   machine::Body& pole = t.model.bodies[0];
-  pole.centre = {0, 0, h / 2};
-  pole.inertia = Vector3(1, 1, 0) * pole.mass * h * h / 12;
-  const int guys = 3 + dice.below(4);
-  for (int i = 0; i < guys; ++i) {
-    const double angle = 2 * std::numbers::pi * i / guys + dice.in(-0.3, 0.3), R = h * dice.in(0.5, 1.5);
-    const Vector3 at(R * std::cos(angle), R * std::sin(angle), dice.in(-0.2, 0.2) * h);
-    t.model.reevings.push_back(reeve("guy", {anchor_on("top", 0, {0, 0, h}), anchor("a", at)},
-                                     (at - Vector3(0, 0, h)).norm() * dice.in(0.99, 0.999), weight,
-                                     dice.ten_to(5.5, 7)));
-  }
-  t.model.loads.push_back({{.body = 0, .at = {0, 0, h}}, {dice.in(-2e3, 2e3), dice.in(-2e3, 2e3), -dice.ten_to(3, 4)}});
-  t.size = h;
+  pole.inertia = Vector3(1, 1, 0) * pole.mass * t.size * t.size / 12;
   return t;
 }
 
@@ -155,7 +142,7 @@ machine::Model begun_near(const Machine& t, const EquilibriumResult& r, Dice& di
 /// Empty where the motion cannot go on, with the reason in `why`.
 std::optional<TransientFrame> rest_of_motion(const Machine& t, const machine::Model& begun, Dice& dice,
                                              std::string& why) {
-  constexpr double nothing = 1e-17;  // of the energy turned over
+  constexpr double at_rest = 1e-17;  // a peak of the kinetic energy, as a share of the energy turned over
   TransientOptions options = lasting(0.05 * std::sqrt(t.size / 9.81), 1e-5);
   options.branches = Branches::catenary;
   if (!begun.drums.empty()) options.start = Start::settled;
@@ -181,7 +168,7 @@ std::optional<TransientFrame> rest_of_motion(const Machine& t, const machine::Mo
       before = energy.kinetic;
       continue;
     }
-    if (before < nothing * turnover) return r.frames.back();
+    if (before < at_rest * turnover) return r.frames.back();
     stop(*options.from);
     before = 0;
   }
@@ -189,13 +176,22 @@ std::optional<TransientFrame> rest_of_motion(const Machine& t, const machine::Mo
   return {};
 }
 
-/// 100 machines by chance (under the sanitizers every tenth of them), to 1e-6 of the largest tension.
+/// 100 machines by chance (under the sanitizers ten of them), to 1e-6 of the largest tension. A seed whose machine has
+/// no equilibrium, as a pole whose guys are too long for its load, gives way to the next one.
 TEST(RestOfMotion, IsTheEquilibrium) {
-  for (unsigned seed = 1; seed <= 100; seed += watched ? 10 : 1) {
+  const int machines = watched ? 10 : 100;
+  int compared = 0;
+  std::string without;  // an equilibrium, by seed
+  for (unsigned seed = 1; compared < machines; ++seed) {
     const Machine t = random_machine(seed);
     SCOPED_TRACE(std::string(t.kind) + " " + std::to_string(seed));
     const EquilibriumResult r = equilibrium(t.model);
-    ASSERT_TRUE(r.outcome.ok()) << r.outcome.message;
+    if (!r.outcome.ok()) {
+      without += std::to_string(seed) + " ";
+      ASSERT_LT(seed, 2U * static_cast<unsigned>(machines)) << without;
+      continue;
+    }
+    ++compared;
     Dice dice{std::mt19937(seed + 1000)};
     std::string why;
     const auto rest = rest_of_motion(t, begun_near(t, r, dice), dice, why);
@@ -208,6 +204,7 @@ TEST(RestOfMotion, IsTheEquilibrium) {
       EXPECT_NEAR(rest->branches[i].T_to, r.branches[i].T_to, 1e-6 * largest);
     }
   }
+  RecordProperty("without_equilibrium", without);
 }
 
 }  // namespace

@@ -99,7 +99,7 @@ double lost(const EnergyLedger& e) { return e.damped + e.slipped + e.bearings + 
 /// Machines whose books once did not close, or by losses that gave: dead ends shorter than their branch (155, 381),
 /// that gave more rope than they had (15, 33, 38, 269), or went to and fro on a drum (425); breaks in two steps (463);
 /// a rope that broke again and held (56); a dead end that lay altogether on its round (460); drums that pulled and
-/// turned by themselves (55, 172, 252); a chain that snatched within one step (471).
+/// turned without a drive (55, 172, 252); a chain whose impact fell into one step (471).
 TEST(TransientRandom, BooksThatDidNotClose) {
   std::vector<unsigned> seeds = {15, 33, 38, 55, 56, 155, 172, 252, 269, 381, 425, 460, 463, 471};
   if (taut_test::watched) seeds.resize(4);

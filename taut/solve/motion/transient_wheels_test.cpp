@@ -110,17 +110,21 @@ TransientOptions settled(double duration) {
 /// 400 N m at the radius of 0.5 m: 800 N between the strands, and the second sheave runs ahead by their creep.
 TEST(Wheels, HelpADriveByTheirTorque) {
   machine::Model m = loop(400);
-  for (const auto quantity : {machine::Observed::sheave_torque, machine::Observed::sheave_power}) {
-    machine::Observable one;
-    one.quantity = quantity;
-    one.index = 0;
-    one.part = 1;
-    m.observed.push_back(one);
+  for (const int node : {1, 0}) {
+    for (const auto quantity : {machine::Observed::sheave_torque, machine::Observed::sheave_power}) {
+      machine::Observable one;
+      one.quantity = quantity;
+      one.index = 0;
+      one.part = node;
+      m.observed.push_back(one);
+    }
   }
   const TransientResult r = run_to_end(m, settled(4));
   const TransientFrame& last = r.frames.back();
   EXPECT_NEAR(r.observed[0].back(), 400, 1e-9);
   EXPECT_NEAR(r.observed[1].back(), 400 * 1.5 / 0.5, 1.2);
+  EXPECT_NEAR(r.observed[2].back(), -400, 0.3);  // the leading one is driven
+  EXPECT_NEAR(r.observed[3].back(), -400 * 1.5 / 0.5, 1.2);
   const double T_1 = last.branches[0].T_from, T_2 = last.branches[1].T_from;
   EXPECT_NEAR(T_1 + T_2, 12e3 + 2 * 0.3 * 1.5 * 1.5, 0.05);  // m v^2 in both strands
   EXPECT_NEAR(std::abs(T_1 - T_2), 800, 0.5);

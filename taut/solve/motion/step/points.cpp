@@ -170,19 +170,18 @@ double pull(Points& p) {
     const double length = std::sqrt(dx * dx + dy * dy + dz * dz);
     const double some = length > shortest_link ? length : shortest_link;
     const double was = e[i], is = length * per_length[i] - 1, stretched = is > 0 ? is : 0;
-    double tension = EA[i] * stretched, off = 0;
+    double tension = EA[i] * stretched, damper = 0;
     if constexpr (damped) {
       const double rate = (dx * (u[i + 1] - u[i]) + dy * (v[i + 1] - v[i]) + dz * (w[i + 1] - w[i])) / some;
       const double strain = stretched + beta[i] * rate * per_length[i];
       const double pulls = strain > 0 ? strain : 0, bounded = pulls < 2 * stretched ? pulls : 2 * stretched;
-      const double by_damper = EA[i] * bounded - tension, change_of_it = by_damper - held[i];
+      const double by_damper = EA[i] * bounded - tension;
       taken += copies[i] * (by_damper + held[i]) * L[i] * (is - was) / 2;
-      off = (change_of_it > 0 ? change_of_it : -change_of_it) / 4;
+      damper = by_damper - held[i];
       held[i] = by_damper;
       tension += by_damper;
     }
-    const double more = tension - T[i], bend = more - change[i];
-    off += (bend > 0 ? bend : -bend) / 8;
+    const double more = tension - T[i], off = step_error(more, change[i], damper);
     error[i] = off > error[i] ? off : error[i];
     change[i] = more;
     T[i] = tension;
