@@ -7,7 +7,9 @@ std::filesystem::path source_dir() { return "@PROJECT_SOURCE_DIR@"; }
 std::filesystem::path program() { return "@CMAKE_RUNTIME_OUTPUT_DIRECTORY@/taut"; }
 }  // namespace taut_test
 ]])
-add_library(taut_test_support OBJECT ${PROJECT_BINARY_DIR}/test/paths.cpp)
+file(GLOB witnesses CONFIGURE_DEPENDS test/witness/*.cpp)
+list(FILTER witnesses EXCLUDE REGEX "_test\\.cpp$")
+add_library(taut_test_support OBJECT ${PROJECT_BINARY_DIR}/test/paths.cpp ${witnesses})
 target_link_libraries(taut_test_support PUBLIC taut GTest::gmock_main rapidcheck)
 # The library is tested as shipped; the tests themselves only need to compile fast.
 target_compile_options(taut_test_support PUBLIC ${quick_to_build})

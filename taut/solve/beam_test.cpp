@@ -7,7 +7,6 @@
 #include "taut/machine/compile/beam_build.hpp"
 #include "taut/mechanics/beam_piece.hpp"
 #include "taut/solve/equilibrium.hpp"
-#include "taut/solve/exact/guyed_mast.hpp"
 #include "test/support/machines.hpp"
 
 namespace beam_test {

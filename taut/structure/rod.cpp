@@ -181,8 +181,9 @@ RodState along(const RodPiece& piece, const RodState& start, RodRates& rates) {
 }
 
 SectionForces section_forces(const RodState& state) {
-  return section_forces(
-      BeamState{.place = state.place, .axes = state.axes, .force = state.force, .moment = state.moment});
+  const Vector3 f = state.axes.transpose() * state.force, m = state.axes.transpose() * state.moment;
+  return {
+      .axial = f.z(), .shear_x = f.x(), .shear_y = f.y(), .bends_to_x = m.y(), .bends_to_y = -m.x(), .torsion = m.z()};
 }
 
 Matrix3 cross(const Vector3& a) {

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "test/witness/rod_shooting.hpp"
+
 namespace taut::structure::rod_test {
 
 Matrix3 turned(const Vector3& by) {
@@ -73,11 +75,24 @@ TEST(Rod, RatesAreTheDifferences) {
   }
 }
 
-TEST(Rod, SecondOrderIsTheBeam) {
+TEST(Rod, SectionForcesBelongToTheirDirections) {
+  RodState s;
+  s.force = {1, 2, -3};
+  s.moment = {4, 5, 6};
+  const SectionForces f = section_forces(s);
+  EXPECT_EQ(f.axial, -3);
+  EXPECT_EQ(f.shear_x, 1);
+  EXPECT_EQ(f.shear_y, 2);
+  EXPECT_EQ(f.bends_to_x, 5);   // about +y: z leans towards +x
+  EXPECT_EQ(f.bends_to_y, -4);  // about +x: z leans towards -y
+  EXPECT_EQ(f.torsion, 6);
+}
+
+TEST(Rod, SecondOrderIsTheShootingRod) {
   RodPiece p = piece(BeamOrder::second);
   p.bow.angle = 0;
   const RodState start = start_of(BeamOrder::second);
-  const BeamState end = carry(
+  const auto end = taut_test::witness::carry(
       p.section, {.place = start.place, .axes = start.axes, .force = start.force, .moment = start.moment}, 7, p.steps);
   const RodState same = along(p, start);
   EXPECT_LT((same.place - end.place).norm(), 1e-12);

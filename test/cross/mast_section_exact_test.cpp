@@ -8,6 +8,7 @@
 #include <numbers>
 #include <sstream>
 
+#include "taut/app/exact/mast_machine.hpp"
 #include "taut/app/job.hpp"
 #include "test/paths.hpp"
 
@@ -54,12 +55,13 @@ TEST(MastSectionExact, StiffCantileverIsTheMethodsOne) {
   ASSERT_TRUE(mast_section::solve(in, out).ok());
   structure::BeamSection rigid = structure::tube_section(0.508, 0.016);
   for (double* k : {&rigid.EA, &rigid.EI_x, &rigid.EI_y, &rigid.GJ}) *k *= 1e5;
-  taut::solve::GuyedMastResult m;
-  ASSERT_TRUE(taut::solve::solve(guyed_mast(in, clamp_forces(in, sweep(in)).front(), rigid), m).ok());
+  const auto found = taut::solve::equilibrium(mast_machine(in, {}, clamp_forces(in, sweep(in)).front(), rigid));
+  ASSERT_TRUE(found.outcome.ok()) << found.outcome.message;
+  const taut::solve::BeamResult& m = found.beams[0];
   EXPECT_NEAR(m.base_moment.norm(), out.M, 1e-6 * out.M);
   EXPECT_NEAR(m.base_force.z(), out.N, 1e-9 * out.N);
   EXPECT_NEAR(-m.base_force.x(), out.Q, 1e-9 * out.Q);
-  EXPECT_GT(m.points.back().state.place.x(), 0) << "the mast leans towards the span";
+  EXPECT_GT(m.points.back().place.x(), 0) << "the mast leans towards the span";
 }
 
 TEST(MastSectionExact, CantileverMomentGrowsByTheClosedForm) {

@@ -8,10 +8,9 @@
 #include <memory>
 #include <tuple>
 
+#include "taut/app/exact/mast_machine.hpp"
 #include "taut/app/exact/mast_section_figures.hpp"
-#include "taut/base/gravity.hpp"
 #include "taut/calc/shown.hpp"
-#include "taut/catalogue/rope_words.hpp"
 #include "taut/catalogue/rule.hpp"
 #include "taut/methods/mast_section/run.hpp"
 
@@ -20,49 +19,23 @@ namespace {
 
 using namespace mast_section;
 
-double mast_height(const Input& in) { return std::max(in.skyline_block_height, in.mainline_block_height.value_or(0)); }
-
 bool asks_for_exact(const Input& in) {
   return !in.guys.empty() || in.lateral_force.has_value() || in.base == Base::hinged;
 }
 
-solve::Guy engine_guy(const Input& in, std::size_t i) {
-  const Guy& g = in.guys[i];
-  solve::Guy out;
-  out.name = std::to_string(i + 1);
-  out.height = g.attachment_height.value_or(mast_height(in));
-  out.anchor = {g.anchor_distance * std::cos(g.plan_angle), g.anchor_distance * std::sin(g.plan_angle),
-                g.anchor_height};
-  out.breaking_force = g.breaking_force;
-  if (g.rope) {
-    const auto rope = catalogue::find_rope_in_words(*g.rope);
-    out.stiffness = g.modulus * rope->area;
-    out.weight = rope->mass_per_length * standard_gravity;
-    if (!out.breaking_force) out.breaking_force = rope->breaking_force;
-  }
-  out.stiffness = g.stiffness.value_or(out.stiffness);
-  out.weight = g.weight.value_or(out.weight);
-  if (g.length) {
-    out.install = solve::GuyLength{*g.length};
-  } else {
-    out.install = solve::GuyTension{.tension = g.install->tension,
-                                    .at = g.install->at == GuyEnd::top ? solve::GuyEnd::top : solve::GuyEnd::anchor};
-  }
-  return out;
-}
-
 /// The mast of a deck under one pair of block forces, solved.
 struct LoadedMast {
-  solve::GuyedMast mast;
-  solve::GuyedMastResult found;
-  Outcome outcome;
+  machine::Model model;
+  solve::EquilibriumResult found;
+
+  const solve::BeamResult& mast() const { return found.beams[0]; }
 };
 
 /// The masts of one deck, each solved once: the lightest section of all, the lightest of its shape and the exact column
 /// ask for the same ones. The deck outlives it.
 class EngineMasts {
  public:
-  explicit EngineMasts(const Input& in) : in_(in) {}
+  explicit EngineMasts(const Input& in) : in_(in), guys_(put_up_guys(in)) {}
 
   /// `name`: what tells the section from the others.
   const LoadedMast& under(const ClampForces& forces, const std::string& name, const structure::BeamSection& section) {
@@ -70,16 +43,22 @@ class EngineMasts {
     const auto [entry, is_new] = solved_.try_emplace(key);
     LoadedMast& one = entry->second;
     if (!is_new) return one;
-    one.mast = guyed_mast(in_, forces, section);
-    one.outcome = solve::solve(one.mast, one.found);
+    if (!guys_.outcome.ok()) {
+      one.found.outcome = guys_.outcome;
+      return one;
+    }
+    one.model = mast_machine(in_, guys_.all, forces, section);
+    one.found = solve::equilibrium(one.model);
     return one;
   }
 
   /// The largest stress, Pa; NaN where there is no equilibrium.
   double stress(const catalogue::SectionRow& section, const ClampForces& forces) {
     const LoadedMast& one = under(forces, name_of(section), structure::beam_section(section));
-    return one.outcome.ok() ? one.found.points[one.found.worst].stress : not_computed;
+    return one.found.outcome.ok() ? one.mast().points[one.mast().most_stressed].stress : not_computed;
   }
+
+  const std::vector<MastGuy>& guys() const { return guys_.all; }
 
   static std::string name_of(const catalogue::SectionRow& section) {
     return fmt::format("{} {}", section.standard, section.name);
@@ -88,6 +67,7 @@ class EngineMasts {
  private:
   using Key = std::tuple<std::string, double, double, double, double>;
   const Input& in_;
+  MastGuys guys_;
   std::map<Key, LoadedMast> solved_;
 };
 
@@ -121,75 +101,86 @@ Section section_of(const Input& in, const Solved& method) {
           .trust = trust};
 }
 
-Vector3 block_force(const BlockForce& f) { return {f.across, 0, -f.down}; }
-
 /// The forces of one position with the ropes hauled in.
 const ClampForces& hauled_in_at(const Solved& method, std::size_t index) {
   return *std::find_if(method.forces.begin(), method.forces.end(),
                        [&](const ClampForces& f) { return f.index == index && !f.paid_out; });
 }
 
-double largest_tension(const solve::GuyState& g) { return std::max(g.tension_top, g.tension_anchor); }
-
-void take_position(const solve::GuyedMastResult& m, MastSectionExact& out) {
-  out.M_exact = std::hypot(m.base_moment.x(), m.base_moment.y());
-  out.M_max_exact = solve::bending(m.points[m.most_bent]);
-  out.M_max_height_exact = m.points[m.most_bent].height;
-  out.N_exact = m.base_force.z();
-  out.Q_exact = std::hypot(m.base_force.x(), m.base_force.y());
-  out.top_displacement_exact = std::hypot(m.top.x(), m.top.y());
-  out.top_x_exact = m.top.x();
-  out.top_y_exact = m.top.y();
-  out.top_drop_exact = -m.top.z();
-  out.sigma_exact = m.points[m.worst].stress;
-  out.sigma_height_exact = m.points[m.worst].height;
-  if (m.guys.empty()) return;
-  out.slack_guys_exact =
-      static_cast<double>(std::count_if(m.guys.begin(), m.guys.end(), [](const auto& g) { return g.slack; }));
+/// Breaking force over the largest tension; NaN where one of them is not known.
+double safety(const LoadedMast& at, std::size_t guy) {
+  const double breaking = at.model.reevings[guy].breaking_force,
+               largest = rope::largest_tension(at.found.branches[guy].shape);
+  return breaking > 0 && largest > 0 ? breaking / largest : not_computed;
 }
 
-void take_worst(const solve::GuyedMastResult& m, MastSectionExact& out) {
-  out.sigma_worst_exact = std::fmax(out.sigma_worst_exact, m.points[m.worst].stress);
-  out.force_balance_exact = std::fmax(out.force_balance_exact, m.force_balance);
-  out.moment_balance_exact = std::fmax(out.moment_balance_exact, m.moment_balance);
-  for (const solve::GuyState& g : m.guys) {
-    out.guy_closure_exact = std::fmax(out.guy_closure_exact, g.closure);
-    out.guy_tension_max_exact = std::fmax(out.guy_tension_max_exact, largest_tension(g));
-    out.guy_safety_min_exact = std::fmin(out.guy_safety_min_exact, g.safety);  // fmin passes over NaN
+void take_position(const LoadedMast& at, MastSectionExact& out) {
+  const solve::BeamResult& mast = at.mast();
+  const solve::BeamPoint &bent = mast.points[mast.most_bent], &stressed = mast.points[mast.most_stressed];
+  const Vector3& top = mast.points.back().deflection;
+  out.M_exact = std::hypot(mast.base_moment.x(), mast.base_moment.y());
+  out.M_max_exact = bent.M;
+  out.M_max_height_exact = bent.s;
+  out.N_exact = mast.base_force.z();
+  out.Q_exact = std::hypot(mast.base_force.x(), mast.base_force.y());
+  out.top_displacement_exact = std::hypot(top.x(), top.y());
+  out.top_x_exact = top.x();
+  out.top_y_exact = top.y();
+  out.top_drop_exact = -top.z();
+  out.sigma_exact = stressed.stress;
+  out.sigma_height_exact = stressed.s;
+  const auto& guys = at.found.branches;
+  if (guys.empty()) return;
+  out.slack_guys_exact = static_cast<double>(std::count_if(guys.begin(), guys.end(), hangs));
+}
+
+void take_worst(const LoadedMast& at, MastSectionExact& out) {
+  const solve::BeamResult& mast = at.mast();
+  out.sigma_worst_exact = std::fmax(out.sigma_worst_exact, mast.points[mast.most_stressed].stress);
+  out.force_balance_exact = std::fmax(out.force_balance_exact, at.found.closure.balance);
+  out.moment_balance_exact = std::fmax(out.moment_balance_exact, moment_balance(at.model, at.found));
+  for (std::size_t i = 0; i < at.found.branches.size(); ++i) {
+    const solve::BranchResult& guy = at.found.branches[i];
+    out.guy_closure_exact = std::fmax(out.guy_closure_exact, guy.shape.closure);
+    out.guy_tension_max_exact = std::fmax(out.guy_tension_max_exact, rope::largest_tension(guy.shape));
+    out.guy_safety_min_exact = std::fmin(out.guy_safety_min_exact, safety(at, i));  // fmin passes over NaN
   }
 }
 
 /// A guy at the governing carriage position.
 struct GuyRow {
-  const std::string& name;
-  const solve::GuyState& state;
+  const MastGuy& guy;
+  const solve::BranchResult& rope;
+  double safety = not_computed;
 };
 
 const Quantities<GuyRow>& guy_quantities() {
   using Row = GuyRow;
   static const Quantities<Row> all = {
-      {"guy", "", si::one, "number of the guy in the deck, from 1", [](const Row& g) { return g.name; }},
-      {"unstretched", "L_0", si::m, "its unstretched length", [](const Row& g) { return g.state.length; }},
+      {"guy", "", si::one, "number of the guy in the deck, from 1", [](const Row& g) { return g.guy.name; }},
+      {"unstretched", "L_0", si::m, "its unstretched length", [](const Row& g) { return g.guy.length; }},
       {"T_installed", "T_0", si::N, "tension at its upper end while the mast is vertical and unloaded",
-       [](const Row& g) { return g.state.tension_installed; }},
-      {"T_top", "", si::N, "tension at its upper end", [](const Row& g) { return g.state.tension_top; }},
-      {"T_anchor", "", si::N, "tension at its anchor", [](const Row& g) { return g.state.tension_anchor; }},
+       [](const Row& g) { return g.guy.installed; }},
+      {"T_top", "", si::N, "tension at its upper end", [](const Row& g) { return g.rope.T_to; }},
+      {"T_anchor", "", si::N, "tension at its anchor", [](const Row& g) { return g.rope.T_from; }},
       {"Fx", "F_x", si::N, "force on the anchor, towards the span",
-       [](const Row& g) { return g.state.force_on_anchor.x(); }},
+       [](const Row& g) { return rope::force_on_start(g.rope.shape).x(); }},
       {"Fy", "F_y", si::N, "force on the anchor normal to the span, to its left",
-       [](const Row& g) { return g.state.force_on_anchor.y(); }},
-      {"Fz", "F_z", si::N, "force on the anchor, upwards", [](const Row& g) { return g.state.force_on_anchor.z(); }},
-      {"safety_factor", "", si::one, "minimum breaking force over its largest tension",
-       [](const Row& g) { return g.state.safety; }},
+       [](const Row& g) { return rope::force_on_start(g.rope.shape).y(); }},
+      {"Fz", "F_z", si::N, "force on the anchor, upwards",
+       [](const Row& g) { return rope::force_on_start(g.rope.shape).z(); }},
+      {"safety_factor", "", si::one, "minimum breaking force over its largest tension", &Row::safety},
       {"state", "", si::one, "taut; or slack: it is not shorter than its chord",
-       [](const Row& g) { return std::string(g.state.slack ? "slack" : "taut"); }}};
+       [](const Row& g) { return std::string(hangs(g.rope) ? "slack" : "taut"); }}};
   return all;
 }
 
-Table guys_table(const solve::GuyedMast& mast, const solve::GuyedMastResult& m) {
+Table guys_table(const std::vector<MastGuy>& guys, const LoadedMast& at) {
   std::vector<GuyRow> rows;
-  rows.reserve(m.guys.size());
-  for (std::size_t i = 0; i < m.guys.size(); ++i) rows.push_back({.name = mast.guys[i].name, .state = m.guys[i]});
+  rows.reserve(guys.size());
+  for (std::size_t i = 0; i < guys.size(); ++i) {
+    rows.push_back({.guy = guys[i], .rope = at.found.branches[i], .safety = safety(at, i)});
+  }
   return make_table("guys", "Guylines at the governing carriage position, force on the anchor", guy_quantities(), rows);
 }
 
@@ -200,9 +191,9 @@ struct ExactPosition {
   std::string reason;
 };
 
-ExactPosition exact_position(double x, const solve::GuyedMastResult& m, const Outcome& outcome) {
+ExactPosition exact_position(double x, const LoadedMast& at, const Outcome& outcome) {
   ExactPosition p{.x = x, .exact = {}, .reason = outcome.message};
-  if (outcome.ok()) take_position(m, p.exact), take_worst(m, p.exact);
+  if (outcome.ok()) take_position(at, p.exact), take_worst(at, p.exact);
   return p;
 }
 
@@ -274,8 +265,8 @@ void add_words(const Input& in, const Section& section, const MastSectionExact& 
   heading.words = "Exact solution of the mast";
   note.kind = Step::Kind::note;
   note.words =
-      "r' = (1 + F d3/EA) d3, M' = -r' x F, F constant between the blocks and guys; solved so that force and moment "
-      "vanish above the top (docs/theory/guyed-mast.md)";
+      "r' = (1 + F d3/EA) d3, M' = -r' x F, F constant between the blocks and guys; the mast is a beam of a machine "
+      "(docs/theory/guyed-mast.md)";
   r.steps.push_back(heading);
   r.steps.push_back(note);
 }
@@ -291,23 +282,6 @@ void refuse(const Input& in, const Position& p, const Outcome& outcome, Result& 
   }
 }
 
-}  // namespace
-
-solve::GuyedMast guyed_mast(const Input& in, const ClampForces& forces, const structure::BeamSection& section) {
-  solve::GuyedMast m;
-  m.height = mast_height(in);
-  m.section = section;
-  m.base = in.base == Base::clamped ? solve::MastBase::clamped : solve::MastBase::hinged;
-  for (std::size_t i = 0; i < in.guys.size(); ++i) m.guys.push_back(engine_guy(in, i));
-  const double lower = in.mainline_block_height.value_or(in.skyline_block_height);
-  m.loads = {{.height = in.skyline_block_height, .force = block_force(forces.skyline)},
-             {.height = lower, .force = block_force(forces.mainline)}};
-  if (in.lateral_force) m.loads.push_back({in.skyline_block_height, {0, *in.lateral_force, 0}});
-  return m;
-}
-
-namespace {
-
 SecondOrder second_order_of(const std::shared_ptr<EngineMasts>& masts) {
   return [masts](const catalogue::SectionRow& section, const ClampForces& forces) {
     return masts->stress(section, forces);
@@ -319,11 +293,12 @@ void take_other_cases(const Input& in, const Solved& method, const Section& sect
                       MastSectionExact& e, Result& r) {
   for (const ClampForces& forces : method.forces) {
     const LoadedMast& at = masts.under(forces, section.full_name, section.beam);
-    if (at.outcome.ok()) {
-      take_worst(at.found, e);
+    if (at.found.outcome.ok()) {
+      take_worst(at, e);
     } else if (asks_for_exact(in) && r.status == Status::ok) {
-      r.status = at.outcome.status;
-      r.message = (forces.paid_out ? "ropes paid out: " : "ropes hauled in: ") + at.outcome.message;
+      const Outcome outcome = with_share_held(at.model, at.found.outcome);
+      r.status = outcome.status;
+      r.message = (forces.paid_out ? "ropes paid out: " : "ropes hauled in: ") + outcome.message;
     }
   }
 }
@@ -340,16 +315,17 @@ void complete_mast_section(const Input& in, const Solved& method, EngineMasts& m
   for (const Position& p : method.positions) {
     if (!p.outcome.ok()) continue;
     const LoadedMast& at = masts.under(hauled_in_at(method, p.index), section.full_name, section.beam);
-    positions.push_back(exact_position(p.out.x, at.found, at.outcome));
-    if (!at.outcome.ok()) {
-      refuse(in, p, at.outcome, r);
+    const Outcome outcome = with_share_held(at.model, at.found.outcome);
+    positions.push_back(exact_position(p.out.x, at, outcome));
+    if (!outcome.ok()) {
+      refuse(in, p, outcome, r);
       continue;
     }
-    take_worst(at.found, e);
+    take_worst(at, e);
     if (p.index != method.governing.of[0]) continue;
-    take_position(at.found, e);
-    if (!in.guys.empty()) r.tables.push_back(guys_table(at.mast, at.found));
-    add_mast_figures(at.mast, at.found, section.allowable, r);
+    take_position(at, e);
+    if (!in.guys.empty()) r.tables.push_back(guys_table(masts.guys(), at));
+    add_mast_figures(at.model, at.found, section.allowable, r);
   }
   take_other_cases(in, method, section, masts, e, r);
   if (positions.size() > 1) {

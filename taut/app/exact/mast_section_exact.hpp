@@ -1,7 +1,7 @@
 #pragma once
 #include "taut/calc/quantity.hpp"
 #include "taut/methods/mast_section/sizing.hpp"
-#include "taut/solve/exact/guyed_mast.hpp"
+#include "taut/structure/beam.hpp"
 
 /// The exact column of `mast_section`: the mast of the deck with its guys, solved by the engine. Without guys it is the
 /// published clamped cantilever, with the second-order moment that the method leaves out.
@@ -30,10 +30,6 @@ struct MastSectionExact {
 
   static const Description& describe();
 };
-
-/// The engine's mast under the block forces of one carriage position.
-solve::GuyedMast guyed_mast(const mast_section::Input& in, const mast_section::ClampForces& forces,
-                            const structure::BeamSection& section);
 
 /// The engine's largest stress for the method's choice and checks; `in` must outlive it.
 mast_section::SecondOrder second_order_of(const mast_section::Input& in);

@@ -3,28 +3,25 @@
 #include <algorithm>
 #include <cmath>
 
+#include "taut/app/exact/mast_machine.hpp"
+
 namespace taut::app {
 namespace {
 
-using solve::GuyedMast;
-using solve::GuyedMastResult;
-using solve::MastPoint;
+using solve::BeamPoint;
 
-/// One curve over the height, of every third point: more than the eye can use already.
 template <class F>
-Curve over_height(const solve::GuyedMastResult& m, const char* label, F&& y) {
+Curve over_height(const solve::BeamResult& mast, const char* label, F&& y) {
   Curve c;
   c.label = label;
-  for (std::size_t i = 0; i < m.points.size(); i += 3) {
-    c.x.push_back(m.points[i].height);
-    c.y.push_back(y(m.points[i]));
+  for (const BeamPoint& p : mast.points) {
+    c.x.push_back(p.s);
+    c.y.push_back(y(p));
   }
-  c.x.push_back(m.points.back().height);
-  c.y.push_back(y(m.points.back()));
   return c;
 }
 
-Plot moment_plot(const solve::GuyedMastResult& m) {
+Plot moment_plot(const solve::BeamResult& mast) {
   Plot p{.name = "mast_exact_moment",
          .title = "Bending moment over the height, exact",
          .caption = "Towards the span and across it, in the axes of the deflected mast.",
@@ -32,14 +29,12 @@ Plot moment_plot(const solve::GuyedMastResult& m) {
          .y = {.label = "bending moment", .unit = si::N_m},
          .curves = {},
          .marks = {}};
-  p.curves = {over_height(m, "towards the span",
-                          [](const solve::MastPoint& x) { return structure::section_forces(x.state).bends_to_x; }),
-              over_height(m, "across the span",
-                          [](const solve::MastPoint& x) { return structure::section_forces(x.state).bends_to_y; })};
+  p.curves = {over_height(mast, "towards the span", [](const BeamPoint& p) { return p.bends_to_x; }),
+              over_height(mast, "across the span", [](const BeamPoint& p) { return p.bends_to_y; })};
   return p;
 }
 
-Plot stress_plot(const solve::GuyedMastResult& m, double allowable) {
+Plot stress_plot(const solve::BeamResult& mast, double allowable) {
   Plot p{.name = "mast_exact_stress",
          .title = "Largest stress over the height, exact",
          .caption = "",
@@ -47,12 +42,12 @@ Plot stress_plot(const solve::GuyedMastResult& m, double allowable) {
          .y = {.label = "stress", .unit = si::Pa},
          .curves = {},
          .marks = {}};
-  p.curves = {over_height(m, "N/A + M/W", [](const solve::MastPoint& x) { return x.stress; })};
+  p.curves = {over_height(mast, "N/A + M/W", [](const BeamPoint& p) { return p.stress; })};
   p.marks = {{.x = 0, .y = allowable, .label = "allowable", .whole_line = true}};
   return p;
 }
 
-Plot deflection_plot(const solve::GuyedMastResult& m) {
+Plot deflection_plot(const solve::BeamResult& mast) {
   Plot p{.name = "mast_exact_deflection",
          .title = "Deflection over the height, exact",
          .caption = "",
@@ -60,12 +55,12 @@ Plot deflection_plot(const solve::GuyedMastResult& m) {
          .y = {.label = "displacement", .unit = si::m.in("mm")},
          .curves = {},
          .marks = {}};
-  p.curves = {over_height(m, "towards the span", [](const solve::MastPoint& x) { return x.state.place.x(); }),
-              over_height(m, "across the span", [](const solve::MastPoint& x) { return x.state.place.y(); })};
+  p.curves = {over_height(mast, "towards the span", [](const BeamPoint& p) { return p.place.x(); }),
+              over_height(mast, "across the span", [](const BeamPoint& p) { return p.place.y(); })};
   return p;
 }
 
-Drawing plan(const solve::GuyedMast& mast, const solve::GuyedMastResult& m) {
+Drawing plan(const machine::Model& model, const solve::EquilibriumResult& found) {
   Drawing d{.name = "guys_plan",
             .title = "Plan of the guys",
             .caption = "The span leaves to the right. Horizontal forces of the guys on the mast, and of the blocks.",
@@ -77,26 +72,27 @@ Drawing plan(const solve::GuyedMast& mast, const solve::GuyedMastResult& m) {
                        {Role::force, "force of a guy"},
                        {Role::second_force, "forces of the blocks"}}};
   double reach = 0;
-  for (std::size_t i = 0; i < m.guys.size(); ++i) {
-    const Vector3& anchor = mast.guys[i].anchor;
-    const Vector3& F = m.guys[i].force_on_mast;
+  for (const solve::BranchResult& guy : found.branches) {
+    const Vector3& anchor = guy.start;
+    const Vector3 F = rope::force_on_end(guy.shape);
+    const std::string& name = model.reevings[static_cast<std::size_t>(guy.reeving)].name;
     reach = std::max(reach, anchor.head<2>().norm());
     d.shapes.emplace_back(Polyline{.points = {{.x = 0, .y = 0}, {.x = anchor.x(), .y = anchor.y()}},
-                                   .role = m.guys[i].slack ? Role::hidden : Role::rope,
+                                   .role = hangs(guy) ? Role::hidden : Role::rope,
                                    .closed = false,
                                    .filled = false});
-    d.shapes.emplace_back(Label{.at = {.x = 1.06 * anchor.x(), .y = 1.06 * anchor.y()}, .text = mast.guys[i].name});
-    if (!m.guys[i].slack) {
+    d.shapes.emplace_back(Label{.at = {.x = 1.06 * anchor.x(), .y = 1.06 * anchor.y()}, .text = name});
+    if (!hangs(guy)) {
       d.shapes.emplace_back(ForceArrow{.at = {.x = 0, .y = 0},
                                        .fx = F.x(),
                                        .fy = F.y(),
-                                       .label = "T_" + mast.guys[i].name,
+                                       .label = "T_" + name,
                                        .role = Role::force,
                                        .towards = false});
     }
   }
   Vector3 sum = Vector3::Zero();
-  for (const solve::MastLoad& load : mast.loads) sum += load.force;
+  for (const machine::Load& load : model.loads) sum += load.force;
   d.shapes.emplace_back(ForceArrow{.at = {.x = 0, .y = 0},
                                    .fx = sum.x(),
                                    .fy = sum.y(),
@@ -112,11 +108,12 @@ Drawing plan(const solve::GuyedMast& mast, const solve::GuyedMastResult& m) {
 
 }  // namespace
 
-void add_mast_figures(const solve::GuyedMast& mast, const solve::GuyedMastResult& m, double allowable, Result& r) {
-  if (!m.guys.empty()) r.figures.emplace_back(plan(mast, m));
-  r.figures.emplace_back(moment_plot(m));
-  r.figures.emplace_back(stress_plot(m, allowable));
-  r.figures.emplace_back(deflection_plot(m));
+void add_mast_figures(const machine::Model& model, const solve::EquilibriumResult& found, double allowable, Result& r) {
+  const solve::BeamResult& mast = found.beams[0];
+  if (!found.branches.empty()) r.figures.emplace_back(plan(model, found));
+  r.figures.emplace_back(moment_plot(mast));
+  r.figures.emplace_back(stress_plot(mast, allowable));
+  r.figures.emplace_back(deflection_plot(mast));
 }
 
 }  // namespace taut::app

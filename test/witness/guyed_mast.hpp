@@ -8,10 +8,17 @@
 #include "taut/calc/outcome.hpp"
 #include "taut/math/vector.hpp"
 #include "taut/rope/span.hpp"
-#include "taut/structure/beam.hpp"
+#include "test/witness/rod_shooting.hpp"
 
-/// A guyed mast, exactly: a geometrically exact beam held by elastic catenaries. All SI, the foot at the origin, z up.
-namespace taut::solve {
+/// A guyed mast by shooting, apart from the engine: a geometrically exact beam held by elastic catenaries. All SI, the
+/// foot at the origin, z up.
+namespace taut_test::witness {
+
+using taut::Array;
+using taut::Outcome;
+using taut::Vector3;
+namespace rope = taut::rope;
+namespace structure = taut::structure;
 
 enum class MastBase { clamped, hinged };  ///< hinged: free to lean any way, held against turning about its axis
 
@@ -66,7 +73,7 @@ struct GuyState {
 /// One section of the deflected mast.
 struct MastPoint {
   double height = 0;  ///< along the axis, unstrained, m
-  structure::BeamState state;
+  BeamState state;
   double stress = 0;  ///< largest |N|/A + M/W, Pa
 };
 
@@ -101,4 +108,4 @@ std::optional<double> installed_length(const Guy& guy);
 /// buckles, with the share of the loads that it still carries. `out` is filled when ok.
 Outcome solve(const GuyedMast& mast, GuyedMastResult& out);
 
-}  // namespace taut::solve
+}  // namespace taut_test::witness

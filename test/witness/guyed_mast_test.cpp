@@ -1,4 +1,4 @@
-#include "taut/solve/exact/guyed_mast.hpp"
+#include "test/witness/guyed_mast.hpp"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -10,9 +10,17 @@
 #include "taut/machine/compile/beam_build.hpp"
 #include "taut/math/degree.hpp"
 #include "taut/solve/equilibrium.hpp"
-#include "test/support/mast_witness.hpp"
+#include "test/witness/mast_of_bars.hpp"
 
-namespace taut::solve::guyed_mast_test {
+namespace taut_test::guyed_mast_test {
+
+using namespace witness;
+using taut::degree;
+using taut::Status;
+using taut::solve::BeamResult;
+using taut::solve::equilibrium;
+using taut::solve::EquilibriumResult;
+namespace machine = taut::machine;
 
 Guy guy_at(double angle, double height, double distance, GuyInstallation install, double anchor_height = 0) {
   return {.name = "g",
@@ -138,7 +146,7 @@ TEST(GuyedMast, PlanTurnedByAnyAngleGivesTheSame) {
   const GuyedMast m = yarder();
   const GuyedMastResult r = solved(m);
   for (const double angle : {0.3, 1.9, 4.0}) {
-    const Matrix3 turn = Eigen::AngleAxisd(angle, up()).toRotationMatrix();
+    const Matrix3 turn = Eigen::AngleAxisd(angle, taut::up()).toRotationMatrix();
     GuyedMast t = m;
     for (Guy& g : t.guys) g.anchor = turn * g.anchor;
     for (MastLoad& l : t.loads) l.force = turn * l.force;
@@ -399,4 +407,4 @@ TEST(GuyedMast, OfADeckBucklesWhereItDoes) {
   EXPECT_FALSE(equilibrium(machine_of(m)).outcome.ok());
 }
 
-}  // namespace taut::solve::guyed_mast_test
+}  // namespace taut_test::guyed_mast_test

@@ -5,12 +5,12 @@
 #include <unsupported/Eigen/AutoDiff>
 #include <vector>
 
-#include "taut/solve/exact/guyed_mast.hpp"
+#include "test/witness/guyed_mast.hpp"
 
 /// A hand model that shares nothing with the solver but the input: the mast as a chain of bars with bending springs at
 /// their joints, the guys as chains of bars with lumped weights, all degrees of freedom positions; the minimum of the
 /// potential energy by Newton with second derivatives from automatic differentiation. Round sections, no torsion.
-namespace taut::solve::witness {
+namespace taut_test::witness {
 
 using Inner = Eigen::AutoDiffScalar<Eigen::Matrix<double, 9, 1>>;
 using Outer = Eigen::AutoDiffScalar<Eigen::Matrix<Inner, 9, 1>>;
@@ -180,12 +180,12 @@ inline Answer solve(const GuyedMast& mast, int elements, int links) {
     links_length.push_back(length);
     const Vector3 top(0, 0, guy.height);
     int before = model.add_node(guy.anchor, true);
-    model.add_force(node(guy.height), -guy.weight * length / 2 * up());
+    model.add_force(node(guy.height), -guy.weight * length / 2 * taut::up());
     for (int i = 1; i <= links; ++i) {
       const double t = static_cast<double>(i) / links;
-      const Vector3 at = guy.anchor + t * (top - guy.anchor) - 0.2 * t * (1 - t) * up();
+      const Vector3 at = guy.anchor + t * (top - guy.anchor) - 0.2 * t * (1 - t) * taut::up();
       const int next = i == links ? node(guy.height) : model.add_node(at, false);
-      if (i < links) model.add_force(next, -guy.weight * length * up());
+      if (i < links) model.add_force(next, -guy.weight * length * taut::up());
       model.add_bar(before, next, guy.stiffness, length);
       if (i == links) last.emplace_back(before, next);
       before = next;
@@ -207,4 +207,4 @@ inline Answer solve(const GuyedMast& mast, int elements, int links) {
   return a;
 }
 
-}  // namespace taut::solve::witness
+}  // namespace taut_test::witness

@@ -1,4 +1,4 @@
-#include "taut/solve/exact/guyed_mast.hpp"
+#include "test/witness/guyed_mast.hpp"
 
 #include <fmt/format.h>
 
@@ -16,10 +16,9 @@
 #include "taut/base/expects.hpp"
 #include "taut/math/roots.hpp"
 
-namespace taut::solve {
+namespace taut_test::witness {
 namespace {
 
-using structure::BeamState;
 using Unknowns = Eigen::Matrix<double, 6, 1>;
 using Matrix6 = Eigen::Matrix<double, 6, 6>;
 
@@ -83,7 +82,7 @@ bool pass_forces(const GuyedMastProblem& p, double height, BeamState& s, Shape& 
 }
 
 MastPoint point_of(const GuyedMastProblem& p, double height, const BeamState& s) {
-  const auto f = structure::section_forces(s);
+  const auto f = section_forces(s);
   return {.height = height,
           .state = s,
           .stress = structure::largest_stress(p.mast.section, f.axial, f.bends_to_x, f.bends_to_y)};
@@ -97,7 +96,7 @@ Shape shoot(const GuyedMastProblem& p, const Unknowns& u, bool keep_points) {
   for (std::size_t k = 1; k < p.heights.size(); ++k) {
     const double length = p.heights[k] - p.heights[k - 1];
     Array<BeamState> way;
-    s = structure::carry(p.mast.section, s, length, steps, keep_points ? &way : nullptr);
+    s = carry(p.mast.section, s, length, steps, keep_points ? &way : nullptr);
     for (std::size_t i = 0; i < way.size(); ++i) {
       const double z = p.heights[k - 1] + length * static_cast<double>(i + 1) / static_cast<double>(way.size());
       shape.points.push_back(point_of(p, i + 1 == way.size() ? p.heights[k] : z, way[i]));
@@ -165,11 +164,11 @@ BeamState climb(const GuyedMastProblem& p, BeamState s, double low, double high,
   double z = low;
   for (const double height : p.heights) {
     if (height <= low || height >= high) continue;
-    s = structure::carry(p.mast.section, s, height - z, steps_per_piece);
+    s = carry(p.mast.section, s, height - z, steps_per_piece);
     z = height;
     if (!pass_forces(p, height, s, shape)) s.place.setConstant(std::numeric_limits<double>::quiet_NaN());
   }
-  return structure::carry(p.mast.section, s, high - z, steps_per_piece);
+  return carry(p.mast.section, s, high - z, steps_per_piece);
 }
 
 /// Heights that cut the mast into pieces of a tenth at most and a fiftieth at least: foot, top, guys where there is
@@ -205,7 +204,7 @@ bool stable(const GuyedMastProblem& p, const Unknowns& u) {
   for (Eigen::Index n = 0; n < count; ++n) {
     const double low = nodes[n], high = nodes[n + 1];
     const auto carry_on = [&](const BeamState& from) { return climb(p, from, low, high, shape); };
-    K.block<12, 12>(6 * n, 6 * n) += structure::piece_stiffness(carry_on, s, high - low, EI);
+    K.block<12, 12>(6 * n, 6 * n) += piece_stiffness(carry_on, s, high - low, EI);
     s = carry_on(s);
     if (!pass_forces(p, high, s, shape)) return false;
     for (std::size_t i = 0; i < p.ropes.size(); ++i) {
@@ -256,7 +255,7 @@ std::optional<Outcome> install(const GuyedMast& mast, GuyedMastProblem& p) {
   for (const Guy& guy : mast.guys) {
     const auto length = installed_length(guy);
     if (!length) {
-      return infeasible(fmt::format(
+      return taut::infeasible(fmt::format(
           "guy {}: no length gives {:.4g} N, its own weight alone pulls harder: install it with more tension, or take "
           "a lighter rope",
           guy.name, std::get<GuyTension>(guy.install).tension));
@@ -316,7 +315,7 @@ const BeamState& at_height(const Array<MastPoint>& points, double height) {
 /// The mast's own weight as a force and its moment about the foot, by the trapezoidal rule over the points.
 void add_own_weight(const GuyedMast& mast, const Array<MastPoint>& points, Vector3& force, Vector3& moment) {
   for (std::size_t i = 1; i < points.size(); ++i) {
-    const Vector3 W = -mast.section.weight * (points[i].height - points[i - 1].height) * up();
+    const Vector3 W = -mast.section.weight * (points[i].height - points[i - 1].height) * taut::up();
     force += W;
     moment += (points[i].state.place + points[i - 1].state.place).cross(W) / 2;
   }
@@ -353,7 +352,7 @@ void fill(const GuyedMastProblem& p, const Unknowns& u, GuyedMastResult& out) {
 }  // namespace
 
 double bending(const MastPoint& point) {
-  const auto f = structure::section_forces(point.state);
+  const auto f = section_forces(point.state);
   return std::hypot(f.bends_to_x, f.bends_to_y);
 }
 
@@ -368,17 +367,17 @@ std::optional<double> installed_length(const Guy& guy) {
   // The tension falls with the length, until the rope hangs so deep that its own weight makes it grow again.
   std::uintmax_t iterations = 200;
   const double longest = boost::math::tools::brent_find_minima(T, shortest, 3 * chord, 40, iterations).first;
-  return find_root([&](double length) { return T(length) - wanted.tension; }, shortest, longest);
+  return taut::find_root([&](double length) { return T(length) - wanted.tension; }, shortest, longest);
 }
 
 Outcome solve(const GuyedMast& mast, GuyedMastResult& out) {
-  expects(mast.height > 0, "a mast has a height");
+  taut::expects(mast.height > 0, "a mast has a height");
   for (const Guy& guy : mast.guys) {
-    expects(guy.height > 0 && guy.height <= mast.height, "a guy is fixed to its mast");
-    expects(std::isfinite(guy.stiffness) && guy.stiffness > 0, "a guy is elastic");
+    taut::expects(guy.height > 0 && guy.height <= mast.height, "a guy is fixed to its mast");
+    taut::expects(std::isfinite(guy.stiffness) && guy.stiffness > 0, "a guy is elastic");
   }
   for (const MastLoad& load : mast.loads) {
-    expects(load.height > 0 && load.height <= mast.height, "a load acts on its mast");
+    taut::expects(load.height > 0 && load.height <= mast.height, "a load acts on its mast");
   }
   GuyedMastProblem p{.mast = mast, .ropes = {}, .heights = {}, .force = 1, .share = 1};
   if (const auto no = install(mast, p)) return *no;
@@ -386,7 +385,7 @@ Outcome solve(const GuyedMast& mast, GuyedMastResult& out) {
   Unknowns u = Unknowns::Zero();
   int iterations = 0;
   const auto held = load_up(p, u, iterations);
-  if (!held || *held < 1) return infeasible(buckles(p, held));
+  if (!held || *held < 1) return taut::infeasible(buckles(p, held));
   out = {};
   p.share = 1;
   fill(p, u, out);
@@ -394,4 +393,4 @@ Outcome solve(const GuyedMast& mast, GuyedMastResult& out) {
   return {};
 }
 
-}  // namespace taut::solve
+}  // namespace taut_test::witness
