@@ -1,6 +1,6 @@
 """Made from the descriptions by python/tools/make_stub.py; do not edit. `./dev python stub` makes it again.
 
-schema: 0a5fe65a27092e187b7acedf710d6d06b2df3d5d6cb7d241382a664830642967
+schema: 20687de9888705669bb88d9cbe43cb87570628692981de5fd9625944c2304ea7
 """
 
 from collections.abc import Mapping, Sequence

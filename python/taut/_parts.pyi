@@ -1,6 +1,6 @@
 """Made from the descriptions by python/tools/make_stub.py; do not edit. `./dev python stub` makes it again.
 
-schema: 0a5fe65a27092e187b7acedf710d6d06b2df3d5d6cb7d241382a664830642967
+schema: 20687de9888705669bb88d9cbe43cb87570628692981de5fd9625944c2304ea7
 """
 
 from collections.abc import Mapping, Sequence
@@ -278,6 +278,7 @@ class Parts:
         length: Quantity | None = None,
         tension_at_start: Quantity | None = None,
         tension_at_end: Quantity | None = None,
+        tension_equals: str | Quantity | None = None,
         install: Mapping[str, Any] | None = None,
         copies: int | None = None,
         haul: Literal["to_start", "to_end"] | None = None,
@@ -295,6 +296,8 @@ class Parts:
             kN and at most 1e9 kN).
         tension_at_end: N. in place of the length: tension that is constant in every state, as by a counterweight (above 0
             kN and at most 1e9 kN).
+        tension_equals: in place of the length: a rope; at rest as described both have the same tension at the start of
+            their paths, and the length found there is kept.
         install: in place of the length: tension when the line is put up; the length found there is kept.
         copies: number of equal parallel ropes (at least 1). Default: 1.
         haul: direction when hoisting or hauling in; default: to its drum or given tension, else to its start: `to_start`,

@@ -177,7 +177,7 @@ void Judge::take_contacts(const machine::Model& m, const solve::EquilibriumResul
 
 bool Judge::may_slack(const std::string& reeving) const {
   return std::any_of(deck_->machine.reevings.begin(), deck_->machine.reevings.end(),
-                     [&](const auto& one) { return one.may_slack && one.name.value_or(one.rope) == reeving; });
+                     [&](const auto& one) { return one.may_slack && name_of(one) == reeving; });
 }
 
 void Judge::take_slack(const machine::Model& m, const solve::EquilibriumResult& e, const std::string& words) {

@@ -178,7 +178,7 @@ class Compiler {
   void add_reeving(const description::Reeving& given, std::size_t i) {
     const std::string path = fmt::format("reevings[{}]", i);
     Reeving reeving;
-    reeving.name = given.name.value_or(given.rope);
+    reeving.name = name_of(given);
     reeving.copies = given.copies;
     reeving.closed = given.closed;
     reeving.segments = given.segments;

@@ -118,7 +118,9 @@ enum class Given {
            ///< it begins where the rope leaves the drum
   tension_at_start,  ///< `value`: N; the length follows
   tension_at_end,    ///< `value`: N
-  torque             ///< of a closed rope: its drive's tension_drop; the length follows
+  torque,            ///< of a closed rope: its drive's tension_drop; the length follows
+  equal  ///< the tension at its start is that of the rope `equal_to` at its start; until the length is found, as with
+         ///< `put_up`
 };
 
 /// Installation of a rope: its length is found from this tension at one end of its path. Only these bodies and loads
@@ -148,6 +150,7 @@ struct Reeving {
   bool closed = false;
   Given given = Given::length;  ///< a closed rope: length or torque
   double value = 0;
+  int equal_to = -1;  ///< of Given::equal: a reeving
   /// Of an open rope over a drive without given torque: the second given quantity.
   std::optional<std::pair<Given, double>> also;
   double weight = 0;          ///< per unstretched length at the reference temperature, N/m, >= 0

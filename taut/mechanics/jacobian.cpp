@@ -192,17 +192,18 @@ void add_length(Assembly& a, int index, int row) {
   for (std::size_t k = 0; k < as_size(columns.count); ++k) a.J.add(row, columns.unknown[k], columns.length[k]);
 }
 
-/// The end tension of a rope as a row.
-void add_tension(Assembly& a, int index, bool start, int row) {
+/// The end tension of a rope as a row, `sign` times.
+void add_tension(Assembly& a, int index, bool start, int row, double sign = 1) {
   const Columns& columns = a.columns[index];
   const Branch& b = a.e.branches[index];
   for (std::size_t k = 0; k < as_size(columns.count); ++k) {
-    a.J.add(row, columns.unknown[k], start ? b.leaves.dot(columns.pull_from[k]) : b.arrives.dot(columns.pull_to[k]));
+    const double rate = start ? b.leaves.dot(columns.pull_from[k]) : b.arrives.dot(columns.pull_to[k]);
+    a.J.add(row, columns.unknown[k], sign * rate);
   }
 }
 
 /// What is given of a rope as a row.
-void add_given(Assembly& a, const Layout::Rope& rope, machine::Given given, int row) {
+void add_given(Assembly& a, const Layout::Rope& rope, machine::Given given, int equal_to, int row) {
   switch (given) {
     case machine::Given::length:
       for (int k = rope.first; k < rope.first + rope.count; ++k) add_length(a, k, row);
@@ -213,6 +214,10 @@ void add_given(Assembly& a, const Layout::Rope& rope, machine::Given given, int 
       break;
     case machine::Given::tension_at_end:
       add_tension(a, rope.first + rope.count - 1, false, row);
+      break;
+    case machine::Given::equal:
+      add_tension(a, rope.first, true, row);
+      add_tension(a, a.system.layout.ropes[as_size(equal_to)].first, true, row, -1);
       break;
     case machine::Given::torque:
       add_turn(a, *rope.drive, row, 1, -1, 0);
@@ -241,10 +246,10 @@ void add_laws(Assembly& a) {
       if (kind == machine::NodeKind::clamp) add_clamp(a, rope, t);
     }
     if (rope.row != layout.coordinate_row && rope.row != layout.height_row) {
-      add_given(a, rope, reeving.given, rope.row);
+      add_given(a, rope, reeving.given, reeving.equal_to, rope.row);
     }
     const auto row = rope.drive ? layout.turns[*rope.drive].row : std::nullopt;
-    if (row) add_given(a, rope, reeving.also ? reeving.also->first : machine::Given::torque, *row);
+    if (row) add_given(a, rope, reeving.also ? reeving.also->first : machine::Given::torque, reeving.equal_to, *row);
   }
 }
 

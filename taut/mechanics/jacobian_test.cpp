@@ -96,6 +96,16 @@ TEST(Jacobian, MatchesDifferencesForGivenTensionsWarmRopesAndCopies) {
   EXPECT_LT(worst_derivative(m, {}, 1e-5), 1e-7);
 }
 
+TEST(Jacobian, MatchesDifferencesForEqualTensions) {
+  machine::Model m = three_spans(316, 0.1);
+  m.bodies.push_back(body("load", {3, 0, -2}, 80, "xz"));
+  m.reevings.push_back(reeve("a", {anchor("a", {0, 0, 6}), anchor_on("load", 0)}, 8.6, 4, 1e5));
+  m.reevings.push_back(reeve("b", {anchor("b", {9, 0, 7}), anchor_on("load", 0)}, 10.9, 5, 2e5));
+  m.reevings.back().given = machine::Given::equal;
+  m.reevings.back().equal_to = static_cast<int>(m.reevings.size()) - 2;
+  EXPECT_LT(worst_derivative(m, {}, 1e-5), 1e-7);
+}
+
 TEST(Jacobian, MatchesDifferencesForCarriagesThatPitch) {
   machine::Prescribed aside{.carriage = 0, .x = 62, .along = Vector3(0.8, 0.6, 0).normalized()};
   EXPECT_LT(worst_derivative(rollers(1, 0, 0.4, 900), machine::Prescribed{0, 60}, 1e-5), 1e-6);

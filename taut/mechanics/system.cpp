@@ -98,6 +98,8 @@ void add_laws(const System& s, const Configuration& c, Evaluation& e) {
           return e.branches[rope.first].T_from - value;
         case machine::Given::tension_at_end:
           return e.branches[rope.first + rope.count - 1].T_to - value;
+        case machine::Given::equal:
+          return e.branches[rope.first].T_from - e.branches[s.layout.ropes[as_size(reeving.equal_to)].first].T_from;
         case machine::Given::torque:
           break;
       }

@@ -24,8 +24,6 @@ std::vector<HeldTension> held_tensions(const machine::description::Reeving& rope
   return all;
 }
 
-std::string deck_name_of(const machine::description::Reeving& rope) { return rope.name.value_or(rope.rope); }
-
 const char* end_name(bool at_end) { return at_end ? "end" : "start"; }
 
 bool has_take_up(const machine::Machine& machine, const std::string& body) {
@@ -81,14 +79,14 @@ std::vector<std::string> tension_assumptions(const machine::Machine& machine) {
           fmt::format("Rope {}: its tension at its {} is held at {:.6g} kN in every state at rest, as by a "
                       "counterweight or a winch "
                       "that holds its pull; a motion begins with it.",
-                      deck_name_of(rope), end_name(held.at_end), held.tension / 1000));
+                      name_of(rope), end_name(held.at_end), held.tension / 1000));
     }
     if (!rope.install) continue;
     const bool at_end = rope.install->at == machine::description::BaseTensionAt::end;
     all.push_back(fmt::format(
         "Rope {}: put up {} with {:.6g} kN at its {}, at the machine's temperature; its unstretched length is kept in "
         "all other states.",
-        deck_name_of(rope),
+        name_of(rope),
         rope.install->with.empty() ? "empty" : fmt::format("with {}", fmt::join(rope.install->with, ", ")),
         rope.install->tension / 1000, end_name(at_end)));
   }
@@ -99,7 +97,7 @@ std::vector<std::string> held_tension_warnings(const machine::Machine& machine, 
   std::vector<std::string> all;
   for (std::size_t i = 0; i < machine.reevings.size(); ++i) {
     const auto& rope = machine.reevings[i];
-    const std::string name = deck_name_of(rope);
+    const std::string name = name_of(rope);
     const bool rides = std::any_of(machine.carriages.begin(), machine.carriages.end(),
                                    [&](const auto& car) { return car.rides == name; });
     if (!rides) continue;

@@ -137,7 +137,9 @@ Outcome judge(const mechanics::System& s, const mechanics::Configuration& c, boo
   }
   const std::optional<BeamStability> stability = beam_stability(s, c, factors);
   if (!stability || (stability->stable && !factors)) return {};
-  if (!factors) return infeasible(some_beam_buckles);
+  if (!factors) {
+    return infeasible("the equilibrium found is not one to stay in: a beam buckles, or falls over");
+  }
   for (BeamResult& r : results) r.critical_factor = stability->factors[r.beam];
   if (stability->stable) return {};
   const auto worst = std::min_element(results.begin(), results.end(), [](const BeamResult& a, const BeamResult& b) {

@@ -19,10 +19,6 @@ void act_beams(const mechanics::System& system, const mechanics::Configuration& 
 /// names the beam and says what to change.
 Outcome check_beams(const mechanics::System& system, const mechanics::Configuration& c, Array<BeamResult>& results);
 
-/// What `beams_stay` says of a beam that buckles.
-inline constexpr const char* some_beam_buckles =
-    "the equilibrium found is not one to stay in: a beam buckles, or falls over";
-
 /// Whether an equilibrium found is one to stay in, without the factors, which cost ten times more: where a beam buckles
 /// the message does not name it.
 Outcome beams_stay(const mechanics::System& system, const mechanics::Configuration& c);

@@ -9,7 +9,6 @@
 #include "taut/base/expects.hpp"
 #include "taut/math/index.hpp"
 #include "taut/math/roots.hpp"
-#include "taut/solve/beam_tables.hpp"
 
 namespace taut::solve {
 namespace {
@@ -61,10 +60,11 @@ class ConditionSearch {
   /// Why there is no equilibrium where there was none last; ok where there always was one. Which beam buckles, and by
   /// how much, is found here only.
   Outcome failure() const {
-    if (failed_.message != some_beam_buckles) return failed_;
+    if (failed_.ok() || best.model.beams.empty()) return failed_;
     EquilibriumOptions telling = options_;
     telling.beam_factors = true;
-    return equilibrium(varied(failed_at_), telling, near_).outcome;
+    const Outcome told = equilibrium(varied(failed_at_), telling, near_).outcome;
+    return told.ok() ? failed_ : told;
   }
 
   Conditioned best;

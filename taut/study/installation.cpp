@@ -120,6 +120,7 @@ solve::Condition own_condition(const machine::Reeving& rope) {
       return {.kind = Kind::tension_at_end, .reeving = 0, .value = rope.value, .span = 0};
     case machine::Given::length:
     case machine::Given::torque:
+    case machine::Given::equal:
       break;
   }
   return {.kind = Kind::length, .reeving = 0, .value = rope.value, .span = 0};

@@ -3,7 +3,10 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+
 #include "taut/base/array.hpp"
+#include "taut/math/index.hpp"
 
 namespace taut::study {
 namespace {
@@ -11,8 +14,10 @@ namespace {
 PutUpWith with_of(const machine::Model& model, std::size_t reeving) {
   const machine::PutUp& asked = *model.reevings[reeving].put_up;
   PutUpWith with{.bodies = asked.bodies, .loads = asked.loads, .absent = {}};
-  for (std::size_t later = reeving + 1; later < model.reevings.size(); ++later) {
-    if (model.reevings[later].put_up) with.absent.push_back(static_cast<int>(later));
+  for (std::size_t later = 0; later < model.reevings.size(); ++later) {
+    const machine::Reeving& rope = model.reevings[later];
+    const bool to_come = (rope.put_up && later > reeving) || rope.given == machine::Given::equal;
+    if (to_come) with.absent.push_back(static_cast<int>(later));
   }
   return with;
 }
@@ -42,9 +47,37 @@ Array<PutUpLine> put_up(machine::Model& model) {
   return all;
 }
 
+Outcome draw_equal(machine::Model& model) {
+  const auto is_equal = [](const machine::Reeving& rope) { return rope.given == machine::Given::equal; };
+  if (std::none_of(model.reevings.begin(), model.reevings.end(), is_equal)) return {};
+  solve::EquilibriumOptions options;
+  options.band = options.beam_factors = false;
+  options.lengths_kept = true;
+  const solve::EquilibriumResult found = solve::equilibrium(model, options);
+  const auto refused = [&](const std::string& why) {
+    return Outcome{.status = found.outcome.ok() ? Status::infeasible : found.outcome.status,
+                   .message = "the ropes with 'tension_equals' can't be drawn to equal tensions: " + why};
+  };
+  if (!found.outcome.ok()) return refused(found.outcome.message);
+  for (const machine::Reeving& rope : model.reevings) {
+    if (is_equal(rope) && !(found.ropes[as_size(rope.equal_to)].T_max > 0)) {
+      return refused(fmt::format("'{}' is slack", model.reevings[as_size(rope.equal_to)].name));
+    }
+  }
+  const machine::Model drawn = solve::installed(model, found);
+  for (std::size_t r = 0; r < model.reevings.size(); ++r) {
+    machine::Reeving& rope = model.reevings[r];
+    if (!is_equal(rope)) continue;
+    rope.given = machine::Given::length;
+    rope.value = drawn.reevings[r].value;
+  }
+  return {};
+}
+
 Outcome put_up_lines(machine::Model& model, std::vector<PutUpLine>& lines) {
   lines = put_up(model);
-  return lines.empty() ? Outcome{} : lines.back().at.outcome;
+  if (!lines.empty() && !lines.back().at.outcome.ok()) return lines.back().at.outcome;
+  return draw_equal(model);
 }
 
 Outcome install_guys(const machine::Machine& machine, machine::Model& model) {

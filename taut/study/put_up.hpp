@@ -21,7 +21,11 @@ struct PutUpLine {
 /// there on: `model` has it. Ends with the first that fails.
 Array<PutUpLine> put_up(machine::Model& model);
 
-/// The same; not ok: why one can't be put up.
+/// Finds the lengths of the ropes with Given::equal: the equilibrium at rest, without losses and with the whole
+/// machine, in which each has at its start the tension of its rope `equal_to`. The lengths are kept from there on.
+Outcome draw_equal(machine::Model& model);
+
+/// `put_up`, then `draw_equal`; not ok: why one has no answer.
 Outcome put_up_lines(machine::Model& model, std::vector<PutUpLine>& lines);
 
 /// Puts up the guys that have a tension: on the machine with its bodies held and nothing but the guys; each of them

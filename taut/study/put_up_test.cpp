@@ -69,4 +69,71 @@ TEST(PutUp, EndsWithTheFirstThatFails) {
       << lines[0].at.outcome.message;
 }
 
+/// A mass on ropes side by side, one above the other's mirror image; the first has a length, the others its tension.
+machine::Model side_by_side(double mass, const char* ways, const std::vector<double>& EA, double weight) {
+  machine::Model m;
+  m.bodies.push_back(body("cage", {0, 0, 0}, mass, ways));
+  for (std::size_t i = 0; i < EA.size(); ++i) {
+    const double x = 0.4 * static_cast<double>(i), high = 20 + static_cast<double>(i);
+    m.reevings.push_back(
+        reeve("rope", {anchor("head", {x, 0, high}), anchor_on("cage", 0, {x, 0, 0})}, high - 0.01, weight, EA[i]));
+    if (i == 0) continue;
+    m.reevings[i].given = machine::Given::equal;
+    m.reevings[i].equal_to = 0;
+  }
+  return m;
+}
+
+TEST(DrawEqual, RopesWithoutWeightShareTheLoad) {
+  machine::Model m = side_by_side(1000, "z", {4e6, 1e6, 9e6}, 0);
+  const taut::Outcome drawn = draw_equal(m);
+  ASSERT_TRUE(drawn.ok()) << drawn.message;
+  const double T = 1000 * m.gravity / 3, z = 20 - 19.99 * (1 + T / 4e6);
+  for (std::size_t i = 1; i < 3; ++i) {
+    EXPECT_EQ(m.reevings[i].given, machine::Given::length);
+    const double high = 20 + static_cast<double>(i);
+    EXPECT_NEAR(m.reevings[i].value, (high - z) / (1 + T / m.reevings[i].stiffness), 1e-9);
+  }
+}
+
+TEST(DrawEqual, TheLengthsFoundHaveTheSameTensionAtTheirStarts) {
+  for (const char* ways : {"z", "xz"}) {
+    machine::Model m = side_by_side(700, ways, {4e6, 1e6, 2e6}, 30);
+    m.loads.push_back({{.body = 0, .at = {0.4, 0, 0}}, {50, 0, -2000}});
+    const taut::Outcome drawn = draw_equal(m);
+    ASSERT_TRUE(drawn.ok()) << drawn.message;
+    const solve::EquilibriumResult r = solve::equilibrium(m);
+    ASSERT_TRUE(r.outcome.ok()) << r.outcome.message;
+    EXPECT_NEAR(r.branches[1].T_from / r.branches[0].T_from, 1, 1e-9) << ways;
+    EXPECT_NEAR(r.branches[2].T_from / r.branches[0].T_from, 1, 1e-9) << ways;
+    EXPECT_GT(r.branches[2].T_from, 2000);
+  }
+}
+
+TEST(DrawEqual, ASlackRopeHasNoTensionToEqual) {
+  machine::Model m = side_by_side(1000, "z", {4e6, 1e6, 1e6}, 0);
+  m.reevings[0].value = 25;                      // it hangs down
+  m.reevings[2].given = machine::Given::length;  // the third carries the cage alone
+  const taut::Outcome drawn = draw_equal(m);
+  EXPECT_FALSE(drawn.ok());
+  EXPECT_NE(drawn.message.find("equal tensions"), std::string::npos) << drawn.message;
+  EXPECT_EQ(m.reevings[1].given, machine::Given::equal) << "nothing is taken over";
+}
+
+TEST(DrawEqual, ALineIsPutUpWithoutTheRopesThatAreDrawnLater) {
+  machine::Model m = two_lines(20e3, 25e3);
+  m.reevings.push_back(reeve("second stay", {anchor("d", {60, 0, 40}), anchor_on("knot", 0)}, 0, 10, 9e6));
+  m.reevings[3].given = machine::Given::equal;
+  m.reevings[3].equal_to = 2;
+  machine::Model without = two_lines(20e3, 25e3);
+  std::vector<PutUpLine> lines, alone;
+  const taut::Outcome drawn = put_up_lines(m, lines);
+  ASSERT_TRUE(drawn.ok()) << drawn.message;
+  ASSERT_TRUE(put_up_lines(without, alone).ok());
+  for (std::size_t i = 0; i < 2; ++i) EXPECT_NEAR(lines[i].at.unstretched, alone[i].at.unstretched, 1e-9);
+  const solve::EquilibriumResult r = solve::equilibrium(m);
+  ASSERT_TRUE(r.outcome.ok()) << r.outcome.message;
+  EXPECT_NEAR(r.branches[3].T_from / r.branches[2].T_from, 1, 1e-8);
+}
+
 }  // namespace put_up_test

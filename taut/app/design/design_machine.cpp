@@ -33,7 +33,7 @@ DesignParts parts_of(MachineDeck& deck) {
   parts.owner = "the machine";
   for (const auto& rope : deck.machine.ropes) parts.ropes.push_back(rope.name);
   parts.tensions = parts.ropes;
-  for (const auto& reeving : deck.machine.reevings) parts.tensions.push_back(reeving.name.value_or(reeving.rope));
+  for (const auto& reeving : deck.machine.reevings) parts.tensions.push_back(name_of(reeving));
   for (const auto& guy : deck.machine.guys) parts.tensions.push_back(guy.name);
   for (const auto& beam : deck.machine.beams) {
     const std::string refused =
@@ -145,7 +145,7 @@ double tension_in(const Result& r, const MachineDeck& deck) {
       const std::string reeving = name.substr(0, at == 0 ? 0 : at - 1);
       bool own = reeving == *deck.design->of;
       for (const auto& one : deck.machine.reevings) {
-        own = own || (one.rope == *deck.design->of && one.name.value_or(one.rope) == reeving);
+        own = own || (one.rope == *deck.design->of && name_of(one) == reeving);
       }
       for (const auto& one : deck.machine.guys) own = own || (one.rope == *deck.design->of && one.name == reeving);
       if (!own) return;
@@ -260,7 +260,7 @@ std::map<std::string, std::size_t> lists_by_name(const machine::Machine& machine
     const std::string& rope = space.ropes[k].name;
     lists[rope] = k;
     for (const auto& one : machine.reevings) {
-      if (one.rope == rope) lists[one.name.value_or(one.rope)] = k;
+      if (one.rope == rope) lists[name_of(one)] = k;
     }
     for (const auto& one : machine.guys) {
       if (one.rope == rope) lists[one.name] = k;

@@ -67,6 +67,7 @@ Array<Said> said_of(const Machine& machine, const Model& model, const DescribedR
   take(given.tension_at_start, Given::tension_at_start, "tension_at_start");
   take(given.tension_at_end, Given::tension_at_end, "tension_at_end");
   if (given.install) said.push_back({Given::length, 0, "install"});
+  if (given.tension_equals) said.push_back({Given::equal, 0, "tension_equals"});
   if (given.closed) {
     if (said.empty() && motor != nullptr && gives_torque(*motor)) take(0, Given::torque, "torque");
     return said;
@@ -101,9 +102,31 @@ std::string wrong_with(const Array<Said>& said, bool closed, bool two) {
   }
   if (two) return {};
   if (said.empty()) {
-    return "needs one of length, install, tension_at_start, tension_at_end (or a drum with a pull or a torque)";
+    return "needs one of length, install, tension_at_start, tension_at_end, tension_equals (or a drum with a pull or a "
+           "torque)";
   }
   return said.size() > 1 ? fmt::format("has {}; give one of them", fmt::join(words, " and ")) : std::string();
+}
+
+/// The rope whose tension this one is to have. Complaints: there is none, or it has none of its own.
+void set_equal(const Machine& machine, const DescribedReeving& described, Reeving& reeving,
+               std::vector<Complaint>& complaints) {
+  const std::string& wanted = *described.given.tension_equals;
+  const auto complain = [&](const std::string& words) {
+    complaints.push_back({described.path + ".tension_equals", words});
+  };
+  for (std::size_t r = 0; r < machine.reevings.size(); ++r) {
+    const description::Reeving& other = machine.reevings[r];
+    if (name_of(other) != wanted) continue;
+    if (&other == &described.given) return complain("a rope has its own tension already: name another one");
+    if (other.tension_equals) {
+      return complain(fmt::format("'{}' has that of '{}': name that rope here too", wanted, *other.tension_equals));
+    }
+    if (other.closed) return complain(fmt::format("'{}' is endless: it has no start", wanted));
+    reeving.equal_to = static_cast<int>(r);
+    return;
+  }
+  complain(fmt::format("no rope '{}'", wanted));
 }
 
 }  // namespace
@@ -117,6 +140,12 @@ void set_given(const Machine& machine, const Model& model, const DescribedReevin
     complaints.push_back({described.path + ".install", "is for ropes with two ends and without a motor on their path"});
     return;
   }
+  if (given.tension_equals && (given.closed || by_speed)) {
+    complaints.push_back(
+        {described.path + ".tension_equals", "is for ropes with two ends and without a motor on their path"});
+    return;
+  }
+  if (given.tension_equals) set_equal(machine, described, reeving, complaints);
   const Array<Said> said = said_of(machine, model, described, motor);
   const bool takes_two = !given.closed && by_speed;
   std::string wrong = wrong_with(said, given.closed, takes_two);

@@ -18,8 +18,9 @@ struct DescribedReeving {
 };
 
 /// Sets what is known of a rope besides its path, and its haul. A rope with ends: one of length, installation (its
-/// length follows when it is put up), tension at either end, pull or torque of its drum; over a sheave with a motor
-/// without a torque two of them. An endless one: its length, or its motor's torque. `model` has its drums and motors.
+/// length follows when it is put up), tension at either end, that of another rope, pull or torque of its drum; over a
+/// sheave with a motor without a torque two of them. An endless one: its length, or its motor's torque. `model` has its
+/// drums and motors.
 void set_given(const Machine& machine, const Model& model, const DescribedReeving& described, Reeving& reeving,
                std::vector<Complaint>& complaints);
 

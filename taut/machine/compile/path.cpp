@@ -322,7 +322,7 @@ void begin_at_drive(Array<Stop>& stops, const std::string& path, std::vector<Com
 
 Array<Stop> stops_of(const Machine& machine, const Links& links, const description::Reeving& reeving,
                      const RopeData& rope, const std::string& path, std::vector<Complaint>& complaints) {
-  PathReader reader(machine, links, reeving.name.value_or(reeving.rope), rope, complaints);
+  PathReader reader(machine, links, name_of(reeving), rope, complaints);
   if (reeving.path.size() < 2) complaints.push_back({path, "a rope runs from one element to another one"});
   reader.stops.reserve(reeving.path.size());
   const DeckPlace here(path);

@@ -22,8 +22,6 @@ constexpr int most_elements = 16;  ///< by themselves; the error goes with the s
 constexpr double elements_per_span = 32;
 constexpr double nearest = 1e-6;  ///< share between two loads
 
-std::string name_of(const description::Reeving& reeving) { return reeving.name.value_or(reeving.rope); }
-
 const std::string* name_of(const description::PathElement& e) {
   for (const auto* name : {&e.anchor, &e.over, &e.through, &e.drum}) {
     if (*name) return &**name;

@@ -223,6 +223,10 @@ const Description& Reeving::describe() {
                  "in place of the length: tension that is constant in every state, as by a counterweight")
           .at_most(strongest)
           .above(0)
+          .field(
+              &Reeving::tension_equals, "tension_equals",
+              "in place of the length: a rope; at rest as described both have the same tension at the start of their "
+              "paths, and the length found there is kept")
           .record(&Reeving::install, "install",
                   "in place of the length: tension when the line is put up; the length found there is kept")
           .field(&Reeving::copies, "copies", "n", si::one, "number of equal parallel ropes")

@@ -196,6 +196,7 @@ struct Reeving {
   std::optional<double> length;
   std::optional<double> tension_at_start;
   std::optional<double> tension_at_end;
+  std::optional<std::string> tension_equals;  ///< a rope: its length is found for equal tensions at both starts
   int copies = 1;
   Haul haul = Haul::automatic;
   int segments = 1;        ///< number of segments of each branch in motion
@@ -203,6 +204,9 @@ struct Reeving {
   std::optional<PutUp> install = std::nullopt;
   static const Description& describe();
 };
+
+/// By what a deck refers to it: its name, else that of its rope.
+inline std::string name_of(const Reeving& reeving) { return reeving.name.value_or(reeving.rope); }
 
 /// A bunch of logs: one end hangs on the carriage, the other is dragged over the ground.
 struct Dragged {

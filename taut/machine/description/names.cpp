@@ -18,7 +18,7 @@ class KnownNames {
     add(machine.carriages, bodies_);
     add(machine.beams, bodies_);
     add(machine.ropes, ropes_);
-    for (const auto& one : machine.reevings) reevings_.push_back(one.name.value_or(one.rope));
+    for (const auto& one : machine.reevings) reevings_.push_back(name_of(one));
     for (const auto& beam : machine.beams) bodies_.push_back(beam.name + ".top");
     places_ = bodies_;
     add(machine.points, places_);

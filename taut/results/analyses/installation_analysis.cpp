@@ -60,7 +60,7 @@ Table installation_table(const InstallationRun& run, const study::Installation& 
 /// NaN: the deck does not say.
 double on_drums(const machine::Machine& machine, const std::string& rope, double unstretched) {
   const auto reeving = std::find_if(machine.reevings.begin(), machine.reevings.end(),
-                                    [&](const auto& one) { return one.name.value_or(one.rope) == rope; });
+                                    [&](const auto& one) { return name_of(one) == rope; });
   if (reeving == machine.reevings.end()) return none;
   double content = none;
   for (const auto* end : {&reeving->path.front(), &reeving->path.back()}) {

@@ -46,7 +46,7 @@ std::vector<Rove> all_rove(const checks::CheckedDeck& deck, const Display& displ
     }
     all.push_back(std::move(one));
   };
-  for (const auto& one : deck.machine.reevings) add(one.name.value_or(one.rope), one.rope, false);
+  for (const auto& one : deck.machine.reevings) add(name_of(one), one.rope, false);
   for (const auto& one : deck.machine.guys) add(one.name, one.rope, true);
   return all;
 }

@@ -107,5 +107,60 @@ TEST(TransientBreak, BrokenRopeDoesNotHoldAgain) {
   }
 }
 
+/// A wheel that has lost its rope's end spins on, and gives no rope to what is left.
+TEST(TransientBreak, AWheelGivesNoRopeAfterItsEndHasRunOff) {
+  machine::Model m = over_two_points(20);
+  machine::Node& right = m.reevings[0].nodes[2];
+  right.radius = 0.2;
+  right.inertia = 4;
+  m.events.push_back(break_at(0.1, 0, 2));
+  const TransientResult r = run_to_end(m, lasting(1.3, 1e-4, 130));
+  const double off = time_of(r, "run_off", "right");
+  ASSERT_GT(off, 0);
+  double left = 0;
+  for (const TransientFrame& frame : r.frames) {
+    EXPECT_NEAR(frame.energy.residual, 0, 1e-3 * frame.energy.turnover + 1e-6) << frame.t;
+    if (frame.t <= off) continue;
+    const double now = frame.branches[0].unstretched + frame.branches[1].unstretched;
+    if (left > 0) {
+      EXPECT_LT(now, left + 1e-9) << frame.t;
+    }
+    left = now;
+  }
+  EXPECT_GT(left, 0);
+  EXPECT_GT(std::abs(r.frames.back().contacts[1].spin), 1) << "it does spin";
+}
+
+/// A drum pays out to a falling mass; the rope with its dampers parts beyond a light sheave. What is left of it comes
+/// free and slack, and no force changes the drum's speed at that moment.
+TEST(TransientBreak, ADrumIsNotJoltedByRopeThatComesFree) {
+  machine::Model m;
+  m.gravity = 9.81;
+  m.bodies.push_back(body("mass", {0, 0, 0}, 800, "z"));
+  machine::Node drum = anchor("drum", {-2, 0, -4});
+  drum.radius = 0.4;
+  drum.drum = 0;
+  machine::Node head = over("head", {0, 0, 8});
+  head.law = {0.1, 0.96};
+  m.drums.push_back({});
+  m.drums[0].name = "drum";
+  m.drums[0].core_radius = 0.39;
+  m.drums[0].inertia = 28;
+  m.drums[0].drive.kind = machine::DriveKind::free;
+  machine::Reeving rope = reeve("rope", {drum, head, anchor_on("hook", 0)}, 0, 0, 1.8e7);
+  rope.given = machine::Given::tension_at_start;
+  rope.value = 4000;
+  rope.damping_ratio = 0.26;
+  m.reevings.push_back(rope);
+  m.events.push_back(break_at(0.5, 0, 1));
+  const TransientResult r = run_to_end(m, lasting(0.6, 1e-3, 600));
+  const double before = r.frames[499].drums[0].speed, after = r.frames[503].drums[0].speed;
+  EXPECT_LT(before, -1) << "it pays out";
+  EXPECT_NEAR(after / before, 1, 0.01);
+  for (const TransientFrame& frame : r.frames) {
+    EXPECT_NEAR(frame.energy.residual, 0, 1e-3 * frame.energy.turnover + 1e-6) << frame.t;
+  }
+}
+
 }  // namespace
 }  // namespace taut_test::transient_break

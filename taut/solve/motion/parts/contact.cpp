@@ -285,8 +285,11 @@ void decide_bearing(const Mechanism& m, const Scheme& s, std::size_t i, const Va
 }  // namespace
 
 bool loose(const Contact& contact, const Values& now) {
-  return contact.in >= 0 && contact.out >= 0 && now.lines[contact.in].end_T[1] <= 0 &&
-         now.lines[contact.out].end_T[0] <= 0;
+  // a tension below 0 is one that dampers hold while rates alone are sought (Scheme::only_rates): no slack rope
+  const auto slack = [&](int line, std::size_t end) {
+    return line >= 0 && now.lines[line].end_T[end] <= 0 && now.lines[line].T >= 0;
+  };
+  return slack(contact.in, 1) && slack(contact.out, 0);
 }
 
 double loose_flow(const Contact& contact, const ContactValues& was, const Values& before) {

@@ -43,6 +43,13 @@ inline double free_rope(const LineValues& line) {
   if (line.gone == 0) return std::min(std::max(line.L - on, 0.0), line.L);
   return line.L - on / (1 + std::max(0.0, line.e));
 }
+/// Unstretched rope on the round at an end, m: less than none where the rope passes the round without touching it
+/// (wrap below 0). A dead end may be shorter than the arc between the places where a rope leaves and arrives.
+inline double lies_on_round(const LineValues& line, std::size_t end) {
+  if (line.gone > 0) return line.arc[end] / (1 + std::max(0.0, line.e));
+  const double on = on_rounds(line);
+  return on > 0 ? line.arc[end] / on * (line.L - free_rope(line)) : 0;
+}
 /// Whether the turning of a line takes rope from it, or gives it some, at an end: on a drum it leaves the line. On
 /// other rounds it stays the line's own.
 inline bool winds(const Line& line, const LineValues& now, std::size_t end) {

@@ -191,6 +191,11 @@ void assemble_sagging(Mechanism& m, const Scheme& s, const Values& before, std::
 /// Rope that an end of a sagging line lays on its round by the turning of its direction, m/s.
 double sag_winding_rate(const Mechanism& m, std::size_t line, std::size_t end, const Values& now);
 
+/// Whether the end of a rope has run off a round: the rim that turns there passes nothing any more.
+inline bool has_no_rope(const Contact& contact, const Array<LineValues>& lines) {
+  return contact.in >= 0 && contact.out >= 0 && (has_run_off(lines[contact.in]) || has_run_off(lines[contact.out]));
+}
+
 /// Puts the star values of a step from `before` into the work.
 void begin_step(const Mechanism& m, const Scheme& s, const Values& before, Work& w);
 /// The auxiliary rates at the end of an accepted step.

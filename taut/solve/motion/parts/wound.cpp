@@ -40,12 +40,10 @@ void add_wound(const Mechanism& m, const Values& before, const Values& now, Ledg
       const LineValues &a = before.lines[i], &b = now.lines[i];
       const double onto = (end == 0 ? 1 : -1) * a.radius[end] * (b.angle[end] - a.angle[end]);
       const double winding = before.contacts[line.contact[end]].winding;
-      // of a dead end all may lie there: less than the arc between the places where a rope leaves and arrives
       const auto unstretched = [&](const Values& values) {
         const LineValues& v = values.lines[i];
         if (sags(line, v)) return v.arc[end] / (1 + end_strain(m, values, static_cast<int>(i), end));
-        const double on = on_rounds(v);
-        return on > 0 ? v.arc[end] / on * (v.L - free_rope(v)) : 0;
+        return lies_on_round(v, end);
       };
       const double laid = line.arcs[end] ? unstretched(now) - unstretched(before) : onto / winding;  // m
       const auto tension = [&](const Values& values) {

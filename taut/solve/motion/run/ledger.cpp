@@ -77,7 +77,8 @@ void add_contact(const Mechanism& m, std::size_t i, const Values& before, const 
   set_prices(m, i, now, b);
   const std::size_t end_line = as_size(contact.in >= 0 ? contact.in : contact.out);
   const bool drum = contact.in < 0 || contact.out < 0;
-  if (drum && has_run_off(now.lines[end_line])) return;  // it winds in what is no more
+  // it winds in what is no more
+  if (has_no_rope(contact, before.lines) || (drum && has_run_off(now.lines[end_line]))) return;
   const std::size_t c = as_size(contact.column);
   const double passed = contact.copies * (now.q[c] - before.q[c]) / 2;
   const double rolled = contact.copies * (now.contacts[i].rolled - before.contacts[i].rolled) / 2;

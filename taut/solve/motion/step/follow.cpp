@@ -122,7 +122,8 @@ void turn_spins(const Mechanism& m, const Scheme& s, const Values& before, doubl
   for (std::size_t end = 0; end < 2; ++end) {
     if (line.contact[end] < 0) continue;
     const std::size_t k = as_size(line.contact[end]), c = as_size(m.contacts[k].column);
-    double out = s.only_rates && slips_later(m, s, m.contacts[k]) ? 0 : now.q[c] - before.q[c];
+    const bool none = (s.only_rates && slips_later(m, s, m.contacts[k])) || has_no_rope(m.contacts[k], before.lines);
+    double out = none ? 0 : now.q[c] - before.q[c];
     if (!sagging && !off && winds(line, is, end))
       out -= is.radius[end] / before.contacts[k].winding * (is.angle[end] - was.angle[end]);
     L += end == 0 ? out : -out;
