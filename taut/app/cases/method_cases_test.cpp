@@ -123,6 +123,13 @@ TEST(MethodCases, ACaseWithoutAnAnswerTellsWhyAndHasNoNumbers) {
   EXPECT_THAT(none.error().outcome.message, HasSubstr("the deck as it is has no answer"));
 }
 
+TEST(MethodCases, ANumberWithAndWithoutInputBeforeItIsTheSame) {
+  const std::vector<std::string> lines =
+      lines_of(cases_of(read(), {"input.friction", "input.wrap", "friction"}, {"c"}));
+  ASSERT_EQ(lines.size(), 1U);
+  EXPECT_THAT(lines[0], HasSubstr("'friction' is the same number of the deck as 'input.friction'"));
+}
+
 TEST(MethodCases, WhatTheDeckDoesNotHaveIsToldAtItsPlace) {
   const auto inputs = cases_of(read(), {"input.fricton", "input.rope_area"}, {"c"});
   const std::vector<std::string> lines = lines_of(inputs);
