@@ -1,8 +1,10 @@
 #include "taut/app/cases/study/study_figures.hpp"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -110,6 +112,36 @@ TEST(StudyFigures, AnOutputIsShownOverTheInputThatItFollowsMost) {
   }
   EXPECT_EQ(second->title, "y2 over x1.value");
   EXPECT_THAT(second->caption, HasSubstr("rank correlation -1.00"));
+}
+
+// Equal values have no order: that of the cases would say something of the inputs.
+TEST(StudyFigures, EqualValuesHaveOneRank) {
+  const Study study = sampled(made_study({standard, standard}, 2,
+                                         [](const chance::Point& p) -> std::vector<double> {
+                                           return {5, p[1] > 2 ? 1.0 : 0.0};
+                                         }),
+                              chance::PointKind::random, 400);
+  const Result r = figures_of(study, data_of(study));
+  EXPECT_THAT(figure<Plot>(r, "scatter_1")->caption, HasSubstr("rank correlation 0.00"));
+  const Plot* rare = figure<Plot>(r, "scatter_2");
+  EXPECT_EQ(rare->title, "y2 over x2.value");
+  // k ones among n: both ranks in closed form give r = sqrt(3 k (n - k)/(n^2 - 1)), as the ones have the last ranks
+  const std::vector<double>& y = rare->curves.at(0).y;
+  const double n = 400, k = static_cast<double>(std::count(y.begin(), y.end(), 1.0));
+  ASSERT_GT(k, 0);
+  EXPECT_THAT(rare->caption, HasSubstr(fmt::format("correlation {:.2f}", std::sqrt(3 * k * (n - k) / (n * n - 1)))));
+}
+
+TEST(StudyFigures, AScatterHasNoMoreDotsThanCanBeTold) {
+  for (const std::uint64_t cases : {1500U, 1501U, 2999U, 3000U, 4000U}) {
+    const Study study =
+        sampled(made_study({standard}, 1, [](const chance::Point& p) -> std::vector<double> { return {p[0]}; }),
+                chance::PointKind::random, cases);
+    const Result r = figures_of(study, data_of(study));
+    const std::size_t dots = figure<Plot>(r, "scatter")->curves.at(0).x.size();
+    EXPECT_LE(dots, 1500U) << cases;
+    EXPECT_GT(dots, 750U) << cases;
+  }
 }
 
 TEST(StudyFigures, BarsAreSortedAndWithoutWhatHasNoNumber) {

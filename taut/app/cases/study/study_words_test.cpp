@@ -40,6 +40,8 @@ TEST(StudyWords, ALawIsInTheUnitsOfTheDeck) {
   EXPECT_EQ(words({.law = chance::Triangular{.low = 1000, .mode = 1250, .high = 3000}}, si::kg),
             "triangular, 1 t to 3 t, most likely 1.25 t");
   EXPECT_EQ(words({.law = chance::Listed{.values = {1000, 2000, 4000}}}, si::kg), "3 values, 1 t to 4 t");
+  EXPECT_EQ(words({.law = chance::Listed{.values = {2000, 4000, 1000, 3000}}}, si::kg), "4 values, 1 t to 4 t")
+      << "from the smallest to the largest, wherever they stand";
 }
 
 TEST(StudyWords, ADifferenceOfTemperaturesIsInKelvin) {
@@ -81,6 +83,7 @@ TEST(StudyWords, AProbabilityKeepsThreeDigitsHoweverSmallItIs) {
   EXPECT_EQ(probability_in_words(0), "0");
   EXPECT_EQ(probability_in_words(1), "1");
   EXPECT_EQ(probability_in_words(0.09437), "0.0944");
+  EXPECT_EQ(probability_in_words(1.234e-5), "1.23e-05");
   for (const double p : {0.999, 0.5, 0.01234, 1e-3, 9.994e-4, 1.234e-5, 4.56e-12, 7.89e-300}) {
     EXPECT_NEAR(std::stod(probability_in_words(p)), p, 0.005 * p) << probability_in_words(p);
     EXPECT_LE(probability_in_words(p).size(), 9U) << p;
