@@ -27,8 +27,9 @@ struct CaseQuestion {
 struct CaseInput {
   std::string path;
   Unit unit;
-  Range range;      ///< that the deck's field allows, SI
-  double base = 0;  ///< of the deck, SI; NaN where it gives none
+  Range range;             ///< that the deck's field allows, SI
+  double base = 0;         ///< of the deck, SI; NaN where it gives none
+  std::string place = {};  ///< as of study::Parameter: the same for all spellings of the path
 };
 
 /// One value that is asked for.

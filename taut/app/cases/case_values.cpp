@@ -49,6 +49,17 @@ std::string first_names(const std::vector<std::string>& names) {
   return fmt::format("{}{}", fmt::join(first, ", "), more);
 }
 
+/// A number that changes has one value in a case, so that it may be given once only.
+void take(CaseInput input, const CaseName& name, CaseModel& made, NoCases& wrong) {
+  const auto same = std::find_if(made.inputs.begin(), made.inputs.end(),
+                                 [&](const CaseInput& other) { return other.place == input.place; });
+  if (same != made.inputs.end()) {
+    wrong.complaints.push_back(
+        {name.place, fmt::format("'{}' is the same number of the deck as '{}': give it once", input.path, same->path)});
+  }
+  made.inputs.push_back(std::move(input));
+}
+
 }  // namespace
 
 void add_input(const FoundParameter& parameter, const CaseName& name, CaseModel& made, NoCases& wrong) {
@@ -60,13 +71,17 @@ void add_input(const FoundParameter& parameter, const CaseName& name, CaseModel&
     wrong.complaints.push_back(
         {name.place, fmt::format("'{}' has no value in the deck that could change: write one there", name.name)});
   }
-  made.inputs.push_back(
-      {.path = name.name, .unit = parameter->unit, .range = parameter->range(), .base = parameter->value});
+  take({.path = name.name,
+        .unit = parameter->unit,
+        .range = parameter->range(),
+        .base = parameter->value,
+        .place = parameter->place},
+       name, made, wrong);
 }
 
 void add_input(tl::expected<CaseInput, std::string> parameter, const CaseName& name, CaseModel& made, NoCases& wrong) {
   if (parameter) {
-    made.inputs.push_back(std::move(*parameter));
+    take(std::move(*parameter), name, made, wrong);
   } else {
     wrong.complaints.push_back({name.place, parameter.error()});
   }

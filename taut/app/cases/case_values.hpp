@@ -57,7 +57,8 @@ tl::expected<Deck, Outcome> deck_with(const Deck& base, const std::vector<CaseIn
   return deck;
 }
 
-/// Describes a number of the deck that changes, or complains of it.
+/// Describes a number of the deck that changes, or complains of it: also where it is one of those before, in another
+/// spelling of its path.
 void add_input(const FoundParameter& parameter, const CaseName& name, CaseModel& made, NoCases& wrong);
 
 /// The same of one of its parameters.

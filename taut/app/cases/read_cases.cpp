@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "taut/app/cases/case_values.hpp"
 #include "taut/app/cases/machine_cases.hpp"
 #include "taut/app/cases/method_cases.hpp"
 #include "taut/app/fingerprint.hpp"
@@ -40,7 +41,7 @@ tl::expected<CaseInput, std::string> described_parameter(const io::Node& paramet
   if (node->kind != io::Node::Kind::scalar || !quantity) {
     return tl::unexpected(fmt::format("'{}' is not a quantity in the deck", path));
   }
-  return CaseInput{.path = path, .unit = quantity->unit, .range = {}, .base = quantity->value};
+  return CaseInput{.path = path, .unit = quantity->unit, .range = {}, .base = quantity->value, .place = path};
 }
 
 /// The deck with more values set over it.
@@ -74,6 +75,19 @@ MadeCases ReadCases::cases(const CaseQuestion& question) const {
     return std::get<MethodDeck>(std::move(read->of));
   };
   return method_cases(std::get<MethodDeck>(of), question, {.describe = describe, .read = again});
+}
+
+std::string ReadCases::place_of(const std::string& path) const {
+  // what finds a number gives write access to it: it looks in a copy
+  FoundParameter found;
+  if (const auto* machine = std::get_if<ReadMachine>(&of)) {
+    MachineDeck copy = *machine->deck;
+    found = study::parameter_at(MachineDeck::describe(), &copy, path);
+  } else {
+    MethodDeck copy = std::get<MethodDeck>(of);
+    found = copy.parameter(path);
+  }
+  return found ? found->place : path;
 }
 
 Result bad_deck(Diagnostics mistakes) {

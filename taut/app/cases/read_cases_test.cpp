@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <set>
 #include <string>
 
 #include "taut/app/methods.hpp"
@@ -39,8 +40,9 @@ TEST(ReadCases, AMistakeOfTheDeckIsToldAtItsPlace) {
 TEST(ReadCases, AnOutputThatIsNotThereIsToldWhereTheBlockHasIt) {
   const auto read = read_cases(job_of(machine));
   ASSERT_TRUE(read.has_value()) << to_text(read.error().errors);
-  const auto made = read->cases({.inputs = {{"machine.carriages.car.mass", "study.vary.machine.carriages.car.mass"}},
-                                 .outputs = {{"equilibrium.sky.T_startt", "study.of[0]"}}});
+  const auto made =
+      read->cases({.inputs = {{.name = "machine.carriages.car.mass", .place = "study.vary.machine.carriages.car.mass"}},
+                   .outputs = {{.name = "equilibrium.sky.T_startt", .place = "study.of[0]"}}});
   ASSERT_FALSE(made.has_value());
   const Result r = refusal(made.error(), read->blocks());
   EXPECT_EQ(r.status, Status::bad_deck);
@@ -48,19 +50,58 @@ TEST(ReadCases, AnOutputThatIsNotThereIsToldWhereTheBlockHasIt) {
   EXPECT_THAT(to_text(r.errors), HasSubstr("did you mean 'sky.T_start'"));
 }
 
+TEST(ReadCases, ANumberHasOnePlaceUnderAllSpellings) {
+  const auto of_machine = read_cases(job_of(machine));
+  ASSERT_TRUE(of_machine.has_value()) << to_text(of_machine.error().errors);
+  const std::vector<std::vector<std::string>> same = {
+      {"machine.reevings[0].length", "machine.reevings.0.length", "machine.reevings.sky.length",
+       "machine.reevings[sky].length"},
+      {"machine.points.head.z", "machine.points.head[2]", "machine.points[head].at.z", "machine.points.head.at[2]"},
+      {"machine.ropes.sky.stiffness", "machine.ropes[sky].stiffness"},
+      {"machine.ropes.sky.mass"},
+      {"machine.carriages.car.mass"},
+      {"parameters.span"},
+      {"machine.points.head.x"},
+      {"machine.points.head.angle"}};
+  std::set<std::string> places;
+  for (const auto& spellings : same) {
+    for (const std::string& one : spellings) {
+      EXPECT_EQ(of_machine->place_of(one), of_machine->place_of(spellings[0])) << one;
+    }
+    places.insert(of_machine->place_of(spellings[0]));
+  }
+  EXPECT_EQ(places.size(), same.size()) << "other numbers have other places";
+  EXPECT_EQ(of_machine->place_of("machine.reevings.sky.lenght"), "machine.reevings.sky.lenght") << "leads nowhere";
+}
+
+TEST(ReadCases, ANumberIsAskedForOnce) {
+  const auto read = read_cases(job_of(machine));
+  ASSERT_TRUE(read.has_value()) << to_text(read.error().errors);
+  const auto made = read->cases({.inputs = {{.name = "machine.reevings.sky.length", .place = ""},
+                                            {.name = "parameters.span", .place = ""},
+                                            {.name = "machine.reevings[0].length", .place = "study.vary.second"}},
+                                 .outputs = {{.name = "equilibrium.sky.T_start", .place = ""}}});
+  ASSERT_FALSE(made.has_value());
+  ASSERT_EQ(made.error().complaints.size(), 1U);
+  EXPECT_EQ(made.error().complaints[0].path, "study.vary.second");
+  EXPECT_THAT(made.error().complaints[0].message,
+              testing::AllOf(HasSubstr("'machine.reevings[0].length'"), HasSubstr("'machine.reevings.sky.length'")));
+}
+
 TEST(ReadCases, AParameterOfExpressionsIsAnInput) {
   const auto read = read_cases(job_of(machine));
   ASSERT_TRUE(read.has_value()) << to_text(read.error().errors);
-  const auto made = read->cases({.inputs = {{"parameters.span", ""}}, .outputs = {{"equilibrium.sky.T_start", ""}}});
+  const auto made = read->cases({.inputs = {{.name = "parameters.span", .place = ""}},
+                                 .outputs = {{.name = "equilibrium.sky.T_start", .place = ""}}});
   ASSERT_TRUE(made.has_value());
   EXPECT_EQ(made->inputs[0].base, 200);
   const auto longer = read_cases(job_of(machine, {"parameters.span=202 m"}));
-  const auto expected =
-      longer->cases({.inputs = {{"parameters.span", ""}}, .outputs = {{"equilibrium.sky.T_start", ""}}});
+  const auto expected = longer->cases({.inputs = {{.name = "parameters.span", .place = ""}},
+                                       .outputs = {{.name = "equilibrium.sky.T_start", .place = ""}}});
   EXPECT_NEAR(made->answer(std::vector<double>{202}).outputs[0], expected->outputs[0].base,
               1e-8 * expected->outputs[0].base);
-  const auto none =
-      read->cases({.inputs = {{"parameters.spam", "here"}}, .outputs = {{"equilibrium.sky.T_start", ""}}});
+  const auto none = read->cases({.inputs = {{.name = "parameters.spam", .place = "here"}},
+                                 .outputs = {{.name = "equilibrium.sky.T_start", .place = ""}}});
   ASSERT_FALSE(none.has_value());
   EXPECT_EQ(none.error().complaints[0].path, "here");
 }
@@ -76,7 +117,9 @@ TEST(ReadCases, OfAMethodAreItsInputsAndResults) {
   const auto read = read_cases(job_of(std::string(find_method("closed_loop")->example)));
   ASSERT_TRUE(read.has_value()) << to_text(read.error().errors);
   EXPECT_TRUE(std::holds_alternative<MethodDeck>(read->of));
-  const auto made = read->cases({.inputs = {{"input.gathering_force", ""}}, .outputs = {{"T_lA", ""}}});
+  EXPECT_EQ(read->place_of("gathering_force"), read->place_of("input.gathering_force"));
+  const auto made = read->cases(
+      {.inputs = {{.name = "input.gathering_force", .place = ""}}, .outputs = {{.name = "T_lA", .place = ""}}});
   ASSERT_TRUE(made.has_value());
   const double base = made->inputs[0].base;
   EXPECT_EQ(made->answer(std::vector<double>{base}).outputs[0], made->outputs[0].base);

@@ -16,9 +16,6 @@
 namespace taut::io {
 namespace {
 
-const std::vector<std::string> deck_keys = {"taut",    "title",      "project", "method",   "display",
-                                            "include", "parameters", "input",   "machine",  "analyses",
-                                            "checks",  "design",     "study",   "calibrate"};
 constexpr std::array block_keys = {"checks", "design", "study", "calibrate"};  // beside a machine or an input
 
 void read_format(const Node& root, Diagnostics& mistakes) {
@@ -124,6 +121,13 @@ Node read_machine(const Node& root, Diagnostics& mistakes) {
 
 }  // namespace
 
+const std::vector<std::string>& deck_keys() {
+  static const std::vector<std::string> keys = {"taut",    "title",      "project", "method",   "display",
+                                                "include", "parameters", "input",   "machine",  "analyses",
+                                                "checks",  "design",     "study",   "calibrate"};
+  return keys;
+}
+
 Deck read_deck(const Document& document, const std::vector<std::string>& methods, Diagnostics& mistakes) {
   Deck deck;
   if (document.source) deck.reading = document.source->reading;
@@ -136,9 +140,9 @@ Deck read_deck(const Document& document, const std::vector<std::string>& methods
   }
   for (const Entry& e : root.entries) {
     if (enough(mistakes)) break;
-    if (std::find(deck_keys.begin(), deck_keys.end(), e.key) != deck_keys.end()) continue;
-    std::string hint = did_you_mean(e.key, deck_keys);
-    if (hint.empty()) hint = fmt::format("; it has {}", fmt::join(deck_keys, ", "));
+    if (std::find(deck_keys().begin(), deck_keys().end(), e.key) != deck_keys().end()) continue;
+    std::string hint = did_you_mean(e.key, deck_keys());
+    if (hint.empty()) hint = fmt::format("; it has {}", fmt::join(deck_keys(), ", "));
     add(mistakes, e.key_spot, fmt::format("{} is not a key of a deck{}", in_quotes(e.key), hint));
   }
   read_format(root, mistakes);
@@ -170,8 +174,8 @@ Deck read_deck(const Document& document, const std::vector<std::string>& methods
   return deck;
 }
 
-std::optional<Deck> read_deck(std::string_view text, const std::string& name, const std::vector<std::string>& set,
-                              const std::vector<std::string>& methods, Diagnostics& mistakes, FileReader read) {
+std::optional<Document> read_document(std::string_view text, const std::string& name,
+                                      const std::vector<std::string>& set, Diagnostics& mistakes, FileReader read) {
   auto document = parse(text, name);
   if (!document) {
     for (Diagnostic& d : document.error()) add(mistakes, std::move(d));
@@ -180,7 +184,14 @@ std::optional<Deck> read_deck(std::string_view text, const std::string& name, co
   for (Diagnostic& d : document->mistakes) add(mistakes, std::move(d));
   document->source->reading->read = std::move(read);
   resolve_includes(*document, mistakes);
-  for (const std::string& one : set) override_value(*document, one, deck_keys, mistakes);
+  for (const std::string& one : set) override_value(*document, one, deck_keys(), mistakes);
+  return std::move(*document);
+}
+
+std::optional<Deck> read_deck(std::string_view text, const std::string& name, const std::vector<std::string>& set,
+                              const std::vector<std::string>& methods, Diagnostics& mistakes, FileReader read) {
+  auto document = read_document(text, name, set, mistakes, std::move(read));
+  if (!document) return std::nullopt;
   resolve_parameters(*document, mistakes);
   // a deck that is not even a map has reported its one mistake
   if (document->root.kind != Node::Kind::map) {

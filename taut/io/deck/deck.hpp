@@ -28,6 +28,14 @@ struct Deck {
                ///< `calibrate` alone
 };
 
+/// The keys that a deck may have at its top.
+const std::vector<std::string>& deck_keys();
+
+/// A deck as one document: its text with what it includes, and with the values that are set over it. Expressions stand
+/// in it as they were written. The arguments are those of read_deck; empty when the text is not YAML.
+std::optional<Document> read_document(std::string_view text, const std::string& name,
+                                      const std::vector<std::string>& set, Diagnostics& mistakes, FileReader read = {});
+
 /// Everything that comes before a method reads its input: YAML, `include:`, the overrides of `--set`, `parameters:`,
 /// and the keys `taut`, `title`, `project`, `method`, `display`, `input` (or `machine`, `analyses`). All mistakes are
 /// added to `mistakes`; when nothing can be read at all (not YAML) the result is empty. A deck with mistakes may still

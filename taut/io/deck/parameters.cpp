@@ -72,12 +72,19 @@ class ParameterResolver {
     if (value && n.text.empty()) add(mistakes_, n.spot, "this has a fraction of a dimension");
   }
 
+  std::vector<std::string> unused() const {
+    std::vector<std::string> names;
+    std::copy_if(names_.begin(), names_.end(), std::back_inserter(names),
+                 [&](const std::string& name) { return !all_.at(name).used; });
+    return names;
+  }
+
   void note_unused() {
-    for (const std::string& name : names_) {
+    for (const std::string& name : unused()) {
       const Parameter& p = all_.at(name);
       const SourcePtr& from = p.entry->key_spot.source;
       const bool of_part = from && from != document_.source && from->name != "--set";
-      if (p.used || of_part || enough(mistakes_)) continue;
+      if (of_part || enough(mistakes_)) continue;
       std::vector<std::string> others;
       std::copy_if(names_.begin(), names_.end(), std::back_inserter(others),
                    [&](const std::string& other) { return other != name; });
@@ -161,19 +168,35 @@ class ParameterResolver {
   int depth_ = 0;
 };
 
+/// A copy, as the deck changes while its parameters are read; null where it has none.
+Node parameters_of(const Document& document) {
+  const Node* found = document.root.find("parameters");
+  return found == nullptr ? Node{} : *found;
+}
+
+/// Puts the values of the parameters into the deck.
+ParameterResolver resolved(Document& document, const Node& parameters, Diagnostics& mistakes) {
+  ParameterResolver resolver(document, mistakes);
+  if (document.root.find("parameters") != nullptr) resolver.read(parameters);
+  for (Entry& e : document.root.entries) {
+    if (e.key != "parameters" && e.key != "title" && e.key != "include") resolver.resolve(e.value);
+  }
+  return resolver;
+}
+
 }  // namespace
 
 void resolve_parameters(Document& document, Diagnostics& mistakes) {
-  Node& root = document.root;
-  if (root.kind != Node::Kind::map) return;
-  const Node* found = root.find("parameters");
-  const Node parameters = found == nullptr ? Node{} : *found;
-  ParameterResolver resolver(document, mistakes);
-  if (found != nullptr) resolver.read(parameters);
-  for (Entry& e : root.entries) {
-    if (e.key != "parameters" && e.key != "title" && e.key != "include") resolver.resolve(e.value);
-  }
-  resolver.note_unused();
+  if (document.root.kind != Node::Kind::map) return;
+  const Node parameters = parameters_of(document);
+  resolved(document, parameters, mistakes).note_unused();
+}
+
+std::vector<std::string> unused_parameters(Document document) {
+  if (document.root.kind != Node::Kind::map) return {};
+  Diagnostics mistakes;  // are told where the deck is read
+  const Node parameters = parameters_of(document);
+  return resolved(document, parameters, mistakes).unused();
 }
 
 }  // namespace taut::io

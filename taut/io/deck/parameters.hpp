@@ -1,4 +1,7 @@
 #pragma once
+#include <string>
+#include <vector>
+
 #include "taut/io/deck/document.hpp"
 
 namespace taut::io {
@@ -10,5 +13,9 @@ namespace taut::io {
 /// circle, what an expression's parts don't allow, a parameter of the deck itself or of `--set` that nothing uses (one
 /// that an included deck defines may stay unused). The key itself stays where it is.
 void resolve_parameters(Document& document, Diagnostics& mistakes);
+
+/// Names below `parameters:` that no expression of the deck uses, nor another parameter; in their order. Wherever they
+/// were defined: those of included decks too. The document is one whose parameters are not resolved.
+std::vector<std::string> unused_parameters(Document document);
 
 }  // namespace taut::io

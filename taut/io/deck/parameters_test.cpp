@@ -110,4 +110,17 @@ TEST(Parameters, OfAnIncludedDeckAreOverridden) {
   fs::remove_all(folder);
 }
 
+TEST(Parameters, ThatNothingUsesAreListedWhereverTheyWereDefined) {
+  const auto unused = [](const std::string& text) {
+    Diagnostics mistakes;
+    const auto document = read_document(head + text, "deck.yaml", {}, mistakes);
+    return unused_parameters(*document);
+  };
+  using Names = std::vector<std::string>;
+  EXPECT_EQ(unused("parameters: {a: 1 m, b: = c, c: 2 m, d: 3 m}\ninput: {span: = d}\ntitle: = a\n"), (Names{"a", "b"}))
+      << "c serves b; a title is a text";
+  EXPECT_EQ(unused("input: {span: = d}\n"), Names{});
+  EXPECT_EQ(unused("parameters: 3 m\ninput: {span: 1 m}\n"), Names{});
+}
+
 }  // namespace taut::io::parameters_test

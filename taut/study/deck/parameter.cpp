@@ -67,7 +67,11 @@ class Finder {
     return in_field(*f, object, at + 1);
   }
 
+  void enter(const std::string& key) { place_ += place_.empty() ? key : "." + key; }
+  void enter(std::size_t index) { place_ += fmt::format("[{}]", index); }
+
   Found in_field(const Field& f, void* object, std::size_t at) {
+    enter(f.key);
     if (f.map_form) {
       const Record map = f.map_form(object);
       if (!map.all().empty()) return in_record(f, map, at);
@@ -92,16 +96,17 @@ class Finder {
 
   Found number(const Field& f, std::size_t at, double now, std::function<void(double)> set) const {
     if (at < steps_.size()) return no(at, "is beyond a number");
-    return Parameter{.field = &f, .unit = f.unit, .value = now, .set = std::move(set), .path = path_};
+    return Parameter{.field = &f, .unit = f.unit, .value = now, .set = std::move(set), .path = path_, .place = place_};
   }
 
-  Found component(const Field& f, std::size_t at, Triple& v) const {
+  Found component(const Field& f, std::size_t at, Triple& v) {
     if (at >= steps_.size()) return no(at, "is a vector: name a component, [0], [1], [2] or x, y, z, or its angle");
     if (at + 1 < steps_.size()) return no(at + 1, "is beyond a component");
     Triple* const p = &v;
     if (steps_[at] == "angle") {
       const double length = std::hypot(v[0], v[2]);
       if (!(length > 0)) return no(at, "of a vector without length in the plane of x and z");
+      enter("angle");
       return Parameter{.field = &f,
                        .unit = si::rad,
                        .value = std::atan2(v[2], v[0]),
@@ -110,23 +115,34 @@ class Finder {
                              (*p)[0] = length * std::cos(angle);
                              (*p)[2] = length * std::sin(angle);
                            },
-                       .path = path_};
+                       .path = path_,
+                       .place = place_};
     }
     auto i = number_of(steps_[at]);
     if (steps_[at] == "x") i = 0;
     if (steps_[at] == "y") i = 1;
     if (steps_[at] == "z") i = 2;
     if (!i || *i > 2) return no(at, "is not a component: x, y, z, [0], [1], [2] or angle");
-    return Parameter{
-        .field = &f, .unit = f.unit, .value = v[*i], .set = [p, k = *i](double x) { (*p)[k] = x; }, .path = path_};
+    enter(*i);
+    return Parameter{.field = &f,
+                     .unit = f.unit,
+                     .value = v[*i],
+                     .set = [p, k = *i](double x) { (*p)[k] = x; },
+                     .path = path_,
+                     .place = place_};
   }
 
-  Found element(const Field& f, std::size_t at, std::vector<double>& v) const {
+  Found element(const Field& f, std::size_t at, std::vector<double>& v) {
     const auto i = at < steps_.size() ? number_of(steps_[at]) : std::nullopt;
     if (!i || *i >= v.size()) return no(at, fmt::format("is not one of its {} numbers, [0] and so on", v.size()));
     if (at + 1 < steps_.size()) return no(at + 1, "is beyond a number");
-    return Parameter{
-        .field = &f, .unit = f.unit, .value = v[*i], .set = [p = &v, k = *i](double x) { (*p)[k] = x; }, .path = path_};
+    enter(*i);
+    return Parameter{.field = &f,
+                     .unit = f.unit,
+                     .value = v[*i],
+                     .set = [p = &v, k = *i](double x) { (*p)[k] = x; },
+                     .path = path_,
+                     .place = place_};
   }
 
   Found in_record(const Field& f, const Record& record, std::size_t at) {
@@ -140,15 +156,19 @@ class Finder {
     if (at >= steps_.size()) return no(at, "is a list: name an entry, [0] and so on");
     if (const auto i = number_of(steps_[at])) {
       if (*i >= all.size()) return no(at, fmt::format("is not one of its {} entries", all.size()));
+      enter(*i);
       return in_struct(*f.record, changeable(all[*i]), at + 1);
     }
     std::vector<std::string> known;
     for (const char* key : {"name", "rope", "at", "body"}) {
       const Field* text = f.record->find(key);
       if (text == nullptr || text->kind != FieldKind::text) continue;
-      for (const void* one : all) {
-        known.push_back(text_of(*text, changeable(one)));
-        if (const std::size_t count = fits(known.back(), at)) return in_struct(*f.record, changeable(one), at + count);
+      for (std::size_t i = 0; i < all.size(); ++i) {
+        known.push_back(text_of(*text, changeable(all[i])));
+        const std::size_t count = fits(known.back(), at);
+        if (count == 0) continue;
+        enter(i);
+        return in_struct(*f.record, changeable(all[i]), at + count);
       }
     }
     return no(at, fmt::format("is not an entry of the list{}", did_you_mean(steps_[at], known)));
@@ -161,6 +181,7 @@ class Finder {
       known.push_back(name);
       const std::size_t count = fits(name, at);
       if (count == 0) continue;
+      enter(name);
       const std::size_t next = at + count;
       auto* const object = const_cast<void*>(one);
       const Field* alone = f.shorthand.empty() ? nullptr : f.record->find(f.shorthand);
@@ -180,6 +201,7 @@ class Finder {
 
   std::string path_;
   std::vector<std::string> steps_;
+  std::string place_;  ///< by field and index, of the steps that were gone
 };
 
 }  // namespace

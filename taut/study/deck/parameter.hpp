@@ -16,7 +16,8 @@ struct Parameter {
   Unit unit;                        ///< of the value: the field's; of the angle of a vector rad
   double value = 0;                 ///< now; NaN where nothing is set
   std::function<void(double)> set;  ///< puts another value into the struct, which must outlive this
-  std::string path;                 ///< as the deck would write it: "loads[0].mass"
+  std::string path;                 ///< as it was asked for: "reevings.sky.length", "reevings[0].length"
+  std::string place;                ///< the same for all spellings of the path, "reevings[0].length"
 
   /// That a value must lie in; the range of a vector's field is that of its components, not of its angle.
   Range range() const;

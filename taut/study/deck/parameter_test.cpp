@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <limits>
+#include <string>
 
 #include "taut/machine/description/machine.hpp"
 
@@ -33,6 +34,16 @@ TEST_F(PutNumber, RefusesWhatTheFieldDoesNotAllowAndLeavesTheOldNumber) {
     EXPECT_NE(outcome.message.find("'loads[0].mass' must be"), std::string::npos) << outcome.message;
   }
   EXPECT_EQ(machine.loads[0].mass, 900);
+}
+
+TEST_F(PutNumber, HasOnePlaceUnderAllSpellings) {
+  machine.loads[0].at = "car";
+  for (const char* path : {"loads[0].mass", "loads.0.mass", "loads.car.mass", "machine.loads.car.mass"}) {
+    EXPECT_EQ(at(path)->place, "loads[0].mass") << path;
+  }
+  EXPECT_EQ(at("loads[0].force.z")->place, "loads[0].force[2]");
+  EXPECT_EQ(at("loads.car.force[2]")->place, "loads[0].force[2]");
+  EXPECT_EQ(at("loads.car.force.angle")->place, "loads[0].force.angle");
 }
 
 TEST_F(PutNumber, AnAngleOfAForceHasNotTheRangeOfItsComponents) {

@@ -287,7 +287,7 @@ Result calibrate(const Job& job, int threads) {
     return p.state == chance::ParameterState::estimated && p.standard_error > 0;
   });
   if (all_told) {
-    r.attachments.push_back({"calibrated.yaml", calibrated_deck(job, c->model, c->free, found)});
+    r.attachments.push_back({"calibrated.yaml", calibrated_deck(c->read, c->model, c->free, found)});
   } else {
     r.warnings.emplace_back(
         "calibrated.yaml is not written: a study on it would take numbers that the measurements do not tell as exact");

@@ -92,26 +92,30 @@ void add_convergence(const Study& study, const StudyData& data, Result& r) {
   }
 }
 
-/// Ranks of the values, 0 and on; NaN last.
+/// Ranks of the values, 0 and on; equal values have the mean of their ranks, so that their order does not matter.
 std::vector<double> ranks_of(const std::vector<double>& values) {
   std::vector<std::size_t> order(values.size());
   std::iota(order.begin(), order.end(), 0);
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return values[a] < values[b]; });
+  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return values[a] < values[b]; });
   std::vector<double> ranks(values.size());
-  for (std::size_t i = 0; i < order.size(); ++i) ranks[order[i]] = static_cast<double>(i);
+  for (std::size_t first = 0, end = 0; first < order.size(); first = end) {
+    while (end < order.size() && values[order[end]] == values[order[first]]) ++end;
+    for (std::size_t i = first; i < end; ++i) ranks[order[i]] = static_cast<double>(first + end - 1) / 2;
+  }
   return ranks;
 }
 
-/// Spearman's correlation of ranks, from -1 to 1.
+/// Spearman's correlation of ranks, from -1 to 1; 0 where one of the two is constant. No value is NaN.
 double rank_correlation(const std::vector<double>& x, const std::vector<double>& y) {
   const std::vector<double> a = ranks_of(x), b = ranks_of(y);
   const double middle = (static_cast<double>(a.size()) - 1) / 2;
-  double ab = 0, aa = 0;
+  double ab = 0, aa = 0, bb = 0;
   for (std::size_t i = 0; i < a.size(); ++i) {
     ab += (a[i] - middle) * (b[i] - middle);
     aa += (a[i] - middle) * (a[i] - middle);
+    bb += (b[i] - middle) * (b[i] - middle);
   }
-  return aa > 0 ? ab / aa : 0;
+  return aa > 0 && bb > 0 ? ab / std::sqrt(aa * bb) : 0;
 }
 
 /// Each output over the input whose ranks follow its own best.
@@ -120,7 +124,7 @@ void add_scatter(const Study& study, const StudyData& data, Result& r) {
   for (std::size_t k = 0; k < outputs; ++k) {
     std::vector<std::vector<double>> x(inputs);
     std::vector<double> y;
-    const std::uint64_t step = std::max<std::uint64_t>(1, study.sample.count / most_dots);
+    const std::uint64_t step = std::max<std::uint64_t>(1, (study.sample.count + most_dots - 1) / most_dots);
     for (std::uint64_t i = study.sample.first; i < study.sample.end(); i += step) {
       if (std::isnan(data.outputs[k][i])) continue;
       const chance::Point values = study.values_at(i);

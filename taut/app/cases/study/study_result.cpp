@@ -147,7 +147,7 @@ void add_grid_limits(const Study& study, const StudyData& data, Result& r) {
 void add_failed(const Study& study, const StudyData& data, Result& r) {
   if (data.failed.empty()) return;
   const double share = static_cast<double>(data.failed.size()) / static_cast<double>(study.size());
-  r.preface = fmt::format("{} of {} cases have no answer ({:.2g} %)", data.failed.size(), study.size(), 100 * share);
+  r.preface = fmt::format("{} of {} cases have no answer ({:.3g} %)", data.failed.size(), study.size(), 100 * share);
   std::map<std::string, std::size_t> reasons;
   for (const FailedCase& one : data.failed) ++reasons[one.reason];
   std::vector<std::pair<std::string, std::size_t>> sorted(reasons.begin(), reasons.end());

@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <filesystem>
+#include <numbers>
 #include <random>
 #include <string>
 
@@ -232,8 +233,8 @@ TEST(Study, LawsAreReadInTheUnitsOfTheirNumbers) {
   expect("normal: {mean: 205 m, sd: 30 cm}", 205, 0.3);
   expect("lognormal: {mean: 205 m, cov: 0.1 %}", 205, 0.205);
   expect("uniform: {low: 204 m, high: 206 m}", 205, 2 / std::sqrt(12.0));
-  constexpr double euler = 0.57721566490153286, pi = 3.14159265358979324;
-  expect("gumbel: {mode: 205 m, scale: 100 mm}", 205 + 0.1 * euler, 0.1 * pi / std::sqrt(6.0));
+  using std::numbers::egamma, std::numbers::pi;
+  expect("gumbel: {mode: 205 m, scale: 100 mm}", 205 + 0.1 * egamma, 0.1 * pi / std::sqrt(6.0));
   expect("weibull: {shape: 1, scale: 0.2 m, shift: 204.5 m}", 204.7, 0.2);  // the exponential law
   expect("triangular: {low: 204 m, mode: 205 m, high: 206 m}", 205, 1 / std::sqrt(6.0));
   expect("list: [204 m, 206 m], weights: [1, 3]", 205.5, std::sqrt(0.75));
@@ -304,6 +305,11 @@ TEST(Study, MistakesHaveTheirPlace) {
   EXPECT_THAT(
       message("  vary: {'machine.loads[0].mass': {uniform: {low: 1 t, high: 2 t}}}\n  of: [equilibrium.sky.T_mux]\n"),
       HasSubstr("did you mean 'sky.T_max'"));
+  EXPECT_THAT(
+      message("  vary:\n    machine.reevings.sky.length: {normal: {mean: 205 m, sd: 1 m}}\n"
+              "    'machine.reevings[0].length': {uniform: {low: 204 m, high: 206 m}}\n  of: [equilibrium.T_max]\n"),
+      HasSubstr("deck.yaml:12:35: error: study.vary.machine.reevings[0].length: 'machine.reevings[0].length' is the "
+                "same number of the deck as 'machine.reevings.sky.length'"));
   EXPECT_THAT(message(std::string(usual) + "  points: grid\n"), HasSubstr("a grid is made of lists and steps"));
   EXPECT_THAT(message(std::string(usual) + "  answer: [form]\n"), HasSubstr("about a limit"));
   EXPECT_THAT(

@@ -28,7 +28,8 @@ class LawWords {
     return fmt::format("triangular, {} to {}, most likely {}", value(law.low), value(law.high), value(law.mode));
   }
   std::string operator()(const chance::Listed& law) const {
-    return fmt::format("{} values, {} to {}", law.values.size(), value(law.values.front()), value(law.values.back()));
+    const auto [least, most] = std::minmax_element(law.values.begin(), law.values.end());
+    return fmt::format("{} values, {} to {}", law.values.size(), value(*least), value(*most));
   }
   std::string value(double x) const { return display_.brief(x, unit_); }
 

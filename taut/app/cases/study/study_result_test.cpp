@@ -1,0 +1,134 @@
+#include "taut/app/cases/study/study_result.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "test/support/machine_decks.hpp"
+#include "test/support/made_study.hpp"
+
+namespace taut::app::study_result_test {
+
+using taut_test::cell;
+using taut_test::check_of;
+using taut_test::data_of;
+using taut_test::gridded;
+using taut_test::made_study;
+using taut_test::row_of;
+using taut_test::table_of;
+using taut_test::text_cell;
+using taut_test::value_of;
+using testing::HasSubstr;
+
+/// A study whose random cases have these outputs.
+Study of_cases(std::uint64_t count) {
+  return taut_test::sampled(made_study({{.law = chance::Uniform{.low = 0, .high = 1}}}, 1,
+                                       [](const chance::Point& p) { return std::vector<double>(p); }),
+                            chance::PointKind::random, count);
+}
+
+// The value j of n stands at the share (j - 1/2)/n: of the numbers 1 to 100 the quantile p is 100 p + 1/2, the mean
+// 101/2, and with the divisor n - 1 the variance n (n + 1)/12.
+TEST(StudyResult, StatisticsOfTheNumbersFromOneToAHundred) {
+  Study study = of_cases(100);
+  study.model.outputs[0].base = 42;
+  StudyData data;
+  data.outputs = {{}};
+  for (int i = 0; i < 100; ++i) data.outputs[0].push_back((i * 37) % 100 + 1);
+  const Result r = study_result(study, data, {});
+  ASSERT_EQ(r.status, Status::ok) << r.message;
+  const double sd = std::sqrt(100 * 101 / 12.0);
+  const std::vector<std::pair<std::string, double>> expected = {{"mean", 50.5}, {"sd", sd},    {"q01", 1.5},
+                                                                {"q05", 5.5},   {"q25", 25.5}, {"q50", 50.5},
+                                                                {"q75", 75.5},  {"q95", 95.5}, {"q99", 99.5}};
+  const Table& summary = table_of(r, "summary");
+  for (const auto& [name, value] : expected) {
+    EXPECT_NEAR(value_of(r, "y1." + name), value, 1e-9) << name;
+    EXPECT_NEAR(cell(summary, row_of(summary, "what", name), "value"), value, 1e-9) << name;
+  }
+  const Table& quantiles = table_of(r, "quantiles");
+  EXPECT_EQ(cell(quantiles, row_of(quantiles, "statistic", "the deck as it is"), "value"), 42);
+  // Student's interval with 99 degrees of freedom
+  const std::size_t mean = row_of(quantiles, "statistic", "mean");
+  EXPECT_NEAR(cell(quantiles, mean, "high"), 50.5 + 1.9842169515 * sd / 10, 1e-6);
+  EXPECT_EQ(r.answers.at(0).text, "y1: 5.5 to 95.5");
+  EXPECT_EQ(r.find_table("failed"), nullptr);
+}
+
+TEST(StudyResult, FailedCasesAreCountedByTheirReasonsAndLeftOutOfTheStatistics) {
+  const Study study = of_cases(1500);
+  StudyData data;
+  data.outputs = {std::vector<double>(1500, 7)};
+  for (std::uint64_t i = 0; i < 1200; ++i) {
+    data.outputs[0][i] = std::nan("");
+    data.failed.push_back({i, i % 3 == 0 ? "too short" : "too long"});
+  }
+  const Result r = study_result(study, data, {});
+  EXPECT_EQ(r.preface, "1200 of 1500 cases have no answer (80 %)");
+  const Table& reasons = table_of(r, "reasons");
+  ASSERT_EQ(reasons.rows.size(), 2U);
+  EXPECT_EQ(text_cell(reasons, 0, "reason"), "too long") << "the most frequent first";
+  EXPECT_EQ(cell(reasons, 0, "cases"), 800);
+  EXPECT_EQ(cell(reasons, 1, "cases"), 400);
+  const Table& failed = table_of(r, "failed");
+  EXPECT_EQ(failed.rows.size(), 1000U) << "all of them are in the file of the cases";
+  EXPECT_THAT(failed.title, HasSubstr("the first ones"));
+  EXPECT_EQ(cell(failed, 999, "case"), 999);
+  EXPECT_EQ(value_of(r, "y1.mean"), 7);
+  EXPECT_THAT(table_of(r, "quantiles").title, HasSubstr("left out"));
+}
+
+/// The product of two lists, which has no value where the first number is `without`.
+Study products(double without) {
+  return gridded(made_study({{.law = chance::Listed{.values = {1, 2, 3}}}, {.law = chance::Listed{.values = {10, 20}}}},
+                            1, [without](const chance::Point& p) -> std::vector<double> {
+                              return {p[0] == without ? std::nan("") : p[0] * p[1]};
+                            }));
+}
+
+TEST(StudyResult, AGridTellsItsExtremesAndWhereTheyAre) {
+  Study study = products(0);
+  study.limits = {{.output = 0, .limit = {.bound = chance::Bound::at_most, .value = 50}, .allowed = {}},
+                  {.output = 0, .limit = {.bound = chance::Bound::at_least, .value = 5}, .allowed = {}}};
+  const Result r = study_result(study, data_of(study), {});
+  EXPECT_EQ(value_of(r, "y1.least"), 10);
+  EXPECT_EQ(value_of(r, "y1.largest"), 60);
+  const Table& t = table_of(r, "extremes");
+  EXPECT_EQ(text_cell(t, 0, "least_at"), "x1.value 1, x2.value 10");
+  EXPECT_EQ(text_cell(t, 0, "largest_at"), "x1.value 3, x2.value 20");
+  EXPECT_NEAR(check_of(r, "y1.largest").utilisation, 60.0 / 50, 1e-12);
+  EXPECT_FALSE(check_of(r, "y1.largest").passes);
+  EXPECT_TRUE(check_of(r, "y1.least").passes);
+  EXPECT_TRUE(r.missing.empty());
+  EXPECT_THAT(r.assumptions, testing::Contains("6 cases on a grid"));
+}
+
+TEST(StudyResult, AGridWithACaseWithoutAnAnswerDoesNotKeepItsLimits) {
+  Study study = products(2);
+  EXPECT_TRUE(study_result(study, data_of(study), {}).missing.empty()) << "no limit asks for them";
+  study.limits = {{.output = 0, .limit = {.bound = chance::Bound::at_most, .value = 100}, .allowed = {}}};
+  const Result r = study_result(study, data_of(study), {});
+  EXPECT_EQ(value_of(r, "y1.largest"), 60) << "of the cases that have an answer";
+  ASSERT_EQ(r.missing.size(), 1U);
+  EXPECT_EQ(r.missing[0].missing, 2);
+  EXPECT_EQ(r.missing[0].places, 6);
+  EXPECT_EQ(r.missing[0].first, "x1.value 2, x2.value 10");
+  EXPECT_EQ(r.missing[0].reason, "the function has no value there");
+}
+
+TEST(StudyResult, AGridWithoutAnyAnswerHasNoNumber) {
+  Study study = gridded(made_study({{.law = chance::Listed{.values = {5}}}}, 1,
+                                   [](const chance::Point&) { return std::vector<double>{std::nan("")}; }));
+  study.limits = {{.output = 0, .limit = {.bound = chance::Bound::at_most, .value = 100}, .allowed = {}}};
+  const Result r = study_result(study, data_of(study), {});
+  EXPECT_EQ(r.find_value("y1.least"), nullptr);
+  EXPECT_TRUE(r.checks.empty());
+  EXPECT_TRUE(table_of(r, "extremes").rows.empty());
+  EXPECT_EQ(r.preface, "1 of 1 cases have no answer (100 %)");
+  EXPECT_EQ(r.missing.size(), 1U);
+}
+
+}  // namespace taut::app::study_result_test

@@ -1,0 +1,253 @@
+#include "taut/app/design/design_machine.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "taut/app/prepare_machine.hpp"
+#include "taut/catalogue/section_search.hpp"
+#include "taut/io/deck/deck.hpp"
+#include "taut/study/deck/parameter.hpp"
+#include "test/support/machine_decks.hpp"
+
+namespace taut::app::design_machine_test {
+
+using design::Depth;
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+/// A rope `line` from the origin to a place 30 m away and 40 m up, and as a guy of a pole of 6 m to a stump 8 m away;
+/// a rope `stay` of 10 m that is given.
+std::string deck_with(const std::string& checks_and_design, const std::string& pole = "section: CHS 219.1x10") {
+  return "taut: 1\n"
+         "machine:\n"
+         "  points:\n"
+         "    low: [0 m, 0 m, 0 m]\n"
+         "    high: [30 m, 0 m, 40 m]\n"
+         "    foot: [0 m, 50 m, 0 m]\n"
+         "    head: [0 m, 50 m, 6 m]\n"
+         "    stump: [8 m, 50 m, 0 m]\n"
+         "    near: [0 m, 90 m, 0 m]\n"
+         "    far: [6 m, 98 m, 0 m]\n"
+         "  ropes: {line: {}, stay: {mass: 2 kg/m, stiffness: 20 MN, breaking_force: 300 kN}}\n"
+         "  beams: {pole: {from: foot, to: head, steel: S355, " +
+         pole +
+         "}}\n"
+         "  reevings:\n"
+         "    - {name: span, rope: line, path: [{anchor: low}, {anchor: high}], length: 50.1 m}\n"
+         "    - {rope: stay, path: [{anchor: near}, {anchor: far}], length: 10.01 m}\n"
+         "  guys: {tie: {rope: line, from: pole.top, to: stump, install: {tension: 1 kN, at: top}}}\n" +
+         checks_and_design;
+}
+
+const std::string checks = "checks: {ropes: {stay: {safety_factor: 3}}, guys: {line: {safety_factor: 3}}}\n";
+const std::string line = "line: {construction: 6x36, core: IWRC, grade: 1960 MPa, modulus: 90 GPa}";
+const std::string height = "unknowns: {height: {parameter: points.high.z, from: 40 m, to: 72 m}}";
+
+std::optional<ReadMachine> try_read(const std::string& text, Diagnostics& mistakes) {
+  const auto deck = io::read_deck(text, "deck.yaml", {}, {}, mistakes);
+  return deck ? read_machine(deck->input, deck->display, mistakes) : std::nullopt;
+}
+
+ReadMachine read(const std::string& text) {
+  Diagnostics mistakes;
+  auto machine = try_read(text, mistakes);
+  if (!machine) throw std::runtime_error(to_text(mistakes));
+  return std::move(*machine);
+}
+
+std::string mistakes_of(const std::string& text) {
+  Diagnostics mistakes;
+  try_read(text, mistakes);
+  return to_text(mistakes);
+}
+
+using Run = std::function<Result(const MachineDeck&, RunDepth)>;
+
+/// The task of a deck, with `run` in place of the calculation of machines.
+design::DesignTask task_of(
+    const ReadMachine& read, const Run& run = [](const MachineDeck&, RunDepth) { return Result{}; }) {
+  const auto door = [run](const MachineDeck& deck, RunDepth depth, const std::function<bool(const Progress&)>&) {
+    return run(deck, depth);
+  };
+  return machine_task(read.deck, read.space, {.run = door, .picture = [](const MachineDeck&, Result&) {}}, {});
+}
+
+Value tension(const std::string& name, double value) {
+  return {.name = name, .value = value, .unit = si::N, .symbol = "", .label = "", .source = ""};
+}
+
+Result with_check(double utilisation, const std::string& name = "skyline.T_max") {
+  Result r;
+  r.checks = {
+      make_check(name, utilisation, si::one, {.sense = Sense::at_most, .limit = 1, .rule = "", .trust = "user"})};
+  return r;
+}
+
+TEST(DesignMachine, MistakesHaveTheirPathInTheDeck) {
+  const auto expect = [](const std::string& text, const std::string& path, const std::string& words) {
+    const std::string mistakes = mistakes_of(text);
+    EXPECT_THAT(mistakes, HasSubstr(path + ": "));
+    EXPECT_THAT(mistakes, HasSubstr(words));
+  };
+  expect(deck_with("design: {ropes: {" + line + "}}\n"), "design", "needs 'checks'");
+  expect(deck_with(checks + "design: {ropes: {lin: {}}}\n"), "design.ropes.lin", "the machine has no rope 'lin'");
+  expect(deck_with(checks + "design: {sections: {pol: {}}}\n"), "design.sections.pol", "did you mean 'pole'");
+  expect(deck_with(checks + "design: {ropes: {" + line + "}, sections: {pole: {}}}\n",
+                   "A: 60 cm^2, I: 3000 cm^4, W: 270 cm^3"),
+         "design.sections.pole", "has its section by figures");
+  expect(deck_with(checks + "design: {unknowns: {h: {parameter: points.hih.z, from: 1 m, to: 2 m}}}\n"),
+         "design.unknowns.h.parameter", "did you mean 'high'");
+}
+
+TEST(DesignMachine, AChoiceStandsInTheDeckAndNotInTheOneItComesFrom) {
+  const ReadMachine own = read(deck_with(checks + "design: {ropes: {" + line + "}, sections: {pole: {shape: chs}}, " +
+                                         height + ", cases: {late: {guys.tie.install.tension: 5 kN}}}\n"));
+  ASSERT_GT(own.space.ropes.at(0).rows.size(), 4U);
+  const design::DesignPlace place{.choice = {3, 2}, .values = {72}};
+  const MachineDeck made = with_design(*own.deck, own.space, place, &own.space.cases.at(0));
+  const catalogue::RopeRow& row = own.space.ropes[0].rows[3];
+  const auto& rope = made.machine.ropes.at(0);
+  EXPECT_EQ(rope.mass, row.mass_per_length);
+  EXPECT_EQ(rope.breaking_force, row.breaking_force);
+  EXPECT_EQ(rope.diameter, row.diameter);
+  EXPECT_DOUBLE_EQ(rope.stiffness.value(), 90e9 * row.area) << "the modulus of the block";
+  EXPECT_EQ(made.chosen.at("line").id, row.id);
+  EXPECT_EQ(made.machine.ropes.at(1).mass, 2) << "that is not free";
+  EXPECT_EQ(made.machine.beams.at(0).section, own.space.sections.at(0).rows[2].name);
+  EXPECT_EQ(made.machine.guys.at(0).install->tension, 5e3);
+  const auto high = [](MachineDeck deck) {
+    return study::find_parameter(machine::Machine::describe(), &deck.machine, "points.high.z")->value;
+  };
+  EXPECT_EQ(high(made), 72);
+  EXPECT_EQ(high(*own.deck), 40);
+  EXPECT_FALSE(own.deck->machine.ropes.at(0).mass.has_value());
+  EXPECT_EQ(own.deck->machine.beams.at(0).section, "CHS 219.1x10");
+  EXPECT_EQ(own.deck->machine.guys.at(0).install->tension, 1e3);
+}
+
+// hypot(30, 40) = 50, hypot(30, 72) = 78; the guy has hypot(8, 6) = 10.
+TEST(DesignMachine, WhatIsPaidByLengthFollowsTheUnknowns) {
+  const auto lengths_of = [](const std::string& design, double z) {
+    return task_of(read(deck_with(checks + "design: {" + design + "}\n"))).lengths({z});
+  };
+  const std::string ropes = "ropes: {" + line + "}, ";
+  const design::DesignLengths low = lengths_of(ropes + height, 40), high = lengths_of(ropes + height, 72);
+  ASSERT_EQ(low.ropes.size(), 1U);
+  EXPECT_NEAR(low.ropes[0], 50 + 10, 1e-9);
+  EXPECT_NEAR(high.ropes[0], 78 + 10, 1e-9);
+  const double pole = catalogue::find_section("CHS 219.1x10")->mass_per_length;
+  EXPECT_NEAR(low.rest, 10 * 2 + 6 * pole, 1e-9) << "the stay and the pole are built all the same";
+  const design::DesignLengths free = lengths_of(ropes + "sections: {pole: {shape: chs}}, " + height, 40);
+  EXPECT_THAT(free.sections, ElementsAre(testing::DoubleNear(6, 1e-9)));
+  EXPECT_NEAR(free.rest, 10 * 2, 1e-9);
+  std::string given = deck_with(
+      checks +
+      "design: {seek: cheapest, unknowns: {height: {parameter: points.high.z, from: 40 m, to: 72 m, price: 3}}}\n");
+  given.replace(given.find("line: {}"), 8, "line: {mass: 1 kg/m, stiffness: 10 MN, breaking_force: 100 kN}");
+  EXPECT_NEAR(task_of(read(given)).lengths({60}).rest, 3 * 60, 1e-9) << "nothing else has a price";
+  EXPECT_THAT(lengths_of("seek: smallest, " + ropes + height, 72).ropes, ElementsAre(1)) << "a diameter has no length";
+}
+
+TEST(DesignMachine, AChecksPartNamesTheListThatItJudges) {
+  const auto task =
+      task_of(read(deck_with(checks + "design: {ropes: {" + line + ", stay: {}}, sections: {pole: {shape: chs}}}\n")));
+  const std::map<std::string, std::size_t> expected = {{"line", 0}, {"span", 0}, {"tie", 0}, {"stay", 1}, {"pole", 2}};
+  EXPECT_EQ(task.list_of, expected);
+}
+
+TEST(DesignMachine, TheLeastTensionIsThatOfTheRopeInQuestion) {
+  Result r = with_check(0.5);
+  r.values = {tension("span.T_max", 7e3), tension("stay.T_max", 9e3), tension("tie.T_max", 8e3),
+              tension("stay.T_max_2", 1e3), tension("span.not_T_max", 5e4)};
+  const auto tension_with = [&](const std::string& seek, const Result& result) {
+    const auto task = task_of(read(deck_with(checks + "design: {ropes: {" + line + "}, " + seek + "}\n")),
+                              [&](const MachineDeck&, RunDepth) { return result; });
+    return task.run({.choice = {0}, .values = {}}, Depth::checks, {}).tension;
+  };
+  EXPECT_EQ(tension_with("seek: least_tension", r), 9e3);
+  EXPECT_EQ(tension_with("seek: least_tension, of: stay", r), 9e3);
+  EXPECT_EQ(tension_with("seek: least_tension, of: line", r), 8e3) << "as it is rove and as a guy";
+  EXPECT_EQ(tension_with("seek: least_tension, of: span", r), 7e3);
+  EXPECT_TRUE(std::isnan(tension_with("seek: least_tension", Result{})));
+}
+
+/// A line with a load path and one more analysis, whose mainline is free.
+ReadMachine skyline() {
+  return read(
+      taut_test::skyline_deck("  - equilibrium: {motion: at_rest}\n"
+                              "  - load_path: {carriage: car, from: 135 m, to: 230 m, steps: 5}\n"
+                              "  - payload: {carriage: car, from: 135 m, to: 230 m, steps: 5, motion: in, "
+                              "limits: {skyline: {safety_factor: 3}}}\n"
+                              "checks: {ropes: {skyline: {safety_factor: 3}, mainline: {safety_factor: 3}}}\n"
+                              "design: {ropes: {mainline: {}}, disregard: [car.sway]}\n"));
+}
+
+TEST(DesignMachine, AQuickLookBeginsWhereTheLastChoiceWasWorst) {
+  Result failed = with_check(1.5);
+  failed.tables = {{.name = "load_path",
+                    .title = "",
+                    .columns = {{.name = "x", .unit = si::m}, {.name = "skyline.T_max", .unit = si::N}},
+                    .rows = {{135.0, 60e3}, {173.0, 90e3}, {230.0, 70e3}}}};
+  const Result passed = with_check(0.5);
+  std::vector<const Result*> answers;
+  std::vector<std::size_t> analyses;
+  std::vector<double> from, to;
+  const auto task = task_of(skyline(), [&](const MachineDeck& deck, RunDepth depth) {
+    EXPECT_EQ(depth, RunDepth::checks);
+    analyses.push_back(deck.analyses.size());
+    from.push_back(deck.analyses.at(1).load_path->from);
+    to.push_back(deck.analyses.at(1).load_path->to);
+    const Result* r = answers.front();
+    answers.erase(answers.begin());
+    return *r;
+  });
+  const design::DesignPlace place{.choice = {0}, .values = {}};
+  answers = {&failed};
+  EXPECT_FALSE(task.run(place, Depth::quick, {}).result.checks.at(0).passes);
+  EXPECT_THAT(from, ElementsAre(135)) << "the whole path, as nothing is known yet";
+  answers = {&failed};
+  EXPECT_TRUE(std::isnan(task.run(place, Depth::quick, {}).tension)) << "the one place has told enough";
+  EXPECT_THAT(from, ElementsAre(135, 173));
+  EXPECT_THAT(to, ElementsAre(230, 173));
+  answers = {&passed, &passed};
+  EXPECT_TRUE(task.run(place, Depth::quick, {}).result.checks.at(0).passes);
+  EXPECT_THAT(from, ElementsAre(135, 173, 173, 135)) << "what passes has passed the whole";
+  EXPECT_THAT(analyses, ElementsAre(3, 2, 2, 3)) << "one place has no payload";
+}
+
+TEST(DesignMachine, AReportHasWhatIsDisregardedAndNamesTheRope) {
+  std::vector<RunDepth> depths;
+  const ReadMachine own = skyline();
+  const auto task = task_of(own, [&](const MachineDeck& deck, RunDepth depth) {
+    depths.push_back(depth);
+    Result r = with_check(2, "car.sway");
+    r.given = given_of(MachineDeck::describe(), &deck);
+    return r;
+  });
+  const design::DesignPlace place{.choice = {1}, .values = {}};
+  EXPECT_TRUE(task.run(place, Depth::checks, {}).result.checks.empty()) << "it does not bind the design";
+  const Result r = task.run(place, Depth::report, {}).result;
+  EXPECT_THAT(depths, ElementsAre(RunDepth::checks, RunDepth::report));
+  EXPECT_EQ(r.checks.size(), 1U);
+  std::vector<std::string> of_rope;
+  for (const Given& g : r.given) {
+    if (g.key.starts_with("machine.ropes.mainline.")) of_rope.push_back(g.key);
+  }
+  ASSERT_GT(of_rope.size(), 1U);
+  EXPECT_EQ(of_rope[0], "machine.ropes.mainline.rope") << "before the figures that it brings";
+  const auto row = std::find_if(r.given.begin(), r.given.end(), [](const Given& g) { return g.chosen; });
+  ASSERT_NE(row, r.given.end());
+  EXPECT_EQ(row->text, own.space.ropes.at(0).rows[1].id);
+}
+
+}  // namespace taut::app::design_machine_test
