@@ -107,26 +107,29 @@ class Compiler {
       body.centre = vector_of(given.centre);
       if (given.turned && given.motion) complain(path + ".turned", "a body with a 'motion' stands as that begins");
       if (given.turned) body.orientation = by_fixed_angles({given.turned->rx, given.turned->ry, given.turned->rz});
-      std::size_t rotations = 0;
-      for (auto way = given.free.begin(); way != given.free.end(); ++way) {
-        if (std::find(given.free.begin(), way, *way) != way) {
-          complain(path + ".free", fmt::format("'{}' stands there twice", *way));
-          continue;
-        }
-        const bool turns = way->front() == 'r';
-        rotations += turns ? 1 : 0;
-        body.free.push_back(turns ? Freedom{.along = Vector3::Zero(), .about = axis_of(way->substr(1))}
-                                  : Freedom{.along = axis_of(*way), .about = Vector3::Zero()});
-      }
-      if (rotations == 2) complain(path + ".free", "one rotation or all three; two depend on their order");
-      if (given.guide) {
-        const Vector3 guide = vector_of(*given.guide);
-        if (guide.norm() == 0) complain(path + ".guide", "the direction is zero");
-        if (rotations < body.free.size()) complain(path + ".guide", "a body on a guide has none of x, y, z in 'free'");
-        if (guide.norm() > 0) body.free.push_back({guide.normalized(), Vector3::Zero()});
-      }
+      add_freedoms(given, path, body);
       model_.bodies.push_back(std::move(body));
     }
+  }
+
+  void add_freedoms(const description::Body& given, const std::string& path, Body& body) {
+    std::size_t rotations = 0;
+    for (auto way = given.free.begin(); way != given.free.end(); ++way) {
+      if (std::find(given.free.begin(), way, *way) != way) {
+        complain(path + ".free", fmt::format("'{}' stands there twice", *way));
+        continue;
+      }
+      const bool turns = way->front() == 'r';
+      rotations += turns ? 1 : 0;
+      body.free.push_back(turns ? Freedom{.along = Vector3::Zero(), .about = axis_of(way->substr(1))}
+                                : Freedom{.along = axis_of(*way), .about = Vector3::Zero()});
+    }
+    if (rotations == 2) complain(path + ".free", "one rotation or all three; two depend on their order");
+    if (!given.guide) return;
+    const Vector3 guide = vector_of(*given.guide);
+    if (guide.norm() == 0) complain(path + ".guide", "the direction is zero");
+    if (rotations < body.free.size()) complain(path + ".guide", "a body on a guide has none of x, y, z in 'free'");
+    if (guide.norm() > 0) body.free.push_back({guide.normalized(), Vector3::Zero()});
   }
 
   void check_held() {

@@ -10,7 +10,6 @@ namespace solve = taut::solve;
 
 using namespace taut_test;
 using namespace taut::study;
-using taut::Status;
 
 /// A mass that can move in x and z, on two ropes; both are to be put up.
 machine::Model two_lines(double left, double right) {

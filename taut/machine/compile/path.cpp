@@ -182,7 +182,7 @@ class PathReader {
       stops.push_back(single);
       if (single.drives) stops.back().node.kind = NodeKind::drive;
       if (const auto carriage = ahead_of(machine_, round))
-        stops.back().ahead_of = AheadOf{*carriage, DeckPlace(at, "over").text()};
+        stops.back().ahead_of = AheadOf{.carriage = *carriage, .path = DeckPlace(at, "over").text()};
       if (single.drives && round.holds) {
         complain({at, "over"}, fmt::format("'{}' has a motor; a guide that 'holds' has none", *e.over));
       }

@@ -161,6 +161,7 @@ void add_tensions(const std::vector<RopeSeen>& seen, const Display& display, Res
   std::vector<RopeSeen> order = seen;
   std::stable_sort(order.begin(), order.end(), [](const RopeSeen& a, const RopeSeen& b) { return a.T > b.T; });
   std::vector<std::string> parts;
+  parts.reserve(order.size());
   for (const RopeSeen& one : order) {
     parts.push_back(fmt::format("{} {} ({})", one.name, display.brief(one.T, si::N), one.where));
   }
