@@ -13,6 +13,10 @@
 namespace taut::solve::dynamics {
 namespace {
 
+/// Of the machine's size: a branch with more rope is where an iteration has run away, to the loop so deep that its
+/// weight alone makes the tension asked for.
+constexpr double most_rope = 1000;
+
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
 Matrix3 turned_by(const Vector3& rotation) {
@@ -341,7 +345,7 @@ bool follow(const Mechanism& m, const Scheme& s, const Values& before, const Wor
       if (!placed && !place_line(line, now.bodies, before.lines[i], is)) return false;
     }
     stretch(m, s, before, i, now);
-    if (!(left_in(is) > 0) || !std::isfinite(is.l)) return false;
+    if (!(left_in(is) > 0) || !std::isfinite(is.l) || is.L > most_rope * m.size_of_machine) return false;
   }
   if (m.rope_loads) place_rope_loads(m, now);
   for (std::size_t i = 0; i < contacts; ++i) {
