@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "taut/base/gravity.hpp"
 #include "taut/catalogue/rope_words.hpp"
@@ -70,10 +71,8 @@ Outcome put_up(const mast_section::Guy& given, MastGuy& guy) {
     return {};
   }
   if (given.length) return infeasible(fmt::format("guy {}: {}", guy.name, found.outcome.message));
-  return infeasible(
-      fmt::format("guy {}: no length gives {:.4g} N, its own weight alone pulls harder: install it with more tension, "
-                  "or take a lighter rope",
-                  guy.name, given.install->tension));
+  return infeasible(fmt::format("guy {}: no length gives {:.4g} N when it is put up: {}", guy.name,
+                                given.install->tension, found.outcome.message));
 }
 
 Vector3 block_force(const mast_section::BlockForce& f) { return {f.across, 0, -f.down}; }
@@ -93,11 +92,11 @@ std::vector<MastLoad> loads_of(const Input& in, const mast_section::ClampForces&
 
 /// A place on the mast's axis, on the section nearest to it.
 machine::Place place_at(const machine::Model& model, double height) {
-  machine::Place place{.body = 0, .at = Vector3(0, 0, height)};
-  double nearest = height;
+  machine::Place place;
+  double nearest = std::numeric_limits<double>::infinity();
   for (std::size_t k = 0; k < model.bodies.size(); ++k) {
     const double above = height - model.bodies[k].position.z();
-    if (k > 0 && std::abs(above) >= std::abs(nearest)) continue;
+    if (std::abs(above) >= std::abs(nearest)) continue;
     nearest = above;
     place = {.body = static_cast<int>(k), .at = Vector3(0, 0, above)};
   }
