@@ -43,7 +43,9 @@ machine::Reeving rope_of(const MastGuy& guy, const machine::Place& top) {
   machine::Reeving rope;
   rope.name = guy.name;
   rope.nodes.resize(2);
+  rope.nodes[0].name = "anchor";
   rope.nodes[0].at.at = guy.anchor;
+  rope.nodes[1].name = "mast";
   rope.nodes[1].at = top;
   rope.value = guy.length;
   rope.weight = guy.weight;
