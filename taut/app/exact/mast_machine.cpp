@@ -138,7 +138,7 @@ machine::Model mast_machine(const Input& in, const std::vector<MastGuy>& guys, c
 }
 
 Outcome with_share_held(const machine::Model& model, const Outcome& outcome) {
-  if (outcome.ok() || model.beams.empty()) return outcome;
+  if (outcome.status != Status::infeasible || model.beams.empty()) return outcome;
   const auto stands = [&](double share) {
     machine::Model part = model;
     for (machine::Load& load : part.loads) load.force *= share;

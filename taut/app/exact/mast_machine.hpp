@@ -33,7 +33,8 @@ machine::Model mast_machine(const mast_section::Input& in, const std::vector<Mas
                             const mast_section::ClampForces& forces, const structure::BeamSection& section);
 
 /// Why such a mast finds no equilibrium, with the share of the block forces that it holds, found by halving to a
-/// thousandth; the outcome as it is where there is one, or where the guys had none.
+/// thousandth; the outcome as it is where there is one, where the guys had none, and where the engine found no answer
+/// without knowing that there is none.
 Outcome with_share_held(const machine::Model& model, const Outcome& outcome);
 
 /// What is left of moments about the foot in the deflected shape, N m: a check of the result that shares nothing with

@@ -194,7 +194,7 @@ void resolve_parameters(Document& document, Diagnostics& mistakes) {
 
 std::vector<std::string> unused_parameters(Document document) {
   if (document.root.kind != Node::Kind::map) return {};
-  Diagnostics mistakes;  // are told where the deck is read
+  Diagnostics mistakes;  // not told here: whoever reads the deck tells them
   const Node parameters = parameters_of(document);
   return resolved(document, parameters, mistakes).unused();
 }

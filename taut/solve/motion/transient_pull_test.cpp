@@ -80,5 +80,16 @@ TEST(TransientPull, ADrumThatLetsGoOfItsPullTurnsWithItsRope) {
   EXPECT_GE(end.energy.slipped, -1e-6);
 }
 
+/// A shaft is far deeper than the machine is large where the motion begins.
+TEST(TransientPull, ALoadIsLoweredMoreThanAThousandTimesItsFirstRope) {
+  machine::Model m = pulled(0);
+  m.bodies[0].position.z() = -0.5;
+  m.reevings[0].value = 0.5;
+  m.drums[0].drive.kind = machine::DriveKind::speed;
+  m.drums[0].drive.signal = smooth_move(0, -20, 0, 10);
+  const TransientResult r = run_to_end(m, lasting(65, 1e-3));
+  EXPECT_NEAR(r.frames.back().bodies[0].position.z(), -0.5 - 20 * (65 - 5), 1);
+}
+
 }  // namespace
 }  // namespace taut_test::transient_pull

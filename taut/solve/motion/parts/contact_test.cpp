@@ -150,12 +150,23 @@ TEST(TransientContact, LooseRopeStaysWhereItIs) {
   EXPECT_TRUE(loose(of.contact(), of.now));
   of.pull(0, 1);
   EXPECT_FALSE(loose(of.contact(), of.now));
+  of.pull(-1, 0);  // what dampers hold while rates alone are sought is no slack rope
+  EXPECT_FALSE(loose(of.contact(), of.now));
   ContactValues was;
   was.flow = 0.7;
   of.before.lines[0].e = of.before.lines[1].e = -0.01;
   EXPECT_EQ(loose_flow(of.contact(), was, of.before), 0);
   of.before.lines[1].e = 1e-6;  // taut on one side: it may go on
   EXPECT_EQ(loose_flow(of.contact(), was, of.before), 0.7);
+}
+
+TEST(TransientContact, ARoundWhoseRopeHasRunOffHasNone) {
+  Hung of;
+  EXPECT_FALSE(has_no_rope(of.contact(), of.now.lines));
+  of.now.lines[1].gone = 0;
+  EXPECT_FALSE(has_no_rope(of.contact(), of.now.lines)) << "a dead end still lies on it";
+  of.now.lines[1].L = run_off_rest * of.now.lines[1].l;
+  EXPECT_TRUE(has_no_rope(of.contact(), of.now.lines));
 }
 
 }  // namespace taut::solve::dynamics::transient_contact_test

@@ -152,6 +152,25 @@ TEST(TransientLine, ItFollowsItsBodiesAsDifferencesDo) {
 }
 
 /// Where crossed rounds come nearer than their radii there is no line; nor between two points at one place.
+TEST(TransientLine, RopeOnItsRoundsIsWhatTheFreeRopeLeaves) {
+  LineValues line;
+  line.l = 10;
+  line.e = 0.01;
+  for (const double arc : {0.6, -0.4}) {  // below 0: it passes that round without touching it
+    line.arc = {arc, 0.2};
+    line.L = (line.l + arc + 0.2) / 1.01;
+    EXPECT_NEAR(lies_on_round(line, 0), arc / 1.01, 1e-12);
+    EXPECT_NEAR(lies_on_round(line, 0) + lies_on_round(line, 1) + free_rope(line), line.L, 1e-12);
+    EXPECT_NEAR(free_rope(line), line.l / 1.01, 1e-12);
+  }
+  line.gone = 0;
+  line.arc = {0.6, 0.2};
+  line.L = 0.4;  // a dead end, all of it on the rounds
+  EXPECT_NEAR(lies_on_round(line, 0), 0.3, 1e-12);
+  EXPECT_NEAR(lies_on_round(line, 1), 0.1, 1e-12);
+  EXPECT_EQ(free_rope(line), 0);
+}
+
 TEST(TransientLine, WithoutRoomThereIsNone) {
   const Turning of(LineKind::planar);
   std::vector<Motion3> bodies = of.built.values.bodies;

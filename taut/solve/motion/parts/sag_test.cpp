@@ -300,8 +300,8 @@ TEST(TransientSag, TheReferenceAgrees) {
   }
 }
 
-/// A heavy rope over sheaves, pulled in within 0.2 s: what lies on them stretches too, the books close, and the
-/// reference says the same. With `rigid` the rope is stiffer.
+/// A heavy rope over sheaves is pulled in within 0.2 s. The rope on the sheaves stretches too. The books close, and the
+/// reference gives the same motion. With `rigid` the rope is stiffer.
 TEST(TransientSag, RopeOnSheavesStretches) {
   machine::Model m = tackle(3, 1, 300, 40);
   m.tensioners.push_back({0, true, smooth_move(0, -0.3, 0.05, 0.2)});

@@ -13,9 +13,13 @@
 namespace taut::solve::dynamics {
 namespace {
 
-/// Of the machine's size: a branch with more rope is where an iteration has run away, to the loop so deep that its
-/// weight alone makes the tension asked for.
+/// Of the machine's first size and of its way: a branch with more rope is where an iteration has run away, to the loop
+/// so deep that its weight alone makes the tension asked for.
 constexpr double most_rope = 1000;
+
+bool runs_away(const Mechanism& m, const LineValues& line) {
+  return line.L > most_rope * std::max(m.size_of_machine, line.l);
+}
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
@@ -345,7 +349,7 @@ bool follow(const Mechanism& m, const Scheme& s, const Values& before, const Wor
       if (!placed && !place_line(line, now.bodies, before.lines[i], is)) return false;
     }
     stretch(m, s, before, i, now);
-    if (!(left_in(is) > 0) || !std::isfinite(is.l) || is.L > most_rope * m.size_of_machine) return false;
+    if (!(left_in(is) > 0) || !std::isfinite(is.l) || runs_away(m, is)) return false;
   }
   if (m.rope_loads) place_rope_loads(m, now);
   for (std::size_t i = 0; i < contacts; ++i) {
