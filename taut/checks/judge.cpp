@@ -247,6 +247,7 @@ void Judge::take(const machine::Model& m, const solve::EquilibriumResult& e, con
   take_contacts(m, e, words);
   take_slack(m, e, words);
   take_places(m, e, words);
+  off_groove_.take(m, e, words);
 }
 
 void Judge::take(const machine::Model& m, const solve::TransientResult& motion, const std::string& words) {
@@ -271,7 +272,6 @@ void Judge::take(const machine::Model& m, const solve::TransientResult& motion, 
 }
 
 void Judge::take_moment(const machine::Model& m, const solve::TransientResult& so_far, const std::string& words) {
-  if (m.terrain.empty()) return;
   if (so_far.frames.size() == 1) {
     events_seen_ = 0;
     broken_ = false;
@@ -281,13 +281,14 @@ void Judge::take_moment(const machine::Model& m, const solve::TransientResult& s
   }
   if (broken_) return;
   const solve::TransientFrame& frame = so_far.frames.back();
+  const std::string when = fmt::format("{}, t = {:.4g} s", words, frame.t);
+  off_groove_.take(m, frame, when);
+  if (m.terrain.empty()) return;
   for (const machine::Carriage& car : m.carriages) {
     const Vector3& p = frame.bodies[car.body].position;
     const double x = terrain_x(m, p);
-    take_height(car.name, "carriage " + car.name, p.z() - study::ground_height(m.terrain, x), x,
-                fmt::format("{}, t = {:.4g} s", words, frame.t), carriages_);
+    take_height(car.name, "carriage " + car.name, p.z() - study::ground_height(m.terrain, x), x, when, carriages_);
   }
-  const std::string when = fmt::format("{}, t = {:.4g} s", words, frame.t);
   for (std::size_t i = 0; i < frame.branches.size();) {
     // a rope in segments has several pieces between two nodes
     const solve::TransientFrame::Branch& first = frame.branches[i];
@@ -415,6 +416,7 @@ void Judge::add_values(Result& r) const {
       r.warnings.push_back(one.text);
     }
   }
+  off_groove_.add_warnings(r);
   r.preface = preface_;
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <string>
+#include <utility>
 
 #include "test/paths.hpp"
 #include "test/support/random_machines.hpp"
@@ -73,6 +74,7 @@ TEST(TransientRandom, MachinesByChance) {
     const bool out_of_steps = r.steps + r.rejected >= most_steps;
     (out_of_steps ? went_on : refused) += std::to_string(seed) + (out_of_steps ? " " : ": " + r.outcome.message + "\n");
     EXPECT_FALSE(r.outcome.message.empty());
+    EXPECT_EQ(r.outcome.message.find("no common answer"), std::string::npos) << r.outcome.message;
     EXPECT_TRUE(r.frames.empty() || r.outcome.message.find("t = ") != std::string::npos) << r.outcome.message;
   }
   RecordProperty("ended", ended);
@@ -82,15 +84,31 @@ TEST(TransientRandom, MachinesByChance) {
 }
 
 /// Machines that once had no answer: drums without inertia on slack ropes with weight, ropes broken between a drum and
-/// a round, ends that run off, iterations that ran away to a loop of 1e11 m (247, 1825, 1854, 2384).
+/// a round, ends that run off, iterations that ran away to a loop of 1e11 m (247, 1825, 1854, 2384); slack rope under a
+/// drum that pulls with next to nothing (1536).
 TEST(TransientRandom, OnceWithoutAnswer) {
   for (const unsigned seed :
-       {61U, 125U, 153U, 207U, 241U, 246U, 270U, 376U, 382U, 441U, 461U, 247U, 1825U, 1854U, 2384U}) {
+       {61U, 125U, 153U, 207U, 241U, 246U, 270U, 376U, 382U, 441U, 461U, 247U, 1825U, 1854U, 2384U, 1536U}) {
     SCOPED_TRACE(seed);
     const TransientResult r = run(seed, 20'000);
     ASSERT_TRUE(r.outcome.ok()) << r.outcome.message;
     EXPECT_NEAR(r.t_end, 2, 1e-12);
     EXPECT_LT(std::abs(r.frames.back().energy.residual), 0.01 * r.frames.back().energy.turnover);
+  }
+}
+
+/// Machines that can't go on say what a reader can do about it: blocks that have turned until their ropes run along
+/// their axles; a rope that has no length left where it passes a round without touching it.
+TEST(TransientRandom, RefusalsSayWhy) {
+  const std::pair<unsigned, std::string> all[] = {
+      {250, "'rope 1' runs along the axle of 'rope 1 block 0'"},
+      {1924, "'rope 1' runs along the axle of 'rope 1 block 1'"},
+      {479, "no rope is left between 'rope 0 block 1' and 'rope 0 head 1' of 'rope 0'"},
+  };
+  for (const auto& [seed, why] : all) {
+    const TransientResult r = run(seed, 40'000);
+    EXPECT_NE(r.outcome.message.find(why), std::string::npos) << r.outcome.message;
+    EXPECT_EQ(r.outcome.status, taut::Status::infeasible);
   }
 }
 

@@ -1,5 +1,7 @@
 #pragma once
 #include <algorithm>
+#include <cmath>
+#include <optional>
 
 #include "taut/base/array.hpp"
 #include "taut/solve/motion/parts/mechanism.hpp"
@@ -126,6 +128,23 @@ constexpr double most_hung = 0.9;  ///< of its tension, that an end of a line be
 inline double hung_at_ends(double hangs, double T) {
   const double most = most_hung * std::max(0.0, T);  // dampers without bounds may push within an iteration
   return std::clamp(hangs, -most, most);
+}
+
+/// How what the ends bear of half a line's weight, `hangs`, follows its tension; nothing: it follows length and
+/// direction alone. The end that bears more than the tension has a kink where all of `hangs` hangs there: beyond it the
+/// tangent leads to a tension below 0, and an iteration that passes slack rope on by it goes in circles. `steady`: by
+/// the chord from no tension there, which leads to a positive one.
+using HungByTension = std::array<std::optional<double>, 2>;
+inline HungByTension hung_by_tension(double hangs, double T, bool steady) {
+  const double most = std::copysign(most_hung, hangs);
+  if (T <= 0 || std::abs(hangs) >= most_hung * T) return {most, most};
+  HungByTension share;
+  if (steady) share[hangs > 0 ? 1 : 0] = hangs / T;
+  return share;
+}
+/// The slope of what an end bears, of the slopes of `hangs` and T.
+inline double hung_slope(const std::optional<double>& by_tension, double hangs, double T) {
+  return by_tension ? *by_tension * T : hangs;
 }
 
 /// T of the strain and its rate, and its derivatives: 0 for e <= 0, else EA max(0, min(e + beta e', 2 e)).

@@ -62,6 +62,35 @@ TEST(TransientLine, BothEndsGrowWithItsTension) {
   }
 }
 
+/// Newton's way to a tension T at which the end that bears more has a given one: with 400 N of half a weight the
+/// tangent from 600 N leads below 0 for less than 400 N; the chord leads to the answer from anywhere, without a tension
+/// below 0.
+TEST(TransientLine, TheChordFindsATensionThatTheTangentMisses) {
+  constexpr double half = 400;
+  const auto at_end = [&](double T) { return T + hung_at_ends(half, T); };
+  const auto step = [&](double T, double given, bool steady) {
+    const HungByTension share = hung_by_tension(half, T, steady);
+    EXPECT_EQ(hung_by_tension(-half, T, steady)[0].has_value(), share[1].has_value());  // the other way round
+    return T - (at_end(T) - given) / (1 + hung_slope(share[1], 0, 1));
+  };
+  EXPECT_LT(step(600, 20, false), 0);
+  for (const double given : {0.01, 20.0, 700.0, 844.0, 2000.0}) {
+    double T = 600;
+    for (int i = 0; i < 60; ++i) {
+      T = step(T, given, true);
+      ASSERT_GT(T, 0) << given;
+    }
+    EXPECT_NEAR(at_end(T), given, 1e-9 * given);
+  }
+  for (const bool steady : {false, true}) {  // where it bears as much as its tension allows, both ends do
+    const HungByTension share = hung_by_tension(half, 100, steady);
+    EXPECT_EQ(hung_slope(share[0], 1e9, 2), 1.8);
+    EXPECT_EQ(hung_slope(share[1], 1e9, 2), 1.8);
+    EXPECT_EQ(hung_slope(hung_by_tension(half, 0, steady)[0], 1e9, 2), 1.8);
+  }
+  EXPECT_EQ(hung_slope(hung_by_tension(half, 600, true)[0], 7, 2), 7);  // the end that bears less
+}
+
 /// A rope of 800 N hangs upright from a drum that pulls with what it is given, on an eye in the ground; or from an eye
 /// down to that drum.
 TEST(TransientLine, ADrumsPullGivesAHeavyRopeOneTension) {

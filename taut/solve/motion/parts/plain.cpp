@@ -64,16 +64,16 @@ void end_slopes_of_plain(const Scheme& s, const Line& line, const LineValues& no
   }
   const int freedoms = line.freedoms[0] + line.freedoms[1];
   const double square = s.reach * s.reach, half = line.weight * now.L * now.t.z() / 2;
+  const HungByTension share = hung_by_tension(half, now.T, s.fresh);
   for (std::size_t k = 0; k < as_size(line.columns); ++k) {
     double lifts = 0;  // of the line's steepness
     if (k < as_size(freedoms)) {
       const PlainColumn& c = columns[k];
       lifts = square * now.L * (c.sign * (c.along->z() - c.share * now.t.z()) / now.l);
     }
-    double weight = line.weight / 2 * (w.L_slope[k] * now.t.z() + lifts);
-    if (std::abs(half) >= most_hung * now.T) weight = std::copysign(most_hung, half) * w.T_slope[k];
-    tangent.end_T[0][k] = w.T_slope[k] - (bears_half(line, 0) ? weight : 0);
-    tangent.end_T[1][k] = w.T_slope[k] + (bears_half(line, 1) ? weight : 0);
+    const double weight = line.weight / 2 * (w.L_slope[k] * now.t.z() + lifts), T = w.T_slope[k];
+    tangent.end_T[0][k] = T - (bears_half(line, 0) ? hung_slope(share[0], weight, T) : 0);
+    tangent.end_T[1][k] = T + (bears_half(line, 1) ? hung_slope(share[1], weight, T) : 0);
   }
 }
 

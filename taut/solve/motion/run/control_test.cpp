@@ -184,6 +184,19 @@ TEST(TransientControl, AResolvingStepIsByTheFastestSwing) {
   EXPECT_NEAR(resolving_step(of.run), 0.1, 1e-12);
 }
 
+/// What is left of a broken rope may be as short as it likes; one that breaks counts by what is left of its stiffness.
+TEST(TransientControl, ABrokenRopeIsNotResolved) {
+  ByHand of(0.02, 0.02, 0.02);
+  of.run.m.lines[0].body = {-1, 0};
+  of.run.m.bodies[0].mass = 4;
+  of.run.before.lines[0].L = 1e-15;
+  of.run.before.lines[0].gone = 0;
+  EXPECT_NEAR(resolving_step(of.run), 0.05, 1e-12);
+  of.run.before.lines[0].L = 10;
+  of.run.before.lines[0].gone = 0.25;
+  EXPECT_NEAR(resolving_step(of.run), std::cbrt(1e-6) / (2 * std::sqrt(0.25 * 1e6 / 10 / 4)), 1e-9);
+}
+
 /// A mass between two ropes shakes 160 times in a second, undamped: its steps are of one size for 150 000 of them, and
 /// then grow to eight times that; every swing is still resolved, so that it shakes as much as at first.
 TEST(TransientControl, ALongShakingRunGrowsCoarserAndKeepsItsSwing) {

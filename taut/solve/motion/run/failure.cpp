@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "taut/solve/motion/run/run.hpp"
 
@@ -10,6 +11,8 @@ namespace {
 constexpr double no_rope = 1e-3;          ///< of a line's first length, of one that is whole
 constexpr double nearly_no_rope = 0.1;    ///< the same, where a step finds no place for a line
 constexpr double hardly_any_rope = 0.02;  ///< the same, where no answer is found
+constexpr double near = 1.1;              ///< of the distance at which what a rope goes round would touch
+constexpr double nearly_along = 0.99;     ///< cosine between a rope and the axle of a round
 
 }  // namespace
 
@@ -34,7 +37,8 @@ std::pair<std::size_t, double> shortest(const Run& run) {
   std::pair<std::size_t, double> found{0, 1};
   for (std::size_t i = 0; i < run.m.lines.size(); ++i) {
     const LineValues& line = run.before.lines[i];
-    const double left = line.e > 0 ? std::min(free_rope(line), line.l) : free_rope(line);
+    const double rope = std::min(free_rope(line), line.L);  // less than free where it passes a round without touching
+    const double left = line.e > 0 ? std::min(rope, line.l) : rope;
     const double share = line.gone > 0 ? left / run.L_first[i] : 1;
     if (share < found.second) found = {i, share};
   }
@@ -43,7 +47,6 @@ std::pair<std::size_t, double> shortest(const Run& run) {
 
 /// Whether two rounds of a rope nearly touch.
 bool rounds_touch(const Run& run) {
-  constexpr double near = 1.1;
   return std::any_of(run.before.lines.begin(), run.before.lines.end(), [](const LineValues& line) {
     const double between = (line.centre[1] - line.centre[0]).norm();
     return line.radius[0] > 0 && line.radius[1] > 0 && between < near * (line.radius[0] + line.radius[1]);
@@ -52,7 +55,6 @@ bool rounds_touch(const Run& run) {
 
 /// A joint of a rope in segments next to the round at the end of its branch, its line; -1: none is.
 int joint_at_round(const Run& run) {
-  constexpr double near = 1.05;
   for (std::size_t i = 0; i < run.m.lines.size(); ++i) {
     const LineValues& line = run.before.lines[i];
     if (run.m.lines[i].segment < 0) continue;
@@ -60,6 +62,22 @@ int joint_at_round(const Run& run) {
     if (radius > 0 && (line.centre[1] - line.centre[0]).norm() < near * radius) return static_cast<int>(i);
   }
   return -1;
+}
+
+/// Words for a rope that comes along the axle of its round, where no tangent touches it; empty: none does.
+std::string along_axle(const Run& run) {
+  for (std::size_t i = 0; i < run.m.lines.size(); ++i) {
+    const LineValues& line = run.before.lines[i];
+    const Line& of = run.m.lines[i];
+    for (const std::size_t end : {0U, 1U}) {
+      if (line.radius[end] == 0) continue;
+      const Vector3 axle = to_ground(run.before.bodies, of.body[end], of.axis[end]);
+      if (std::abs(line.t.dot(axle)) < nearly_along) continue;
+      const machine::Reeving& rope = run.model.reevings[of.reeving];
+      return fmt::format("'{}' runs along the axle of '{}'", rope.name, rope.nodes[end == 0 ? of.from : of.to].name);
+    }
+  }
+  return {};
 }
 
 }  // namespace
@@ -92,6 +110,12 @@ Outcome failure(Run& run, StepEnd end, double t) {
         "at t = {:.6g} s a joint between the segments of '{}' comes onto the round '{}': give it fewer 'segments', or "
         "stop the motion before",
         t, rope.name, rope.nodes[run.before.lines[joint].radius[0] > 0 ? of.from : of.to].name));
+  }
+  if (const std::string rope = along_axle(run); end == StepEnd::no_place && !rope.empty()) {
+    return infeasible(fmt::format(
+        "at t = {:.6g} s {}: it has left its groove long before. Guide the rope, or hold the turning of what carries "
+        "the round",
+        t, rope));
   }
   if (run.options.quasi_static && end == StepEnd::singular) {
     return infeasible(

@@ -194,12 +194,12 @@ void end_slopes(const Scheme& s, const Line& line, const LineValues& now, const 
                 const Slopes& d, LineTangent& tangent) {
   const int freedoms = line.freedoms[0] + line.freedoms[1];
   const double half = line.weight * free_rope(now) * now.t.z() / 2;
+  const HungByTension share = hung_by_tension(half, now.T, s.fresh);
   for (int k = 0; k < line.columns; ++k) {
     const double turned = k < freedoms ? s.reach * s.reach * free_rope(now) * columns[as_size(k)].t.z() : 0;
-    double hangs = line.weight / 2 * (d.free[as_size(k)] * now.t.z() + turned);
-    if (std::abs(half) >= most_hung * now.T) hangs = std::copysign(most_hung, half) * d.T[as_size(k)];
-    tangent.end_T[0][as_size(k)] = d.T[as_size(k)] - (bears_half(line, 0) ? hangs : 0);
-    tangent.end_T[1][as_size(k)] = d.T[as_size(k)] + (bears_half(line, 1) ? hangs : 0);
+    const double hangs = line.weight / 2 * (d.free[as_size(k)] * now.t.z() + turned), T = d.T[as_size(k)];
+    tangent.end_T[0][as_size(k)] = T - (bears_half(line, 0) ? hung_slope(share[0], hangs, T) : 0);
+    tangent.end_T[1][as_size(k)] = T + (bears_half(line, 1) ? hung_slope(share[1], hangs, T) : 0);
   }
 }
 

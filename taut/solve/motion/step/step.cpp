@@ -323,7 +323,9 @@ StepEnd settle(Mechanism& m, Values& before, Values& now, Work& w, Newton& newto
 double highest_frequency(const Mechanism& m, const Values& v) {
   // each mass is shared by the lines at it in proportion to their stiffness
   Array<double> share(m.bodies.size(), 0.0);
-  const auto stiffness = [&](std::size_t i) { return m.lines[i].copies * m.lines[i].stiffness / v.lines[i].L; };
+  const auto stiffness = [&](std::size_t i) {
+    return m.lines[i].copies * m.lines[i].stiffness * v.lines[i].gone / v.lines[i].L;
+  };
   for (std::size_t i = 0; i < m.lines.size(); ++i) {
     for (const int body : m.lines[i].body) {
       if (body >= 0) share[body] += stiffness(i);
