@@ -137,6 +137,7 @@ inline double hung_at_ends(double hangs, double T) {
 using HungByTension = std::array<std::optional<double>, 2>;
 inline HungByTension hung_by_tension(double hangs, double T, bool steady) {
   const double most = std::copysign(most_hung, hangs);
+  if (hangs == 0) return {};
   if (T <= 0 || std::abs(hangs) >= most_hung * T) return {most, most};
   HungByTension share;
   if (steady) share[hangs > 0 ? 1 : 0] = hangs / T;

@@ -205,15 +205,6 @@ void end_step(const Mechanism& m, const Scheme& s, const Values& before, const V
 /// False where a line has no place.
 bool follow(const Mechanism& m, const Scheme& s, const Values& before, const Work& w, double t, Values& now);
 
-/// The same of a contact's lines alone, after the rope passed there has changed: bodies and spins as they are.
-void follow_contact(const Mechanism& m, const Scheme& s, const Values& before, const Work& w, std::size_t contact,
-                    Values& now);
-
-/// Passes rope at each contact until its law holds there, one after the other, bodies and spins as they are. Whether
-/// all of them hold then. docs/theory/dynamics-steps.md.
-bool pass_ropes(const Mechanism& m, const Scheme& s, const Values& before, const Work& w, double tolerance,
-                Values& now);
-
 /// Geometry and strain of a line between points of bodies that only shift. False: it has no length.
 bool follow_plain(const Mechanism& m, std::size_t line, Values& now);
 /// Its rows.
@@ -255,9 +246,9 @@ inline Pressure pressure(const Mechanism& m, int contact, const Values& now) {
 /// both stay slack: their lengths have no other law. Whether any did.
 bool put_loose_back(const Mechanism& m, const Scheme& s, const Values& before, Values& now);
 
-/// Takes out of an iteration's `step` what contacts in a row between two slack branches, or dead ends, would pass on
-/// together: nothing but what is left of the tension between them says how much that is.
-void hold_between_slack(const Mechanism& m, const Values& now, Array<double>& step);
+/// Takes the slack lines of a run of rope together with its taut ones, before an iteration: where all of the run will
+/// be taut, or none of it, they pull as springs that may push. docs/theory/dynamics-steps.md.
+void decide_runs(const Mechanism& m, const Scheme& s, const Values& before, Values& now);
 
 /// Keeps the rope that an iteration lets run round a closed rope (`step`, by column, to be taken off) within bounds.
 void hold_circulation(const Mechanism& m, const Scheme& s, const Values& before, const Values& now,

@@ -43,7 +43,7 @@ void forget_last_step(Run& run) {
   run.scheme = scheme_of(run.options.rho);
   run.newton.tolerance = Newton{}.tolerance;
   run.newton.largest = largest_tension(run);
-  run.newton.passes = false;
+  run.newton.rough = false;
   run.newton.forget();
 }
 
@@ -90,7 +90,7 @@ StepEnd try_step(Run& run, double h, double t, const Tries& tries) {
   s.h = h;
   s.undamped = tries.undamped;
   s.fresh = rough || run.fresh;
-  run.newton.passes = rough;
+  run.newton.rough = rough;
   s.reach = h * s.gamma * s.alpha_f / s.alpha_m;
   const double more = run.known > 0 && !rough ? h / (h + run.h_last) : 0;
   s.slip_now = (1 + more) / h;

@@ -363,19 +363,6 @@ bool follow(const Mechanism& m, const Scheme& s, const Values& before, const Wor
   return true;
 }
 
-void follow_contact(const Mechanism& m, const Scheme& s, const Values& before, const Work& w, std::size_t contact,
-                    Values& now) {
-  const Contact& of = m.contacts[contact];
-  for (const int line : {of.in, of.out}) {
-    if (line >= 0) stretch(m, s, before, as_size(line), now);
-  }
-  flow(m, s, before, w, contact, now);
-  if (of.mass != 0) steady_flow(m, s, before, contact, now);
-  for (const int line : {of.in, of.out}) {
-    if (line >= 0) strain_rate(m, s, before, as_size(line), now);
-  }
-}
-
 double wrap_of(const Mechanism& m, std::size_t contact, const Values& v) {
   const Contact& of = m.contacts[contact];
   if (of.round || of.in < 0 || of.out < 0) return v.contacts[contact].wrap;

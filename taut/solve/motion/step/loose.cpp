@@ -20,44 +20,7 @@ double spare(const LineValues& line) {
   return line.gone == 0 ? std::max(0.0, nearly_all * line.L) : std::max(0.0, line.L - on_rounds(line) - line.l);
 }
 
-/// The row of contacts from the end of line `k`, each of which may pass rope, up to the next slack line; none where
-/// something on the way holds the rope.
-void row_after(const Mechanism& m, const Values& now, int k, Array<int>& row) {
-  row.clear();
-  for (;;) {
-    const int c = m.lines[k].contact[1];
-    const bool passes = c >= 0 && !m.contacts[c].load && now.contacts[c].grip != Grip::stuck;
-    if (!passes || m.contacts[c].out < 0) break;
-    row.push_back(c);
-    k = m.contacts[c].out;
-    if (!(now.lines[k].T > 0)) return;
-    if (row.size() > m.contacts.size()) break;  // round an endless rope
-  }
-  row.clear();
-}
-
 }  // namespace
-
-void hold_between_slack(const Mechanism& m, const Values& now, Array<double>& step) {
-  if (m.contacts.size() < 2) return;
-  Array<int> row;
-  for (int k = 0; k < static_cast<int>(m.lines.size()); ++k) {
-    if (now.lines[k].T > 0) continue;
-    row_after(m, now, k, row);
-    if (row.size() < 2) continue;
-    double least = std::numeric_limits<double>::infinity(), most = -least;
-    double open = 0;  // what the lines between are too long or too short
-    for (const int c : row) {
-      const double passes = step[m.contacts[c].column];
-      least = std::min(least, passes);
-      most = std::max(most, passes);
-      const LineValues& line = now.lines[m.contacts[c].in];
-      if (line.T > 0) open += line.e * line.L;
-    }
-    const double too_far = least > open ? least - open : most < -open ? most + open : 0;
-    for (const int c : row) step[m.contacts[c].column] -= too_far;
-  }
-}
 
 bool put_loose_back(const Mechanism& m, const Scheme& s, const Values& before, Values& now) {
   bool any = false;

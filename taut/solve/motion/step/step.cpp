@@ -13,7 +13,6 @@ namespace {
 
 constexpr double step_rounding = 1e-14;
 constexpr int halves_from = 8;
-constexpr int passes_from = 5, passes_every = 4;
 constexpr int reversals_from = 4;          ///< iterations
 constexpr int turns_until = 15;            ///< of contacts that stick and slide in turn at their very limit
 constexpr double moment = 1e-6;            ///< s, in which slip is looked for at an unchanged time
@@ -59,7 +58,7 @@ void apply(const Mechanism& m, const Array<double>& step, double share, double o
 }
 
 /// Two branches that are slack and taut in turn: half a step finds the place between.
-double share_of_flows(const Newton& newton, int i) { return !newton.passes && i >= halves_from ? 0.5 : 1; }
+double share_of_flows(const Newton& newton, int i) { return !newton.rough && i >= halves_from ? 0.5 : 1; }
 
 /// Without masses nothing but friction holds what slides: points that slid one way and by the last iteration slide the
 /// other way are brought back to where the first of them sticks, or both would go on in turn. False where that is no
@@ -101,13 +100,6 @@ bool retreat(const Mechanism& m, const Array<double>& step, Taken& taken, Values
   taken.share /= 2;
   apply(m, step, -taken.share, taken.of_flows, now);
   return true;
-}
-
-/// Passes rope contact by contact. False: some line has none left.
-bool pass_by_turns(const Mechanism& m, const Scheme& s, const Values& before, const Work& w, const Newton& newton,
-                   Values& now) {
-  pass_ropes(m, s, before, w, newton.tolerance * newton.largest, now);
-  return std::all_of(now.lines.begin(), now.lines.end(), [](const LineValues& line) { return left_in(line) > 0; });
 }
 
 /// Puts loose rope back where it lay; drums and rims at its ends have to answer that by one more iteration.
@@ -180,8 +172,6 @@ StepEnd iterations(Mechanism& m, const Scheme& s, const Values& before, double t
       continue;
     }
     if (s.creeps && !slides_in_turn_stick(m, s, before, t, i, newton, w, now)) return StepEnd::no_place;
-    const bool by_turns = newton.passes && i >= passes_from && i % passes_every == 0;
-    if (by_turns && !pass_by_turns(m, s, before, w, newton, now)) return StepEnd::no_place;
     const bool changed = decide(m, s, before, now);
     bool turned = changed;  // a contact or a line follows another law now
     double change = change_of_tensions(now, w, newton, turned);
@@ -194,8 +184,8 @@ StepEnd iterations(Mechanism& m, const Scheme& s, const Values& before, double t
     const bool begins = s.creeps && pushed.turned && i < turns_until;
     const bool at_its_limit = (s.creeps || s.h > 0) && i >= turns_until;  // it sticks or slides: tensions are the same
     if (i > 0 && taken.retreats == 0 && (!changed || at_its_limit) && !begins) {
-      const double floor = rounding_of_tensions(m, s, newton.passes);
-      const double expected = moves && !turned && !newton.passes ? newton.contraction : first_contraction;
+      const double floor = rounding_of_tensions(m, s, newton.rough);
+      const double expected = moves && !turned && !newton.rough ? newton.contraction : first_contraction;
       const double contraction = std::isinf(last_change) ? expected : std::min(1.0, change / last_change);
       const bool close = change * contraction <= std::max(newton.tolerance * newton.largest, 4 * floor);
       const bool holds = !loops || s.at_rest || loops_hold(m, before, now, small_misfit * newton.largest);
@@ -216,11 +206,11 @@ StepEnd iterations(Mechanism& m, const Scheme& s, const Values& before, double t
     w.tangent = i == 0 || turned || change > small;
     change_before = change;
     m.solver.hold(!w.tangent);
+    if (moves) decide_runs(m, s, before, now);
     assemble(m, s, before, now, w);
     if (w.tangent && !m.solver.factor()) return StepEnd::singular;
     m.solver.solve(w.residual);
     if (loops) hold_circulation(m, s, before, now, w.residual);
-    if (moves) hold_between_slack(m, now, w.residual);
     taken = {.share = 1, .of_flows = share_of_flows(newton, i), .put_back = taken.put_back};
     apply(m, w.residual, 1, taken.of_flows, now);
     moved = move_of(m, s, w.residual);

@@ -23,7 +23,7 @@ struct Newton {
   double largest = 0;
   double tolerance = 1e-9;
   int most = 45;
-  bool passes = false;  ///< ropes are passed contact by contact where the iteration goes in circles
+  bool rough = false;  ///< a step of implicit Euler, where laws change
   int used = 0;
   int line = -1;                           ///< that has no place
   double contraction = first_contraction;  ///< what the first iteration of a step leaves, by those before
