@@ -10,7 +10,7 @@ namespace taut::checks {
 
 /// Ropes that come to a sheave or a drum so far out of its plane that no groove holds them: the calculation goes on
 /// there, a real rope climbs over the flange. The throat of a groove opens 35 to 45 deg, 60 deg where ropes deviate
-/// (Unirope, public page); half of the widest is the limit. docs/guide/checks.md.
+/// (Unirope, public page); half of the widest is the limit. docs/guide/verdict.md.
 class OffGroove {
  public:
   void take(const machine::Model& model, const solve::EquilibriumResult& state, const std::string& words);

@@ -130,14 +130,13 @@ inline double hung_at_ends(double hangs, double T) {
   return std::clamp(hangs, -most, most);
 }
 
-/// How what the ends bear of half a line's weight, `hangs`, follows its tension; nothing: it follows length and
-/// direction alone. The end that bears more than the tension has a kink where all of `hangs` hangs there: beyond it the
-/// tangent leads to a tension below 0, and an iteration that passes slack rope on by it goes in circles. `steady`: by
-/// the chord from no tension there, which leads to a positive one.
+/// Of a line with weight: how what its ends bear of half of it, `hangs`, follows the tension; nothing: it follows
+/// length and direction alone. The end that bears more than the tension has a kink where all of `hangs` hangs there:
+/// beyond it the tangent leads to a tension below 0, and an iteration that passes slack rope on by it goes in circles.
+/// `steady`: by the chord from no tension there, which leads to a positive one.
 using HungByTension = std::array<std::optional<double>, 2>;
 inline HungByTension hung_by_tension(double hangs, double T, bool steady) {
   const double most = std::copysign(most_hung, hangs);
-  if (hangs == 0) return {};
   if (T <= 0 || std::abs(hangs) >= most_hung * T) return {most, most};
   HungByTension share;
   if (steady) share[hangs > 0 ? 1 : 0] = hangs / T;

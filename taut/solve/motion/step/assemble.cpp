@@ -194,7 +194,7 @@ void end_slopes(const Scheme& s, const Line& line, const LineValues& now, const 
                 const Slopes& d, LineTangent& tangent) {
   const int freedoms = line.freedoms[0] + line.freedoms[1];
   const double half = line.weight * free_rope(now) * now.t.z() / 2;
-  const HungByTension share = hung_by_tension(half, now.T, s.fresh);
+  const HungByTension share = line.weight > 0 ? hung_by_tension(half, now.T, s.fresh) : HungByTension{};
   for (int k = 0; k < line.columns; ++k) {
     const double turned = k < freedoms ? s.reach * s.reach * free_rope(now) * columns[as_size(k)].t.z() : 0;
     const double hangs = line.weight / 2 * (d.free[as_size(k)] * now.t.z() + turned), T = d.T[as_size(k)];
