@@ -27,7 +27,7 @@ void OffGroove::keep(const machine::Reeving& rope, const machine::Node& node, co
   if (node.radius <= 0 || !(along.norm() > 0)) return;
   const double sine = std::abs(along.normalized().dot(turned * node.axis));
   if (sine <= std::sin(widest_throat / 2 * degree)) return;
-  Worst& worst = worst_[fmt::format("{} at '{}'", rope.name, node.name)];
+  Worst& worst = worst_[{rope.name, node.name}];
   if (sine > worst.sine) worst = {.sine = sine, .where = words};
 }
 
@@ -61,10 +61,9 @@ void OffGroove::take(const machine::Model& m, const solve::TransientFrame& frame
 void OffGroove::add_warnings(Result& r) const {
   for (const auto& [place, worst] : worst_) {
     const double angle = std::asin(std::min(worst.sine, 1.0)) / degree;
-    warn_unsafe(r,
-                fmt::format("{}: {} runs {:.3g} deg out of the plane of the groove: it climbs out of one whose throat "
-                            "opens {:g} deg, the widest there are. Turn the 'axis', or guide the rope",
-                            worst.where, place, angle, widest_throat));
+    warn_unsafe(r, fmt::format("{}: {} runs {:.3g} deg out of the plane of '{}': no groove holds it (throats open {:g} "
+                               "deg at most); turn the 'axis' or guide the rope",
+                               worst.where, place.first, angle, place.second, widest_throat));
   }
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 #include <map>
 #include <string>
+#include <utility>
 
 #include "taut/calc/result.hpp"
 #include "taut/solve/equilibrium.hpp"
@@ -24,10 +25,11 @@ class OffGroove {
     double sine = 0;  ///< of the angle between the rope and the round's plane
     std::string where;
   };
+  using Place = std::pair<std::string, std::string>;  ///< names of a rope and of a round
   void keep(const machine::Reeving& rope, const machine::Node& node, const Matrix3& turned, const Vector3& along,
             const std::string& words);
 
-  std::map<std::string, Worst> worst_;  ///< by "line at 'lead'"
+  std::map<Place, Worst> worst_;
 };
 
 }  // namespace taut::checks

@@ -253,9 +253,9 @@ void decide_runs(const Mechanism& m, const Scheme& s, const Values& before, Valu
 /// Keeps the rope that an iteration lets run round a closed rope (`step`, by column, to be taken off) within bounds.
 void hold_circulation(const Mechanism& m, const Scheme& s, const Values& before, const Values& now,
                       Array<double>& step);
-/// Whether ropes that slip at all of their contacts do so by their laws, to `allowed`, N: where these contradict each
-/// other, an iteration may stand still without an answer.
-bool loops_hold(const Mechanism& m, const Values& before, const Values& now, double allowed);
+/// Whether contacts that slip do so by their laws, to `share` of the largest tension or to `floor`, N: an iteration may
+/// stand still without an answer, where laws contradict each other or a damper keeps a line without tension.
+bool laws_hold(const Mechanism& m, const Values& now, double share, double floor);
 
 /// Stiffness of both its lines, N/m.
 inline double stiffness_at(const Mechanism& m, const Contact& contact, const Values& now) {

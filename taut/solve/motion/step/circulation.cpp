@@ -48,16 +48,6 @@ double mean_of(const Mechanism& m, const ClosedRope& rope, const Array<double>& 
   return sum / static_cast<double>(rope.contacts.size());
 }
 
-/// By how much a contact that slips misses its law, N.
-double miss_at(const Mechanism& m, std::size_t i, const Values& now) {
-  const ContactValues& is = now.contacts[i];
-  const Pressure p = pressure(m.contacts[i], now);
-  if (m.contacts[i].load) return std::abs(p.out - p.in - (is.grip == Grip::backward ? -is.drop : is.drop));
-  if (is.grip == Grip::forward) return std::abs(p.out - is.ratio * p.in) / is.ratio;
-  if (is.grip == Grip::backward) return std::abs(is.ratio * p.out - p.in) / is.ratio;
-  return std::abs(p.out - p.in);
-}
-
 }  // namespace
 
 void hold_circulation(const Mechanism& m, const Scheme& s, const Values& before, const Values& now,
@@ -79,18 +69,6 @@ void hold_circulation(const Mechanism& m, const Scheme& s, const Values& before,
     const double back = is - std::clamp(is - all, -farthest, farthest);
     for (const std::size_t i : rope.contacts) step[m.contacts[i].column] += back;
   }
-}
-
-bool loops_hold(const Mechanism& m, const Values& before, const Values& now, double allowed) {
-  for (std::size_t r = 0; r < m.model->reevings.size(); ++r) {
-    if (!m.model->reevings[r].closed) continue;
-    const ClosedRope rope = closed_rope(m, r, before, now);
-    if (!rope.slips_all_round) continue;
-    for (const std::size_t i : rope.contacts) {
-      if (miss_at(m, i, now) > allowed) return false;
-    }
-  }
-  return true;
 }
 
 }  // namespace taut::solve::dynamics

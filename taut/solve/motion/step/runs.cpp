@@ -51,6 +51,16 @@ void may_push(const Line& line, bool damped, LineValues& is) {
   is.end_T = {is.T - hangs, is.T + hangs};
 }
 
+/// By how much a contact that slips misses its law, N.
+double miss_at(const Mechanism& m, std::size_t i, const Values& now) {
+  const ContactValues& is = now.contacts[i];
+  const Pressure p = pressure(m.contacts[i], now);
+  if (m.contacts[i].load) return std::abs(p.out - p.in - (is.grip == Grip::backward ? -is.drop : is.drop));
+  if (is.grip == Grip::forward) return std::abs(p.out - is.ratio * p.in) / is.ratio;
+  if (is.grip == Grip::backward) return std::abs(is.ratio * p.out - p.in) / is.ratio;
+  return std::abs(p.out - p.in);
+}
+
 }  // namespace
 
 void decide_runs(const Mechanism& m, const Scheme& s, const Values& before, Values& now) {
@@ -78,6 +88,18 @@ void decide_runs(const Mechanism& m, const Scheme& s, const Values& before, Valu
       if (slack(is) && !sags(m.lines[i], is)) may_push(m.lines[i], m.lines[i].damping > 0 && !s.undamped, is);
     }
   }
+}
+
+bool laws_hold(const Mechanism& m, const Values& now, double share, double floor) {
+  double largest = 0;
+  for (const LineValues& line : now.lines) largest = std::max(largest, line.T);
+  const double allowed = std::max(share * largest, floor);
+  for (std::size_t i = 0; i < m.contacts.size(); ++i) {
+    const Contact& contact = m.contacts[i];
+    const bool slips = contact.in >= 0 && contact.out >= 0 && now.contacts[i].grip != Grip::stuck;
+    if (slips && !loose(contact, now) && miss_at(m, i, now) > allowed) return false;
+  }
+  return true;
 }
 
 }  // namespace taut::solve::dynamics

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <utility>
 
 #include "taut/solve/motion/parts/build.hpp"
 #include "taut/solve/motion/step/step.hpp"
@@ -110,6 +111,32 @@ TEST(TransientRuns, WithWeightTheEndsAreAsNearNoTension) {
   ASSERT_LT(T, 0);
   EXPECT_NEAR(of.now.lines[1].end_T[0] / T, 0.1, 1e-9);  // it rises along the path: its end bears more
   EXPECT_NEAR(of.now.lines[1].end_T[1] / T, 1.9, 1e-9);
+}
+
+/// Tensions of 100 N and 60 N beside a contact: within its law by what is asked, or beyond it.
+TEST(TransientRuns, LawsHoldToAShareOfTheLargestTension) {
+  Rope of(2);
+  const auto holds = [&](Grip grip, double ratio, double in, double out, double share = 1e-4, double floor = 0) {
+    of.now.contacts[0].grip = grip;
+    of.now.contacts[0].ratio = ratio;
+    of.now.contacts[1].grip = Grip::stuck;
+    for (const auto& [line, T] : {std::pair{0, in}, std::pair{1, out}}) {
+      of.now.lines[line].T = T;
+      of.now.lines[line].end_T = {T, T};
+    }
+    of.now.lines[2].T = 0;
+    return laws_hold(of.is, of.now, share, floor);
+  };
+  EXPECT_FALSE(holds(Grip::equal, 1, 100, 60));
+  EXPECT_FALSE(holds(Grip::equal, 1, 100, 99.98));
+  EXPECT_TRUE(holds(Grip::equal, 1, 100, 99.995));
+  EXPECT_TRUE(holds(Grip::equal, 1, 100, 60, 1e-4, 41));
+  EXPECT_TRUE(holds(Grip::backward, 100.0 / 60, 100, 60));
+  EXPECT_FALSE(holds(Grip::forward, 100.0 / 60, 100, 60));
+  EXPECT_TRUE(holds(Grip::forward, 100.0 / 60, 60, 100));
+  EXPECT_TRUE(holds(Grip::stuck, 1, 100, 60));  // it holds what it holds
+  EXPECT_FALSE(holds(Grip::equal, 1, 100, 0));  // a damper may keep a line without tension
+  EXPECT_TRUE(holds(Grip::equal, 1, 0, 0));     // loose rope has no law
 }
 
 /// One step in which nothing but rope can move: all of it has one tension, that of its whole length over its whole way,

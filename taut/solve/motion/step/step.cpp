@@ -20,7 +20,7 @@ constexpr double small_change = 1e-2;      ///< of tensions: the factors of the 
 constexpr double good_contraction = 0.05;  ///< with which they go on to do
 constexpr int most_trusted = 15;           ///< steps until it is looked at again
 constexpr double least_contraction = 1e-7, caution = 8;
-constexpr double small_misfit = 1e-4;  ///< of the largest tension: of laws all round a closed rope
+constexpr double small_misfit = 1e-4;  ///< of the largest tension: of the laws of contacts that slip
 constexpr int most_put_back = 4;       ///< times that loose rope is put back where it lay, in one step
 constexpr int most_retreats = 8;       ///< halvings of an iteration that goes where there is no rope
 
@@ -188,7 +188,7 @@ StepEnd iterations(Mechanism& m, const Scheme& s, const Values& before, double t
       const double expected = moves && !turned && !newton.rough ? newton.contraction : first_contraction;
       const double contraction = std::isinf(last_change) ? expected : std::min(1.0, change / last_change);
       const bool close = change * contraction <= std::max(newton.tolerance * newton.largest, 4 * floor);
-      const bool holds = !loops || s.at_rest || loops_hold(m, before, now, small_misfit * newton.largest);
+      const bool holds = !close || !(moves || (loops && !s.at_rest)) || laws_hold(m, now, small_misfit, 4 * floor);
       const bool there =
           close && holds && moved * contraction <= std::max(newton.tolerance, step_rounding) * m.size_of_machine;
       const bool again = there && puts_back(m, s, before, t, w, taken, now);
