@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "taut/machine/state.hpp"
@@ -29,6 +30,26 @@ double up_to(double most, double T) { return T > 0 && most > T ? most / T : 1; }
 Vector3 weight_across(const Vector3& along, double weight) {
   const Vector3 W = -weight / 2 * up();
   return W - W.dot(along) * along;
+}
+
+/// Whether a motion has the weight of a rope at the ends of its straight branches.
+bool is_heavy(const solve::TransientResult& motion, int reeving) {
+  const std::size_t rope = as_size(reeving);
+  return rope < motion.mass_lumped.size() && motion.mass_lumped[rope];
+}
+
+/// Points of a parabola below a straight branch: the weight W of the branch over the horizontal way a at the horizontal
+/// tension H has the sag W a/(8 H).
+void add_parabola(const solve::TransientFrame::Branch& b, double weight, Array<Vector3>& places) {
+  constexpr int pieces = 16;
+  const Vector3 way = b.end - b.start;
+  const double level = std::hypot(way.x(), way.y());
+  const double H = std::max(b.T_from, b.T_to) * level / way.norm();
+  const double sag = H > 0 ? weight * level / (8 * H) : 0;
+  for (int k = 1; k < pieces; ++k) {
+    const double s = static_cast<double>(k) / pieces;
+    places.push_back(b.start + s * way - 4 * sag * s * (1 - s) * up());
+  }
 }
 
 /// Adds a branch in motion; the segments of one branch become one.
@@ -84,25 +105,52 @@ CheckState state_of(const machine::Model& model, const solve::EquilibriumResult&
   return all;
 }
 
-CheckState state_of(const machine::Model& model, const solve::TransientResult& motion, std::size_t frame,
-                    std::string words, std::string analysis) {
-  const solve::TransientFrame& f = motion.frames[frame];
+std::vector<FreeRope> free_ropes(const machine::Model& model, const solve::TransientResult& motion,
+                                 const solve::TransientFrame& moment) {
+  std::vector<FreeRope> all;
+  const auto& branches = moment.branches;
+  for (std::size_t i = 0; i < branches.size();) {
+    const solve::TransientFrame::Branch& first = branches[i];
+    const machine::Reeving& rope = model.reevings[first.reeving];
+    FreeRope one{.reeving = first.reeving, .from = first.from, .to = first.to, .places = {first.start}};
+    const bool bears = first.whole && std::max(first.T_from, first.T_to) > 0;
+    for (; i < branches.size(); ++i) {
+      const solve::TransientFrame::Branch& piece = branches[i];
+      if (piece.reeving != first.reeving || piece.from != first.from || piece.to != first.to) break;
+      const bool straight = piece.curve.empty() && rope.segments <= 1 && is_heavy(motion, first.reeving);
+      if (bears && straight) {
+        add_parabola(piece, rope.weight * piece.unstretched / (1 + rope.thermal_strain), one.places);
+      }
+      one.places.insert(one.places.end(), piece.curve.begin(), piece.curve.end());
+      one.places.push_back(piece.end);
+    }
+    if (bears) all.push_back(std::move(one));
+  }
+  return all;
+}
+
+study::RopeClearance clearance_of(const machine::Model& model, const FreeRope& rope) {
+  const auto moves = [&](int node) { return model.reevings[rope.reeving].nodes[node].at.body != machine::ground; };
+  return study::rope_clearance(model, rope.places, moves(rope.from), moves(rope.to));
+}
+
+CheckState state_of(const machine::Model& model, const solve::TransientResult& motion,
+                    const solve::TransientFrame& moment, std::string words, std::string analysis) {
   CheckState all;
   all.model = &model;
   all.words = std::move(words);
   all.analysis = std::move(analysis);
   all.moves = true;
-  for (const auto& b : f.branches) {
-    const std::size_t rope = as_size(b.reeving);
-    const bool heavy = rope < motion.mass_lumped.size() && motion.mass_lumped[rope];
-    add_branch(b, model.reevings[rope], heavy, all.branches);
+  for (const auto& b : moment.branches) {
+    add_branch(b, model.reevings[b.reeving], is_heavy(motion, b.reeving), all.branches);
   }
-  for (const auto& c : f.contacts) {
+  if (!model.terrain.empty()) all.ropes = free_ropes(model, motion, moment);
+  for (const auto& c : moment.contacts) {
     const bool lifts = c.state == solve::ContactState::lifted || c.state == solve::ContactState::pulled;
     const machine::Place& place = model.reevings[c.reeving].nodes[c.node].at;
     Vector3 middle = place.at;
     if (place.body != machine::ground) {
-      const auto& body = f.bodies[place.body];
+      const auto& body = moment.bodies[place.body];
       middle = body.position + body.orientation * place.at;
     }
     all.contacts.push_back({c.reeving, c.node, c.wrap, lifts, middle, c.force});

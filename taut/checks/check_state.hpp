@@ -2,6 +2,7 @@
 #include <string>
 #include <vector>
 
+#include "taut/base/array.hpp"
 #include "taut/machine/model.hpp"
 #include "taut/solve/equilibrium.hpp"
 #include "taut/solve/motion/transient.hpp"
@@ -28,6 +29,20 @@ struct CheckContact {
   Vector3 force = Vector3::Zero();  ///< of one copy on it, N
 };
 
+/// A free rope of a motion that bears tension, as a line of points: its curve where it sags, its joints where it is in
+/// segments. One that the motion has straight, with its weight at its ends, hangs as a parabola of its tension.
+struct FreeRope {
+  int reeving = 0, from = 0, to = 0;  ///< nodes
+  Array<Vector3> places;              ///< m
+};
+
+/// All of them at a moment of a motion.
+std::vector<FreeRope> free_ropes(const machine::Model& model, const solve::TransientResult& motion,
+                                 const solve::TransientFrame& moment);
+
+/// Over the terrain.
+study::RopeClearance clearance_of(const machine::Model& model, const FreeRope& rope);
+
 /// One state of a machine as the checks of its parts see it: an equilibrium, or a moment of a calculated motion.
 struct CheckState {
   const machine::Model* model = nullptr;
@@ -35,17 +50,18 @@ struct CheckState {
   std::vector<CheckContact> contacts;
   const solve::EquilibriumResult* rest = nullptr;  ///< what it is of; a motion has none, and no beams
   bool moves = false;
-  std::string words;     ///< "envelope, in, x = 40 m", "transient, drop, t = 1.2 s"
-  std::string analysis;  ///< its name in the deck, or its kind
+  std::vector<FreeRope> ropes;  ///< of a motion over terrain
+  std::string words;            ///< "envelope, in, x = 40 m", "transient, drop, t = 1.2 s"
+  std::string analysis;         ///< its name in the deck, or its kind
 };
 
 CheckState state_of(const machine::Model& model, const solve::EquilibriumResult& state, std::string words,
                     std::string analysis);
 
-/// At an output step. A branch that is straight there has half of its weight hanging at each of its ends
+/// At a moment of a motion. A branch that is straight there has half of its weight hanging at each of its ends
 /// (`mass_lumped`). Of a rope in segments the first and the last one pull at the ends.
-CheckState state_of(const machine::Model& model, const solve::TransientResult& motion, std::size_t frame,
-                    std::string words, std::string analysis);
+CheckState state_of(const machine::Model& model, const solve::TransientResult& motion,
+                    const solve::TransientFrame& moment, std::string words, std::string analysis);
 
 /// Why a clearance that is asked for is not judged everywhere: "skyline: its clearance is not judged on 12 m ...".
 std::string gap_words(const std::string& what, const study::TerrainGap& gap);

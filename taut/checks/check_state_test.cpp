@@ -45,7 +45,7 @@ TEST(CheckState, pulls_at_rest_and_in_motion) {
   o.output_step = 0.01;
   const auto motion = solve::transient(m, o);
   ASSERT_FALSE(motion.frames.empty()) << motion.outcome.message;
-  const CheckState moving = state_of(m, motion, 0, "t", "drop");
+  const CheckState moving = state_of(m, motion, motion.frames.front(), "t", "drop");
   expect_weights(moving, m);
   EXPECT_TRUE(moving.moves);
   for (std::size_t i = 0; i < 2; ++i) {  // it begins settled
@@ -61,7 +61,7 @@ TEST(CheckState, segments_are_one_branch) {
   o.output_step = 0.01;
   const auto motion = solve::transient(m, o);
   ASSERT_FALSE(motion.frames.empty()) << motion.outcome.message;
-  const CheckState s = state_of(m, motion, 0, "t", "drop");
+  const CheckState s = state_of(m, motion, motion.frames.front(), "t", "drop");
   ASSERT_EQ(s.branches.size(), 2U);
   EXPECT_NEAR(s.branches[1].unstretched, 17.4, 1e-9);
   EXPECT_LT((s.branches[1].end - Vector3(25, 0, 3)).norm(), 1e-12);
@@ -70,6 +70,34 @@ TEST(CheckState, segments_are_one_branch) {
   const Vector3 chord = s.branches[1].end - s.branches[1].start;
   const Vector3& pull = s.branches[1].on_end;
   EXPECT_GT(std::abs(pull.z() / pull.x()), std::abs(chord.z() / chord.x()));
+}
+
+/// A straight branch with its weight at its ends hangs as a parabola; one in segments goes through its joints.
+TEST(CheckState, free_ropes_hang) {
+  const machine::Model m = hanging(6);
+  solve::TransientOptions o;
+  o.duration = 0.01;
+  o.output_step = 0.01;
+  const auto motion = solve::transient(m, o);
+  ASSERT_FALSE(motion.frames.empty()) << motion.outcome.message;
+  const auto& moment = motion.frames.front();
+  const auto ropes = free_ropes(m, motion, moment);
+  ASSERT_EQ(ropes.size(), 2U);
+  EXPECT_EQ(ropes[1].places.size(), 7U);
+  EXPECT_EQ(ropes[1].to, 1);
+  const auto& places = ropes[0].places;
+  ASSERT_EQ(places.size(), 17U);
+  const auto& branch = moment.branches[0];
+  EXPECT_EQ(places.front(), branch.start);
+  EXPECT_EQ(places.back(), branch.end);
+  const Vector3 way = branch.end - branch.start;
+  const double level = std::hypot(way.x(), way.y()), T = std::max(branch.T_from, branch.T_to);
+  const double sag = m.reevings[0].weight * branch.unstretched * way.norm() / (8 * T);
+  EXPECT_NEAR(((branch.start + branch.end) / 2 - places[8]).z(), sag, 1e-9);
+  EXPECT_NEAR(places[8].x() - branch.start.x(), level / 2, 1e-9);
+  solve::TransientFrame slack = moment;
+  slack.branches[0].T_from = slack.branches[0].T_to = 0;
+  EXPECT_EQ(free_ropes(m, motion, slack).size(), 1U);
 }
 
 TEST(CheckState, names_of_analyses) {

@@ -6,6 +6,11 @@
 #include <limits>
 
 namespace taut::checks {
+namespace {
+
+constexpr double unseen_share = 0.02;  ///< by which a peak may be larger than what the checks have seen of it
+
+}  // namespace
 
 CheckedParts::CheckedParts(const CheckedDeck& given, const machine::Model& model)
     : deck(std::make_shared<const CheckedDeck>(given)), judge(given, model), ropes(given, model) {
@@ -65,13 +70,19 @@ void CheckedParts::take_empty(const machine::Model& model, const solve::Equilibr
 }
 
 void CheckedParts::take_moment(const machine::Model& model, const solve::TransientResult& so_far,
-                               const std::string& words, const std::string& analysis) {
+                               const solve::TransientFrame& moment, const std::string& words,
+                               const std::string& analysis) {
   if (!judged) return;
-  judge.take_moment(model, so_far, words);
+  judge.take_moment(model, so_far, moment, words);
+  ropes.take_moment(model, moment, so_far.steps);
+  drives.take_moment(model, moment, words);
   if (!any_shown()) return;
-  const CheckState seen = state_of(model, so_far, so_far.frames.size() - 1,
-                                   fmt::format("{}, t = {:.4g} s", words, so_far.frames.back().t), analysis);
-  show(seen);
+  if (so_far.frames.size() <= 1) T_in_moments.assign(model.reevings.size(), 0);
+  for (const solve::TransientFrame::Branch& branch : moment.branches) {
+    double& largest = T_in_moments[branch.reeving];
+    largest = std::max({largest, branch.T_from, branch.T_to});
+  }
+  show(state_of(model, so_far, moment, fmt::format("{}, t = {:.4g} s", words, moment.t), analysis));
 }
 
 void CheckedParts::take_rest(const machine::Model& model, const solve::TransientFrame& rest, bool rope_mass,
@@ -87,23 +98,28 @@ void CheckedParts::take_rest(const machine::Model& model, const solve::Transient
     rope.T_static = rope.T.max = std::max({rope.T.max, branch.T_from, branch.T_to});
     rope.T.min = std::min({rope.T.min, branch.T_from, branch.T_to});
   }
-  take_moment(model, still, words, analysis);
+  take_moment(model, still, rest, words, analysis);
   take(model, still, {}, words);
   judge.take_rest(model, still, words);
 }
 
 void CheckedParts::take(const machine::Model& model, const solve::TransientResult& motion,
-                        const std::vector<study::TransientRecord::Slip>& slips, const std::string& words) {
+                        const std::vector<study::TransientRecord::Slip>& slips, const std::string& words, bool slowly) {
   if (!judged) return;
   judge.take(model, motion, words);
   if (motion.frames.empty()) return;
   drives.take(model, motion.frames.front(), slips, words);
   for (std::size_t i = 0; i < motion.ropes.size(); ++i) {
     const solve::RopeExtreme& e = motion.ropes[i];
-    ropes.take_motion(static_cast<int>(i), e.T_static, e.T.max, e.T.t_max, words);
+    ropes.take_motion(static_cast<int>(i), slowly ? e.T.max : e.T_static, e.T.max, e.T.t_max, words);
+    if (!any_shown() || e.T.max <= (1 + unseen_share) * T_in_moments[i]) continue;
+    unseen.push_back(
+        fmt::format("{}: the peak of {}, {:.4g} kN at t = {:.4g} s, lies between output steps, which have at most "
+                    "{:.4g} kN: anchors, lines, masts, supports and winches need a shorter output_step",
+                    words, model.reevings[i].name, e.T.max / 1e3, e.T.t_max, T_in_moments[i] / 1e3));
   }
   if (guys.empty()) return;
-  const CheckState begins = state_of(model, motion, 0, {}, {});
+  const CheckState begins = state_of(model, motion, motion.frames.front(), {}, {});
   for (GuyStates& one : guys) take_motion(begins, motion, words, one);
 }
 

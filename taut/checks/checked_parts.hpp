@@ -27,15 +27,16 @@ struct CheckedParts {
   /// `put_up`: it is being put up, which its winch has to do.
   void take_empty(const machine::Model& model, const solve::EquilibriumResult& state, const std::string& line,
                   const std::string& words, bool put_up = false);
-  /// A motion at an output step, the last frame of the result so far: forces and places.
-  void take_moment(const machine::Model& model, const solve::TransientResult& so_far, const std::string& words,
-                   const std::string& analysis);
+  /// A motion at an output step or where a rope has a peak: forces and places.
+  void take_moment(const machine::Model& model, const solve::TransientResult& so_far,
+                   const solve::TransientFrame& moment, const std::string& words, const std::string& analysis);
   /// The place of rest about which a machine vibrates. `rope_mass`: whether the mass of its ropes is counted.
   void take_rest(const machine::Model& model, const solve::TransientFrame& rest, bool rope_mass,
                  const std::string& words, const std::string& analysis);
-  /// A motion as a whole: tensions at all its steps, and how far its ropes slipped.
+  /// A motion as a whole: tensions at all its steps, and how far its ropes slipped. `slowly`: it has no inertia, and
+  /// all its steps are at rest.
   void take(const machine::Model& model, const solve::TransientResult& motion,
-            const std::vector<study::TransientRecord::Slip>& slips, const std::string& words);
+            const std::vector<study::TransientRecord::Slip>& slips, const std::string& words, bool slowly = false);
 
   /// Shows a state to the parts that are named in `checks:` or have a rating.
   void show(const CheckState& seen);
@@ -43,6 +44,10 @@ struct CheckedParts {
   bool any_shown() const;
 
   std::shared_ptr<const CheckedDeck> deck;  ///< its own view: who made this one may have given a passing one
+  /// By reeving, of the motion that is shown now: the largest tension in its moments, N.
+  std::vector<double> T_in_moments;
+  /// Peaks of motions that no moment has, where a check needed them: why it is not judged.
+  std::vector<std::string> unseen;
   bool judged = true;  ///< false: the analysis that runs says `judge: false`, and its states do not count
   Judge judge;
   RopeUses ropes;

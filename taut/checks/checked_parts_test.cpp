@@ -151,4 +151,33 @@ TEST(CheckedParts, the_plate_of_a_spar) {
   EXPECT_NEAR(check_of(r, "mast.guy_strength_by_plate").value, 226e3, 1e3);
 }
 
+/// A load that falls into its rope: the peak of an anchor's force is that of the rope, however few output steps there
+/// are.
+TEST(CheckedParts, a_peak_between_output_steps_counts) {
+  const auto falling = [](const std::string& output, const std::string& more, const std::string& of_rope = "") {
+    return run_text(R"(taut: 1
+machine:
+  points: {top: [0 m, 0 m, 30 m]}
+  ropes: {line: {mass: 1 kg/m, stiffness: 12 MN, breaking_force: 600 kN}}
+  bodies: {load: {mass: 500 kg, at: [0 m, 0 m, 22 m], free: [x, y, z]}}
+  reevings: [{rope: line, path: [{anchor: top}, {anchor: load}], length: 8.3 m, may_slack: true)" +
+                    of_rope + "}]\nanalyses: [transient: {duration: 2 s, start: assembled, output_step: " + output +
+                    more +
+                    "}]\nchecks: {anchors: {top: {strength: 500 kN}}, ropes: {line: {dynamic_safety_factor: 2}}}\n");
+  };
+  const Result fine = falling("1 ms", ", tolerance: 1e-4"), coarse = falling("1 s", ", tolerance: 1e-4");
+  const double force = check_of(fine, "top.anchor_strength").value;
+  EXPECT_NEAR(check_of(coarse, "top.anchor_strength").value, force, 0.01 * force);
+  EXPECT_NEAR(500e3 / force / check_of(coarse, "line.T_max").value, 1, 0.01);
+  EXPECT_TRUE(coarse.unmade.empty());
+
+  // steps that are taken many at once show no peaks: then it is not judged
+  const std::string verlet = ", method: verlet, step: 0.1 ms";
+  const Result unseen = falling("1 s", verlet, ", segments: 4");
+  ASSERT_EQ(unseen.unmade.size(), 1U) << unseen.message << to_text(unseen.errors);
+  EXPECT_NE(unseen.unmade[0].find("the peak of line"), std::string::npos) << unseen.unmade[0];
+  EXPECT_NE(unseen.unmade[0].find("shorter output_step"), std::string::npos) << unseen.unmade[0];
+  EXPECT_TRUE(falling("1 ms", verlet, ", segments: 4").unmade.empty());
+}
+
 }  // namespace taut::checks::checked_parts_test

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "taut/solve/drives.hpp"
 
@@ -41,38 +42,36 @@ void check_drive(const machine::Model& m, const solve::DriveResult& d, std::vect
                             {.sense = Sense::at_most, .limit = most, .rule = "the motor's torque", .trust = "user"}));
 }
 
-void check_drum(const machine::Model& m, const solve::DrumResult& d, std::vector<Check>& made) {
+/// Where the torque of a drum is given, the rope's tension follows from it, or it is a limit.
+void check_torque(const machine::Model& m, const solve::DrumResult& d, std::vector<Check>& made) {
   const machine::Drum& drum = m.drums[d.drum];
-  const std::string& name = drum.name;
-  if (drum.drive.kind == machine::DriveKind::torque && drum.drive.signal.name.empty()) {
-    const double most = machine::at(drum.drive.signal, 0).value;
-    // the rope's tension follows from it, or it is a limit
-    if (d.torque < most * (1 - 1e-9) || d.torque > most * (1 + 1e-9)) {
-      made.push_back(
-          make_check(name + ".torque", d.torque, si::N_m,
-                     {.sense = Sense::at_most, .limit = most, .rule = "the drum's torque", .trust = "user"}));
-    }
-  }
-  if (d.length && d.capacity) {
-    made.push_back(make_check(name + ".capacity", *d.length, si::m,
-                              {.sense = Sense::at_most,
-                               .limit = *d.capacity,
-                               .rule = "rope that the drum takes within its flanges",
-                               .trust = "derived"}));
-  }
-  if (d.length && *d.length < 0) {
-    made.push_back(
-        make_check(name + ".length_on_drum", *d.length, si::m,
-                   {.sense = Sense::at_least, .limit = 0, .rule = "rope left on the drum", .trust = "derived"}));
-  }
+  if (drum.drive.kind != machine::DriveKind::torque || !drum.drive.signal.name.empty()) return;
+  const double most = machine::at(drum.drive.signal, 0).value;
+  if (d.torque >= most * (1 - 1e-9) && d.torque <= most * (1 + 1e-9)) return;
+  made.push_back(make_check(drum.name + ".torque", d.torque, si::N_m,
+                            {.sense = Sense::at_most, .limit = most, .rule = "the drum's torque", .trust = "user"}));
+}
+
+void check_capacity(const machine::Model& m, const solve::DrumResult& d, std::vector<Check>& made) {
+  if (!d.length || !d.capacity) return;
+  made.push_back(make_check(m.drums[d.drum].name + ".capacity", *d.length, si::m,
+                            {.sense = Sense::at_most,
+                             .limit = *d.capacity,
+                             .rule = "rope that the drum takes within its flanges",
+                             .trust = "derived"}));
+}
+
+/// A motion ends where a drum has no rope left.
+void check_rest_of_rope(const machine::Model& m, const solve::DrumResult& d, std::vector<Check>& made) {
+  if (!d.length || *d.length >= 0) return;
+  made.push_back(
+      make_check(m.drums[d.drum].name + ".length_on_drum", *d.length, si::m,
+                 {.sense = Sense::at_least, .limit = 0, .rule = "rope left on the drum", .trust = "derived"}));
 }
 
 }  // namespace
 
-void DriveUses::take(const machine::Model& m, const solve::EquilibriumResult& state, const std::string& words) {
-  std::vector<Check> made;
-  for (const auto& d : solve::drives(m, state)) check_drive(m, d, made);
-  for (const auto& d : solve::drums(m, state)) check_drum(m, d, made);
+void DriveUses::keep(std::vector<Check> made, const std::string& words) {
   for (Check& check : made) {
     check.where = words;
     const auto known = worst_.find(check.name);
@@ -82,6 +81,23 @@ void DriveUses::take(const machine::Model& m, const solve::EquilibriumResult& st
       known->second = std::move(check);
     }
   }
+}
+
+void DriveUses::take(const machine::Model& m, const solve::EquilibriumResult& state, const std::string& words) {
+  std::vector<Check> made;
+  for (const auto& d : solve::drives(m, state)) check_drive(m, d, made);
+  for (const auto& d : solve::drums(m, state)) {
+    check_torque(m, d, made);
+    check_capacity(m, d, made);
+    check_rest_of_rope(m, d, made);
+  }
+  keep(std::move(made), words);
+}
+
+void DriveUses::take_moment(const machine::Model& m, const solve::TransientFrame& frame, const std::string& words) {
+  std::vector<Check> made;
+  for (const auto& d : solve::drums(m, frame)) check_capacity(m, d, made);
+  if (!made.empty()) keep(std::move(made), fmt::format("{}, t = {:.4g} s", words, frame.t));
 }
 
 void DriveUses::take(const machine::Model& m, const solve::TransientFrame& first,

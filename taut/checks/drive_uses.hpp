@@ -1,6 +1,7 @@
 #pragma once
 #include <map>
 #include <string>
+#include <vector>
 
 #include "taut/calc/result.hpp"
 #include "taut/solve/equilibrium.hpp"
@@ -15,6 +16,8 @@ class DriveUses {
  public:
   /// `words`: which state it is, "sweep, drive.friction = 0.2".
   void take(const machine::Model& model, const solve::EquilibriumResult& state, const std::string& words);
+  /// A moment of a motion: what lies on its drums.
+  void take_moment(const machine::Model& model, const solve::TransientFrame& frame, const std::string& words);
   /// Of a motion: how far the rope slips on each contact. `first`: its first frame.
   void take(const machine::Model& model, const solve::TransientFrame& first,
             const std::vector<study::TransientRecord::Slip>& slips, const std::string& words);
@@ -23,6 +26,8 @@ class DriveUses {
   void add_checks(Result& r) const;
 
  private:
+  void keep(std::vector<Check> made, const std::string& words);
+
   std::map<std::string, Check> worst_;
   struct Slip {
     double share = 0;  ///< of the way of the rim

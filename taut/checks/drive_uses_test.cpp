@@ -58,4 +58,43 @@ TEST(DriveUses, ARopeThatSlipsInAMotionIsUnsafe) {
   EXPECT_NE(r.unsafe.front().find("the rope slips on 'drive'"), std::string::npos) << r.unsafe.front();
 }
 
+/// A hoist that winds 19 m at its speed onto a drum that has 12 m on it: 13.1 m to a layer, three layers within flanges
+/// of 510 mm.
+std::string hoist(const std::string& analyses, const std::string& flanges) {
+  return R"(taut: 1
+machine:
+  points: {end: [1 m, 0 m, 30 m]}
+  signals: {up: {ramp: {to: 2 m/s, start: 0 s, duration: 1 s, smooth: true}}}
+  ropes: {line: {rope: "EN 12385-4|6x36-IWRC|16|1960", stiffness: 12 MN, damping_ratio: 0.05}}
+  bodies: {block: {mass: 2 t, at: [1.2 m, 0 m, 0 m], free: [x, z]}}
+  sheaves:
+    head: {at: [1.4 m, 0 m, 30 m], diameter: 400 mm}
+    hook: {body: block, at: [0 m, 0 m, 0 m], diameter: 400 mm}
+  drums:
+    winch: {at: [-8 m, 0 m, 2 m], core_diameter: 400 mm, face_width: 160 mm, flange_diameter: )" +
+         flanges + R"(, length_on_drum: 12 m, layers: auto, drive: {speed: up}}
+  reevings: [{rope: line, path: [{drum: winch}, {over: head}, {over: hook}, {anchor: end}], length: 102 m}]
+checks: {ropes: {line: {field: crane_running, class: M1, drum: grooved, rated_pull: 30 kN}}}
+analyses: [)" +
+         analyses + "]\n";
+}
+
+TEST(DriveUses, WhatLiesOnADrumCountsAtEveryMoment) {
+  const std::string rest = "equilibrium: {motion: hoist}", motion = "transient: {duration: 10 s, output_step: 10 s}";
+  for (const std::string& analyses : {motion, "{" + rest + "}, {" + motion + "}"}) {
+    const Result r = run_text(hoist(analyses, "800 mm"));
+    ASSERT_TRUE(verdict_of(r)) << to_text(r.errors);
+    EXPECT_EQ(to_text(verdict_of(r)->kind), "passes") << verdict_of(r)->reason;
+    EXPECT_NEAR(taut_test::check_of(r, "winch.capacity").value, 12 + 19, 0.02);
+    EXPECT_EQ(taut_test::check_of(r, "line.drum_layers").value, 3);
+    EXPECT_NEAR(taut_test::check_of(r, "line.last_layer_pull").limit, 30e3 * 416 / (416 + 4 * 16), 1e-6);
+    EXPECT_TRUE(taut_test::has_check(r, "line.fleet_angle"));
+    EXPECT_TRUE(taut_test::has_check(r, "line.drum_ratio"));
+  }
+  const Result full = run_text(hoist("{" + rest + "}, {" + motion + "}", "470 mm"));
+  EXPECT_EQ(to_text(verdict_of(full)->kind), "fails") << verdict_of(full)->reason;
+  EXPECT_FALSE(taut_test::check_of(full, "winch.capacity").passes);
+  EXPECT_NE(taut_test::check_of(full, "winch.capacity").where.find("transient, t = "), std::string::npos);
+}
+
 }  // namespace taut::drive_uses_test

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "taut/calc/none.hpp"
+#include "taut/checks/check_state.hpp"
 #include "taut/checks/described.hpp"
 #include "taut/checks/rope/rope_uses.hpp"
 #include "taut/math/index.hpp"
@@ -248,6 +249,7 @@ void Judge::take(const machine::Model& m, const solve::EquilibriumResult& e, con
   take_slack(m, e, words);
   take_places(m, e, words);
   off_groove_.take(m, e, words);
+  two_blocked_.take(m, e, words);
 }
 
 void Judge::take(const machine::Model& m, const solve::TransientResult& motion, const std::string& words) {
@@ -271,7 +273,8 @@ void Judge::take(const machine::Model& m, const solve::TransientResult& motion, 
   }
 }
 
-void Judge::take_moment(const machine::Model& m, const solve::TransientResult& so_far, const std::string& words) {
+void Judge::take_moment(const machine::Model& m, const solve::TransientResult& so_far,
+                        const solve::TransientFrame& moment, const std::string& words) {
   if (so_far.frames.size() == 1) {
     events_seen_ = 0;
     broken_ = false;
@@ -280,32 +283,20 @@ void Judge::take_moment(const machine::Model& m, const solve::TransientResult& s
     broken_ = broken_ || so_far.events[events_seen_].what == "break";
   }
   if (broken_) return;
-  const solve::TransientFrame& frame = so_far.frames.back();
-  const std::string when = fmt::format("{}, t = {:.4g} s", words, frame.t);
-  off_groove_.take(m, frame, when);
+  const std::string when = fmt::format("{}, t = {:.4g} s", words, moment.t);
+  off_groove_.take(m, moment, when);
+  two_blocked_.take(m, moment, when);
   if (m.terrain.empty()) return;
   for (const machine::Carriage& car : m.carriages) {
-    const Vector3& p = frame.bodies[car.body].position;
+    const Vector3& p = moment.bodies[car.body].position;
     const double x = terrain_x(m, p);
     take_height(car.name, "carriage " + car.name, p.z() - study::ground_height(m.terrain, x), x, when, carriages_);
   }
-  for (std::size_t i = 0; i < frame.branches.size();) {
-    // a rope in segments has several pieces between two nodes
-    const solve::TransientFrame::Branch& first = frame.branches[i];
-    const bool bears = first.whole && std::max(first.T_from, first.T_to) > 0;
-    std::vector<Vector3> places = {first.start};
-    for (; i < frame.branches.size(); ++i) {
-      const solve::TransientFrame::Branch& piece = frame.branches[i];
-      if (piece.reeving != first.reeving || piece.from != first.from || piece.to != first.to) break;
-      places.insert(places.end(), piece.curve.begin(), piece.curve.end());
-      places.push_back(piece.end);
-    }
-    if (!bears) continue;
-    const machine::Reeving& rope = m.reevings[first.reeving];
-    const auto moves = [&](int node) { return rope.nodes[node].at.body != machine::ground; };
-    const study::RopeClearance own = study::rope_clearance(m, places, moves(first.from), moves(first.to));
+  for (const FreeRope& one : free_ropes(m, so_far, moment)) {
+    const study::RopeClearance own = clearance_of(m, one);
+    const machine::Reeving& rope = m.reevings[one.reeving];
     const std::string part =
-        fmt::format("{} between {} and {}", rope.name, rope.nodes[first.from].name, rope.nodes[first.to].name);
+        fmt::format("{} between {} and {}", rope.name, rope.nodes[one.from].name, rope.nodes[one.to].name);
     take_height(rope.name, part, own.height, terrain_x(m, own.place), when, rope_heights_);
   }
 }
@@ -417,6 +408,7 @@ void Judge::add_values(Result& r) const {
     }
   }
   off_groove_.add_warnings(r);
+  two_blocked_.add_warnings(r);
   r.preface = preface_;
 }
 

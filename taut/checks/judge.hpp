@@ -9,6 +9,7 @@
 #include "taut/calc/result.hpp"
 #include "taut/checks/checked_deck.hpp"
 #include "taut/checks/off_groove.hpp"
+#include "taut/checks/two_blocked.hpp"
 #include "taut/solve/equilibrium.hpp"
 #include "taut/solve/motion/transient.hpp"
 
@@ -50,9 +51,10 @@ class Judge {
   void take(const machine::Model& model, const solve::EquilibriumResult& state, const std::string& words);
   /// Ropes alone: a line as it is put up, whose bodies and supports are not the machine's.
   void take_ropes(const machine::Model& model, const solve::EquilibriumResult& state, const std::string& words);
-  /// A motion at an output step, the last frame of the result so far: heights of carriages and ropes, ropes out of
-  /// their grooves, up to the first break.
-  void take_moment(const machine::Model& model, const solve::TransientResult& so_far, const std::string& words);
+  /// A motion at an output step or a peak: heights of carriages and ropes, ropes out of their grooves, blocks that
+  /// run into each other, up to the first break.
+  void take_moment(const machine::Model& model, const solve::TransientResult& so_far,
+                   const solve::TransientFrame& moment, const std::string& words);
   /// The place of rest about which a machine vibrates, as a motion of one moment: its tensions.
   void take_rest(const machine::Model& model, const solve::TransientResult& still, const std::string& words);
   /// A motion as a whole: which ropes bear tension, what goes slack.
@@ -117,6 +119,7 @@ class Judge {
   std::map<std::string, Height> carriages_, rope_heights_;
   std::vector<BeamWorst> beams_;
   OffGroove off_groove_;
+  TwoBlocked two_blocked_;
   std::vector<Warned> warned_;
   std::set<std::string> known_;  ///< what was warned of already
   std::string preface_;

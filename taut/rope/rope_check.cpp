@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <string_view>
 #include <utility>
 
@@ -30,15 +31,11 @@ class RopeChecker {
   RopeChecker(const RopeUse& use, const RopeRules& rules) : use_(use), rules_(rules) {}
 
   RopeChecks all() {
-    if (use_.tension > 0) {
-      strength_static();
-      strength_at_ends();
-      strength_on_sheaves();
-      resistance();
-      fatigue();
-      groove();
-      wires();
-    } else if (!(use_.peak > 0)) {
+    if (!rest_is_known(use_)) {
+      statics_at_peak();
+    } else if (use_.tension > 0) {
+      statics();
+    } else {
       leave_out("its strength", "no load case gives it a tension");
     }
     dynamics();
@@ -90,6 +87,42 @@ class RopeChecker {
   std::string strength_words() const {
     const std::string cold = fmt::format("breaking force {}", kilonewton(use_.rope.breaking_force));
     return heat_share() < 1 ? fmt::format("{} x {:.3g} ({})", cold, heat_share(), rules_.heat_strength->rule) : cold;
+  }
+
+  void statics() {
+    strength_static();
+    strength_at_ends();
+    strength_on_sheaves();
+    resistance();
+    fatigue();
+    groove();
+    wires();
+    last_layer();
+  }
+
+  /// What passes at the peak would at rest. What fails there may pass at rest: then it is not known.
+  void statics_at_peak() {
+    RopeRules rules = rules_;
+    rules.dynamic_factor = 1;
+    const RopeUse peak = at_peak(use_);
+    RopeChecker at_peak(peak, rules), at_rest(use_, rules_);
+    at_peak.statics();
+    if (use_.tension > 0) at_rest.statics();
+    for (Check& check : at_peak.out_.checks) {
+      const auto& known = at_rest.out_.checks;
+      const auto same = std::find_if(known.begin(), known.end(), [&](const Check& c) { return c.name == check.name; });
+      const bool fails = same != known.end() && !same->passes;
+      const bool has_tension = !(rules_.least_termination && check.name.ends_with(".termination"));
+      if (check.passes || fails || !has_tension) {
+        out_.checks.push_back(fails ? *same : std::move(check));
+        continue;
+      }
+      out_.left_out.push_back(fmt::format(
+          "{} is not checked: the motion reaches {}, more than twice the tension at rest, {}; add an analysis at rest "
+          "with the full load",
+          check.name, kilonewton(use_.peak), kilonewton(use_.tension)));
+    }
+    std::move(at_peak.out_.left_out.begin(), at_peak.out_.left_out.end(), std::back_inserter(out_.left_out));
   }
 
   void strength_static() {
@@ -292,7 +325,7 @@ class RopeChecker {
       keep_worst("fleet_angle", *drum.fleet_angle, si::rad,
                  {.sense = Sense::at_most,
                   .limit = rules_.fleet_angle->value,
-                  .rule = fmt::format("at the flanges of '{}': {}", drum.name, rules_.fleet_angle->rule),
+                  .rule = fmt::format("at a flange of '{}': {}", drum.name, rules_.fleet_angle->rule),
                   .trust = rules_.fleet_angle->trust});
     }
     if (rules_.layers && drum.layers) {
@@ -302,7 +335,11 @@ class RopeChecker {
                   .rule = fmt::format("layers on '{}': {}", drum.name, rules_.layers->rule),
                   .trust = rules_.layers->trust});
     }
-    if (rules_.rated_pull && drum.first_radius && drum.last_radius && drum.tension > 0) {
+  }
+
+  void last_layer() {
+    for (const DrumEnd& drum : use_.drums) {
+      if (!rules_.rated_pull || !drum.first_radius || !drum.last_radius || !(drum.tension > 0)) continue;
       keep_worst("last_layer_pull", drum.tension, si::N,
                  {.sense = Sense::at_most,
                   .limit = *rules_.rated_pull * *drum.first_radius / *drum.last_radius,
@@ -337,6 +374,20 @@ RopeChecks check_rope(const RopeUse& use, const RopeRules& rules) { return RopeC
 std::string trust_with_rope(const std::string& limit, const catalogue::RopeRow& rope) {
   if (limit.starts_with("UNVERIFIED") || rope.trust != catalogue::Trust::unverified) return limit;
   return "UNVERIFIED: breaking force of the rope";
+}
+
+bool rest_is_known(const RopeUse& use) {
+  constexpr double sudden_load = 2;
+  return use.peak <= sudden_load * use.tension;
+}
+
+RopeUse at_peak(RopeUse use) {
+  use.tension = use.peak;
+  use.where = use.peak_where;
+  for (Bend& bend : use.bends) bend.tension = use.peak;
+  for (RopeEnd& end : use.ends) end.tension = use.peak;
+  for (DrumEnd& drum : use.drums) drum.tension = use.peak;
+  return use;
 }
 
 double peak_tension(const RopeUse& use, const RopeRules& rules) {

@@ -63,6 +63,14 @@ inline constexpr double least_wrap = 1e-3;
 /// The limit's trust, or "UNVERIFIED: ..." where the rope's own breaking force is not better than that.
 std::string trust_with_rope(const std::string& limit, const catalogue::RopeRow& rope);
 
+/// Whether rules for the tension at rest can be applied to the largest one of the states at rest. A load that is put on
+/// an elastic rope at once gives it twice its tension at rest. Where a calculated motion gives it more than that, it
+/// takes loads that no state at rest has.
+bool rest_is_known(const RopeUse& use);
+
+/// The same rope with the peak of the calculated motions in place of all tensions at rest, which are not more.
+RopeUse at_peak(RopeUse use);
+
 /// Factor of the dynamic check: the peak of calculated motions, or the static tension times the dynamic factor.
 double peak_tension(const RopeUse& use, const RopeRules& rules);
 

@@ -204,4 +204,54 @@ TEST(RopeCheck, en13001) {
   EXPECT_FALSE(find(check_rope(use, rules), "hoist.resistance")->passes);
 }
 
+/// A motion with more than twice the tension at rest takes loads that no state at rest has.
+TEST(RopeCheck, beyond_a_sudden_load_the_tension_at_rest_is_not_known) {
+  RopeRules rules;
+  rules.safety_factors = {{.value = 3.5, .rule = "a rule", .trust = "verified"}};
+  rules.dynamic_factor = 1.5;
+  rules.resistance = Limit{.value = 0, .rule = "EN 13001-3-2", .trust = "verified"};
+  RopeUse use = hoist_rope();  // 160 kN over 40 kN at rest
+  const auto with = [&](double rest, double peak) {
+    use.tension = use.bends[0].tension = use.ends[0].tension = rest;
+    use.peak = peak;
+    use.peak_where = "drop, t = 1 s";
+    return check_rope(use, rules);
+  };
+  EXPECT_DOUBLE_EQ(value_of(with(40e3, 80e3), "hoist.safety_factor"), 4);
+  EXPECT_TRUE(with(40e3, 80e3).left_out.empty());
+
+  const RopeChecks enough = with(15e3, 40e3);  // even the peak leaves 4
+  EXPECT_DOUBLE_EQ(value_of(enough, "hoist.safety_factor"), 4);
+  EXPECT_NE(find(enough, "hoist.safety_factor")->rule.find("drop, t = 1 s"), std::string::npos);
+  EXPECT_NEAR(value_of(enough, "hoist.on_sheave"), (1 - 0.5 / std::sqrt(20)) * 4, 1e-12);
+  EXPECT_DOUBLE_EQ(value_of(enough, "hoist.resistance"), 40e3) << "the peak has the dynamic factor in it";
+  EXPECT_TRUE(enough.left_out.empty());
+
+  for (const double rest : {0.0, 15e3}) {
+    const RopeChecks unknown = with(rest, 64e3);  // 2.5 at the peak
+    EXPECT_EQ(find(unknown, "hoist.safety_factor"), nullptr);
+    EXPECT_EQ(find(unknown, "hoist.on_sheave"), nullptr);
+    ASSERT_EQ(unknown.left_out.size(), 2U);
+    EXPECT_NE(unknown.left_out[0].find("hoist.safety_factor is not checked: the motion reaches 64 kN"),
+              std::string::npos)
+        << unknown.left_out[0];
+  }
+
+  const RopeChecks broken = with(50e3, 150e3);  // 3.2 at rest
+  EXPECT_DOUBLE_EQ(value_of(broken, "hoist.safety_factor"), 3.2);
+  EXPECT_FALSE(find(broken, "hoist.safety_factor")->passes);
+}
+
+TEST(RopeCheck, what_has_no_tension_in_it_is_judged_at_any) {
+  RopeRules rules;
+  rules.termination = Limit{.value = 0.75, .rule = "wedge", .trust = "verified"};
+  rules.least_termination = Limit{.value = 0.8, .rule = "at least", .trust = "user"};
+  RopeUse use = hoist_rope();
+  use.tension = 0;
+  use.peak = 150e3;
+  const RopeChecks all = check_rope(use, rules);
+  ASSERT_NE(find(all, "hoist.termination"), nullptr);
+  EXPECT_FALSE(find(all, "hoist.termination")->passes);
+}
+
 }  // namespace taut::rope::rope_check_test

@@ -65,6 +65,12 @@ void write_bending(Sheet<Num>& s, const RopeUse& use, const RopeRules& rules, co
 }  // namespace
 
 void write_rope(Sheet<Num>& s, const RopeUse& use, const RopeRules& rules) {
+  if (!rest_is_known(use)) {
+    RopeRules own = rules;
+    own.dynamic_factor = 1;
+    own.dynamic_words = "T is the peak of a motion";
+    return write_rope(s, at_peak(use), own);
+  }
   if (!(use.rope.breaking_force > 0) || !(use.tension > 0)) return;
   s.section(fmt::format("Rope {}: strength", use.name));
   Num F_min = s.named("F_min", si::N, use.rope.breaking_force);

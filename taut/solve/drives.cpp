@@ -146,56 +146,84 @@ Array<DriveResult> drives(const machine::Model& model, const EquilibriumResult& 
 
 namespace {
 
-/// Rope and layers on a drum.
-void fill_layers(const machine::Drum& drum, const machine::Reeving& rope, double unstretched, DrumResult& d) {
-  if (drum.length_on_drum) {
-    const bool follows = rope.given == machine::Given::length;
-    d.length = *drum.length_on_drum + (follows ? rope.value - unstretched : 0);
-  }
+/// Of the end of a rope that lies on a drum: `pull` at its drum, and the rope on that, m; empty: not known.
+DrumResult at_drum(const machine::Model& model, int reeving, bool at_end, double pull, std::optional<double> length) {
+  const machine::Reeving& rope = model.reevings[reeving];
+  const machine::Node& node = at_end ? rope.nodes.back() : rope.nodes.front();
+  const machine::Drum& drum = model.drums[*node.drum];
+  DrumResult d;
+  d.drum = *node.drum;
+  d.reeving = reeving;
+  d.at_end = at_end;
+  d.pull = pull;
+  d.layer = drum.layer;
+  d.radius = node.radius;
+  d.length = length;
   const rope::DrumLayers measures = machine::measures_of(drum, rope.diameter);
-  if (measures.width == 0) return;
-  const double stretch = 1 + drum.wound_at.value_or(0) / rope.stiffness;
-  const double turns = rope::turns_per_layer(measures);
-  if (d.length && *d.length >= 0) {
-    const rope::OnDrum on = rope::on_drum(measures, *d.length * stretch);
-    if (drum.automatic_layers) d.layer = on.layer;
-    d.wraps = (on.layer - 1) * turns + on.turns;
+  if (measures.width > 0) {
+    const double stretch = 1 + drum.wound_at.value_or(0) / rope.stiffness;
+    if (d.length && *d.length >= 0) {
+      const rope::OnDrum on = rope::on_drum(measures, *d.length * stretch);
+      if (drum.automatic_layers) d.layer = on.layer;
+      d.wraps = (on.layer - 1) * rope::turns_per_layer(measures) + on.turns;
+    }
+    d.radius = rope::layer_radius(measures, d.layer);
+    if (measures.flange_diameter > 0) {
+      const int last = rope::layers_within_flanges(measures);
+      d.capacity = rope::drum_capacity(measures, last) / stretch;
+      if (last > 0) d.pull_last_layer = d.pull * d.radius / rope::layer_radius(measures, last);
+    }
   }
-  d.radius = rope::layer_radius(measures, d.layer);
-  if (measures.flange_diameter == 0) return;
-  const int last = rope::layers_within_flanges(measures);
-  d.capacity = rope::drum_capacity(measures, last) / stretch;
-  if (last > 0) d.pull_last_layer = d.pull * d.radius / rope::layer_radius(measures, last);
+  d.torque = rope.copies * d.pull * d.radius;
+  return d;
+}
+
+/// The ends of ropes that lie on drums.
+template <class Each>
+void for_each_end_on_drum(const machine::Model& model, const Each& each) {
+  for (int r = 0; r < static_cast<int>(model.reevings.size()); ++r) {
+    const machine::Reeving& rope = model.reevings[r];
+    if (rope.nodes.front().drum) each(r, false, model.drums[*rope.nodes.front().drum]);
+    if (rope.nodes.back().drum) each(r, true, model.drums[*rope.nodes.back().drum]);
+  }
+}
+
+/// Tension of a rope at its start or end.
+template <class Branches>
+double tension_at(const Branches& branches, int reeving, bool at_end) {
+  const auto own = [&](const auto& branch) { return branch.reeving == reeving; };
+  if (at_end) return std::find_if(branches.rbegin(), branches.rend(), own)->T_to;
+  return std::find_if(branches.begin(), branches.end(), own)->T_from;
 }
 
 }  // namespace
 
 Array<DrumResult> drums(const machine::Model& model, const EquilibriumResult& result) {
   Array<DrumResult> all;
-  for (int r = 0; r < static_cast<int>(model.reevings.size()); ++r) {
+  for_each_end_on_drum(model, [&](int r, bool at_end, const machine::Drum& drum) {
     const machine::Reeving& rope = model.reevings[r];
-    const auto own = [&](const BranchResult& s) { return s.reeving == r; };
-    const auto first = std::find_if(result.branches.begin(), result.branches.end(), own);
-    const auto last = std::find_if(result.branches.rbegin(), result.branches.rend(), own);
-    for (const bool at_end : {false, true}) {
-      const machine::Node& node = at_end ? rope.nodes.back() : rope.nodes.front();
-      if (!node.drum) continue;
-      const machine::Drum& drum = model.drums[*node.drum];
-      DrumResult d;
-      d.drum = *node.drum;
-      d.reeving = r;
-      d.pull = at_end ? last->T_to : first->T_from;
-      d.layer = drum.layer;
-      d.radius = node.radius;
-      fill_layers(drum, rope, result.ropes[r].unstretched, d);
-      d.torque = rope.copies * d.pull * d.radius;
-      const int sense = sense_of(result.flow[r]);
-      if (drum.drive.kind == machine::DriveKind::speed && rope.speed > 0 && sense != 0) {
-        d.speed = (sense == (at_end ? 1 : -1) ? 1 : -1) * rope.speed;
-      }
-      all.push_back(d);
+    const bool follows = rope.given == machine::Given::length;
+    std::optional<double> length = drum.length_on_drum;
+    if (length && follows) *length += rope.value - result.ropes[r].unstretched;
+    DrumResult d = at_drum(model, r, at_end, tension_at(result.branches, r, at_end), length);
+    const int sense = sense_of(result.flow[r]);
+    if (drum.drive.kind == machine::DriveKind::speed && rope.speed > 0 && sense != 0) {
+      d.speed = (sense == (at_end ? 1 : -1) ? 1 : -1) * rope.speed;
     }
-  }
+    all.push_back(d);
+  });
+  return all;
+}
+
+Array<DrumResult> drums(const machine::Model& model, const TransientFrame& frame) {
+  Array<DrumResult> all;
+  for_each_end_on_drum(model, [&](int r, bool at_end, const machine::Drum& drum) {
+    const TransientFrame::Drum& now = frame.drums[as_size(static_cast<int>(&drum - model.drums.data()))];
+    const std::optional<double> length = drum.length_on_drum ? std::optional(now.content) : std::nullopt;
+    DrumResult d = at_drum(model, r, at_end, tension_at(frame.branches, r, at_end), length);
+    d.speed = now.speed;
+    all.push_back(d);
+  });
   return all;
 }
 

@@ -5,6 +5,7 @@
 
 #include "taut/base/array.hpp"
 #include "taut/solve/equilibrium.hpp"
+#include "taut/solve/motion/transient.hpp"
 
 namespace taut::solve {
 
@@ -38,9 +39,10 @@ Array<DriveResult> drives(const machine::Model& model, const EquilibriumResult& 
 
 /// What lies on a drum, and what it pulls.
 struct DrumResult {
-  int drum = 0;     ///< index in the model
-  int reeving = 0;  ///< whose end is on it
-  double pull = 0;  ///< tension of one copy where the rope leaves it, N
+  int drum = 0;         ///< index in the model
+  int reeving = 0;      ///< whose end is on it
+  bool at_end = false;  ///< of its path, else its start
+  double pull = 0;      ///< tension of one copy where the rope leaves it, N
   int layer = 1;
   double radius = 0;                      ///< m
   double torque = 0;                      ///< of all copies, N m
@@ -54,5 +56,9 @@ struct DrumResult {
 /// Of every end of a rope on a drum. The length on a drum is as given with the given length of its reeving in `model`;
 /// where an answer has another free length, the rest is on the drum.
 Array<DrumResult> drums(const machine::Model& model, const EquilibriumResult& result);
+
+/// The same at a moment of a motion: what its rope and its drive do there. Of drums whose content is not given, the
+/// length is what the motion has wound, and left out.
+Array<DrumResult> drums(const machine::Model& model, const TransientFrame& frame);
 
 }  // namespace taut::solve

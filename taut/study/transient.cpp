@@ -14,6 +14,8 @@ namespace {
 
 constexpr double most_lines = 1e6, most_numbers = 1e8;
 constexpr double usual_tolerance = 1e-5;  ///< the digits that a report prints are right
+constexpr double fewest_moments = 500;    ///< of a motion that are looked at, if it has fewer output steps
+constexpr double most_apart = 0.1;        ///< of two of them, s
 constexpr double fine_tolerance = 1e-6;   ///< of the reference, and of what a given step solves
 
 double lines_of(const TransientRequest& request) {
@@ -390,6 +392,8 @@ void solve(TransientRun& run, const std::optional<solve::DynamicState>& from, co
     run.record.take(run.model, so_far);
     if (watchers.so_far) watchers.so_far(so_far);
   };
+  o.moment = watchers.moment;
+  o.moment_step = std::min(request.duration / fewest_moments, most_apart);
   if (const auto gap = formula_gap(run.model, begin, request.duration)) {
     run.result.outcome = infeasible(fmt::format("the formula of the signal '{}' {}", gap->signal->name, gap->words));
   } else {
@@ -398,6 +402,7 @@ void solve(TransientRun& run, const std::optional<solve::DynamicState>& from, co
   o.progress = {};
   o.anew = {};
   o.take = {};
+  o.moment = {};
   if (watchers.as_whole) watchers.as_whole(run.result);
   run.record.show(run.result);
 }

@@ -74,9 +74,10 @@ TransientRun resolve(const TransientRequest& request, const std::string& path, N
 
 /// What sees a motion as it goes.
 struct TransientWatchers {
-  std::function<bool(const Progress&)> progress;                ///< as in a Job; may be empty
-  std::function<void()> anew;                                   ///< what was seen so far does not count
-  std::function<void(const solve::TransientResult&)> so_far;    ///< after each output step
+  std::function<bool(const Progress&)> progress;              ///< as in a Job; may be empty
+  std::function<void()> anew;                                 ///< what was seen so far does not count
+  std::function<void(const solve::TransientResult&)> so_far;  ///< after each output step
+  std::function<void(const solve::TransientResult&, const solve::TransientFrame&)> moment;  ///< as in its options
   std::function<void(const solve::TransientResult&)> as_whole;  ///< at the end, before frames are thinned
 };
 

@@ -85,10 +85,25 @@ void take_bends(const CheckState& state, LineStates& line) {
   }
 }
 
-void take_clearance(const CheckState& state, LineStates& line) {
-  if (state.rest == nullptr) return;
-  const study::TerrainGap gap = study::terrain_gap(*state.model, state.rest->branches, line.reeving);
+void take_gap(const study::TerrainGap& gap, LineStates& line) {
   if (gap.missing() > line.gap.missing()) line.gap = gap;
+}
+
+void take_clearance(const machine::Model& model, const FreeRope& rope, const std::string& words, LineStates& line) {
+  const auto by_x = [&](const Vector3& a, const Vector3& b) { return terrain_x(model, a) < terrain_x(model, b); };
+  const auto [low, high] = std::minmax_element(rope.places.begin(), rope.places.end(), by_x);
+  take_gap(study::terrain_gap(model, terrain_x(model, *low), terrain_x(model, *high)), line);
+  const study::RopeClearance found = clearance_of(model, rope);
+  if (std::isnan(found.height)) return;
+  line.clearance.least(found.height, fmt::format("{}, at x = {:.4g} m", words, found.place.x()));
+}
+
+void take_clearance(const CheckState& state, LineStates& line) {
+  for (const FreeRope& rope : state.ropes) {
+    if (rope.reeving == line.reeving) take_clearance(*state.model, rope, state.words, line);
+  }
+  if (state.rest == nullptr) return;
+  take_gap(study::terrain_gap(*state.model, state.rest->branches, line.reeving), line);
   for (const solve::BranchResult& branch : state.rest->branches) {
     if (branch.reeving != line.reeving) continue;
     const study::RopeClearance found = study::rope_clearance(*state.model, branch);
@@ -103,8 +118,8 @@ void check_clearance(const LineStates& line, Result& r) {
   RuleLimit limit = rule_limit("layout.ground_clearance", true);
   if (request.least_clearance) limit = {.value = *request.least_clearance, .words = "the deck's own", .trust = "user"};
   if (std::isnan(line.clearance.value)) {
-    r.unmade.push_back(fmt::format(
-        "{}: its clearance is not checked: no equilibrium of the deck has it over the terrain", request.name));
+    r.unmade.push_back(
+        fmt::format("{}: its clearance is not checked: no state of the deck has it over the terrain", request.name));
     r.warnings.push_back(r.unmade.back());
     return;
   }

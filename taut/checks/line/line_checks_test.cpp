@@ -88,6 +88,36 @@ checks: {lines: {skyline: )") +
   expect_mistake(run_text(line_over_tree("  lines: {skyline: {clearance: true}}\n")), "'terrain'");
 }
 
+/// In motion the rope may come nearer to the ground than at rest: it is let out by 50 mm, and comes to rest again.
+TEST(LineChecks, ClearanceInMotion) {
+  const auto clearance = [](double length, const std::string& analyses) {
+    const Result r = run_text(fmt::format(R"(taut: 1
+machine:
+  ropes: {{skyline: {{mass: 1 kg/m, stiffness: 30 MN, breaking_force: 300 kN, damping_ratio: 0.3}}}}
+  points: {{left: [0 m, 0 m, 20 m], right: [100 m, 0 m, 20 m]}}
+  signals: {{out: {{ramp: {{to: 50 mm, start: 0.1 s, duration: 2 s, smooth: true}}}}}}
+  reevings: [{{rope: skyline, path: [{{anchor: left}}, {{anchor: right}}], length: {} m}}]
+  tensioners: [{{reeving: skyline, end: start, change: out}}]
+  terrain: {{x: [-1 m, 50 m, 101 m], z: [0 m, 12 m, 0 m]}}
+checks: {{lines: {{skyline: {{clearance: true}}}}, ropes: {{skyline: {{safety_factor: 3}}}}}}
+analyses: [{}]
+)",
+                                          length, analyses));
+    EXPECT_EQ(r.status, Status::ok) << r.message << to_text(r.errors);
+    return check_of(r, "skyline.clearance").value;
+  };
+  const std::string rest = "{equilibrium: {motion: at_rest}}";
+  const auto motion = [](const char* branches) {
+    return fmt::format("{{transient: {{duration: 3 s, output_step: 3 s, tolerance: 1e-4, branches: {}}}}}", branches);
+  };
+  const double before = clearance(99.9, rest), after = clearance(99.95, rest);
+  EXPECT_GT(before, after + 0.2);
+  EXPECT_NEAR(clearance(99.9, motion("catenary")), after, 0.01);
+  EXPECT_NEAR(clearance(99.9, rest + ", " + motion("catenary")), after, 0.01);
+  const double T = 30e6 * (100 / 99.95 - 1);  // of a straight branch
+  EXPECT_NEAR(clearance(99.9, motion("straight")), 8 - 9.80665 * 99.95 * 100 / (8 * T), 0.01);
+}
+
 TEST(LineChecks, MistakesHaveTheirPlace) {
   expect_mistake(run_text(line_over_tree("  lines: {skyline: {tail_tree: jock}}\n")), "did you mean 'jack'");
   expect_mistake(run_text(line_over_tree("  lines: {skylin: {}}\n")), "did you mean 'skyline'");

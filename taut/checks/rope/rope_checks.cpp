@@ -100,7 +100,7 @@ void add_checks_of(const RopeCheckRequest& request, const AskedRules& asked, con
   Sheet<Num> s("rope", RopeCheckRequest::describe(), &request);
   rope::write_rope(s, use, rules);
   s.move_to(r);
-  add_life(request, use, rules, r);
+  add_life(request, rope::rest_is_known(use) ? use : rope::at_peak(use), rules, r);
 }
 
 void add_rope_checks(const ChecksRequest& request, const CheckedDeck& deck, const machine::Model& model,

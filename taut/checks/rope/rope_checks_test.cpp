@@ -162,6 +162,51 @@ TEST(RopeChecks, drum_and_groove) {
   EXPECT_EQ(find(r, "hoist.termination")->value, 0.75);
 }
 
+/// A head sheave of the given axis; the rope comes from its drum at half the face beside the middle.
+double fleet_angle_at(const std::string& axis) {
+  std::string deck = hoist_deck("  ropes: {hoist: {field: crane_running, class: M3, drum: grooved}}");
+  const std::string head = "head: {at: [1.4 m, 0 m, 20 m]";
+  deck.insert(deck.find(head) + head.size(), ", axis: " + axis);
+  const Result r = run_text(deck);
+  EXPECT_EQ(r.status, Status::ok) << to_text(r.errors);
+  return find(r, "hoist.fleet_angle")->value;
+}
+
+TEST(RopeChecks, the_fleet_angle_is_that_of_the_sheave_where_it_is_larger) {
+  const double flat = fleet_angle_at("[0, 1, 0]");
+  const double length = std::hypot(9.4, 18, 0.242);
+  for (const double turned : {0.05, -0.05, 0.2}) {  // rad, about the vertical
+    const double out = 9.4 * std::sin(std::abs(turned)) + 0.242 * std::cos(turned);
+    const double along = std::sqrt(length * length - out * out - 0.174 * 0.174);
+    EXPECT_NEAR(fleet_angle_at(fmt::format("[{}, {}, 0]", std::sin(turned), std::cos(turned))), std::atan(out / along),
+                1e-9);
+  }
+  EXPECT_NEAR(fleet_angle_at("[0, -1, 0]"), flat, 1e-12);
+}
+
+/// A rope of 30 MN and 10 m that is drawn in from 10 kN to 15 kN.
+double factor_of(const std::string& motion) {
+  const Result r = run_text(R"(taut: 1
+machine:
+  ropes: {line: {mass: 0 kg/m, stiffness: 30 MN, breaking_force: 60 kN, damping_ratio: 0.1}}
+  points: {left: [0 m, 0 m, 0 m], right: [10 m, 0 m, 0 m]}
+  signals: {in: {ramp: {to: -1.6667 mm, start: 0.1 s, duration: 1 s, smooth: true}}}
+  reevings: [{rope: line, path: [{anchor: left}, {anchor: right}], length: 9.996667 m}]
+  tensioners: [{reeving: line, end: start, change: in}]
+checks: {ropes: {line: {safety_factor: 3}}}
+analyses: [{transient: {tolerance: 1e-4, )" +
+                            motion + "}}]\n");
+  EXPECT_EQ(r.status, Status::ok) << r.message << to_text(r.errors);
+  return find(r, "line.safety_factor")->value;
+}
+
+TEST(RopeChecks, a_load_that_lasts_in_a_motion_counts_as_at_rest) {
+  EXPECT_NEAR(factor_of("duration: 5 s"), 6, 0.01) << "3.9 s are too short to tell";
+  EXPECT_NEAR(factor_of("duration: 7 s"), 4, 0.01);
+  EXPECT_NEAR(factor_of("duration: 7 s, output_step: 7 s"), 4, 0.01);
+  EXPECT_NEAR(factor_of("duration: 2 s, output_step: 0.1 s, quasi_static: true"), 4, 0.01);
+}
+
 TEST(RopeChecks, of_a_method) {
   const std::string deck = R"(taut: 1
 method: closed_loop

@@ -11,7 +11,7 @@
 #include "taut/catalogue/rope_search.hpp"
 #include "taut/machine/compile/drums.hpp"
 #include "taut/math/index.hpp"
-#include "taut/solve/drives.hpp"
+#include "taut/rope/rope_check.hpp"
 
 namespace taut::checks {
 namespace {
@@ -25,18 +25,28 @@ rope::BendKind kind_of(const machine::Node& node) {
 
 constexpr double whole_turn = 2 * std::numbers::pi;
 
-/// Angle between the rope to the next round and the plane across the drum's axis, the rope at one flange or the other,
-/// rad.
+Vector3 axis_of(const machine::State& state, const machine::Node& node) {
+  return node.at.body == machine::ground ? node.axis : Vector3(state.bodies[node.at.body].orientation * node.axis);
+}
+
+/// Largest angle of the rope between a drum and the next round out of the plane of either of them, the rope at one
+/// flange or the other, rad.
 double fleet_angle_of(const machine::State& state, const machine::Node& drum, const machine::Node& next, double face) {
-  const Vector3 from = machine::in_ground(state, drum.at);
-  const Matrix3 turned = drum.at.body == machine::ground ? Matrix3::Identity() : state.bodies[drum.at.body].orientation;
-  const Vector3 axis = turned * drum.axis;
-  const Vector3 way = machine::in_ground(state, next.at) - from;
-  const double aside = std::abs(way.dot(axis)) + face / 2;
-  const double across = (way - way.dot(axis) * axis).squaredNorm();
-  // the rope leaves the drum along a tangent
-  const double free = std::sqrt(std::max(across - drum.radius * drum.radius, 0.0));
-  return std::atan2(aside, free);
+  const Vector3 axis = axis_of(state, drum);
+  const Vector3 middle = machine::in_ground(state, next.at) - machine::in_ground(state, drum.at);
+  double largest = 0;
+  for (const double aside : {-face / 2, face / 2}) {
+    const Vector3 way = middle - aside * axis;
+    const auto out_of_plane = [&](const Vector3& normal) {
+      const double out = std::abs(way.dot(normal));
+      // the rope leaves the drum along a tangent
+      const double free = std::sqrt(std::max(way.squaredNorm() - out * out - drum.radius * drum.radius, 0.0));
+      return std::atan2(out, free);
+    };
+    largest = std::max(largest, out_of_plane(axis));
+    if (next.radius > 0) largest = std::max(largest, out_of_plane(axis_of(state, next)));
+  }
+  return largest;
 }
 
 }  // namespace
@@ -71,7 +81,10 @@ catalogue::RopeRow row_in(const CheckedDeck& deck, const std::string& rope) {
 }
 
 RopeUses::RopeUses(const CheckedDeck& deck, const machine::Model& model)
-    : uses_(model.reevings.size()), bends_(model.reevings.size()), axes_(model.reevings.size(), Vector3::Zero()) {
+    : uses_(model.reevings.size()),
+      lasting_(model.reevings.size()),
+      bends_(model.reevings.size()),
+      axes_(model.reevings.size(), Vector3::Zero()) {
   for (std::size_t i = 0; i < uses_.size(); ++i) {
     uses_[i].name = model.reevings[i].name;
     uses_[i].closed = model.reevings[i].closed;
@@ -116,7 +129,11 @@ void RopeUses::take_motion(int reeving, double at_rest, double peak, double when
   rope::RopeUse& use = uses_[reeving];
   if (at_rest > use.tension) {
     use.tension = at_rest;
-    use.where = words + ", before it begins";
+    use.where = words + ", at rest";
+  }
+  if (const LastingTension& lasting = lasting_[reeving]; lasting.largest() > use.tension) {
+    use.tension = lasting.largest();
+    use.where = fmt::format("{}, for {:g} s until t = {:.4g} s", words, LastingTension::lasts, lasting.when());
   }
   if (peak > use.peak) {
     use.peak = peak;
@@ -155,47 +172,59 @@ void RopeUses::take_contacts(const machine::Model& model, const solve::Equilibri
   }
 }
 
-void RopeUses::take_drum(const machine::Model& model, const solve::EquilibriumResult& state, int reeving, bool at_end,
-                         double tension) {
-  const machine::Reeving& rope = model.reevings[reeving];
-  const machine::Node& node = at_end ? rope.nodes.back() : rope.nodes.front();
-  const machine::Node& next = at_end ? rope.nodes[rope.nodes.size() - 2] : rope.nodes[1];
-  const machine::Drum& drum = model.drums[*node.drum];
-  auto& bends = bends_[reeving];
-  const double first = drum.core_radius + rope.diameter / 2;
-  const int order = at_end ? std::numeric_limits<int>::max() : -1;
-  auto& met = bends
-                  .try_emplace("drum " + node.name, Met{.bend = {.name = node.name,
-                                                                 .kind = rope::BendKind::drum,
-                                                                 .diameter = 2 * first,
-                                                                 .tension = 0,
-                                                                 .wrap = whole_turn,
-                                                                 .side = sense_in(as_size(reeving), node)},
-                                                        .order = order})
-                  .first->second;
-  met.bend.tension = std::max(met.bend.tension, tension);
-  auto& drums = uses_[reeving].drums;
-  auto known = std::find_if(drums.begin(), drums.end(), [&](const auto& d) { return d.name == node.name; });
+rope::DrumEnd& RopeUses::take_drum(const machine::Model& model, const machine::State& state,
+                                   const solve::DrumResult& d) {
+  const machine::Reeving& rope = model.reevings[d.reeving];
+  const machine::Node& node = d.at_end ? rope.nodes.back() : rope.nodes.front();
+  const machine::Node& next = d.at_end ? rope.nodes[rope.nodes.size() - 2] : rope.nodes[1];
+  const machine::Drum& drum = model.drums[d.drum];
+  bends_[d.reeving].try_emplace("drum " + node.name, Met{.bend = {.name = node.name,
+                                                                  .kind = rope::BendKind::drum,
+                                                                  .diameter = 2 * drum.core_radius + rope.diameter,
+                                                                  .tension = 0,
+                                                                  .wrap = whole_turn,
+                                                                  .side = sense_in(as_size(d.reeving), node)},
+                                                         .order = d.at_end ? std::numeric_limits<int>::max() : -1});
+  auto& drums = uses_[d.reeving].drums;
+  auto known = std::find_if(drums.begin(), drums.end(), [&](const auto& one) { return one.name == node.name; });
   if (known == drums.end())
     known = drums.insert(
         drums.end(),
         rope::DrumEnd{
             .name = node.name, .tension = 0, .fleet_angle = {}, .layers = {}, .first_radius = {}, .last_radius = {}});
-  known->tension = std::max(known->tension, tension);
   if (drum.width > 0) {
-    const double angle = fleet_angle_of(state.state, node, next, drum.width - rope.diameter);
+    const double angle = fleet_angle_of(state, node, next, drum.width - rope.diameter);
     known->fleet_angle = std::max(known->fleet_angle.value_or(0), angle);
   }
   const rope::DrumLayers measures = machine::measures_of(drum, rope.diameter);
-  if (!(measures.width > 0) || !drum.length_on_drum) return;
-  const double length = std::max(*drum.length_on_drum, 0.0);
-  const int layers = std::max(rope::on_drum(measures, length).layer, known->layers.value_or(1));
+  if (!(measures.width > 0) || !d.length) return *known;
+  const int layers = std::max(rope::on_drum(measures, std::max(*d.length, 0.0)).layer, known->layers.value_or(1));
   known->layers = layers;
   known->first_radius = rope::layer_radius(measures, 1);
   known->last_radius = rope::layer_radius(measures, layers);
+  return *known;
+}
+
+void RopeUses::take_moment(const machine::Model& model, const solve::TransientFrame& frame, long steps) {
+  Array<double> largest(uses_.size(), 0.0);
+  for (const auto& s : frame.branches) largest[s.reeving] = std::max({largest[s.reeving], s.T_from, s.T_to});
+  for (std::size_t i = 0; i < largest.size(); ++i) lasting_[i].take(frame.t, largest[i], steps);
+  std::map<std::pair<int, std::string>, int> met;
+  for (const auto& c : frame.contacts) {
+    const machine::Node& node = model.reevings[c.reeving].nodes[c.node];
+    if (!(node.radius > 0)) continue;
+    rope::Bend& bend = bend_at(as_size(c.reeving), node, met[{c.reeving, node.name}]++);
+    if (c.state != solve::ContactState::lifted) bend.wrap = std::max(bend.wrap, c.wrap);
+  }
+  machine::State state;
+  for (const auto& body : frame.bodies) {
+    state.bodies.push_back({.position = body.position, .orientation = body.orientation});
+  }
+  for (const solve::DrumResult& d : solve::drums(model, frame)) take_drum(model, state, d);
 }
 
 void RopeUses::take_ends(const machine::Model& model, const solve::EquilibriumResult& state) {
+  const auto drums = solve::drums(model, state);
   for (std::size_t i = 0; i < uses_.size(); ++i) {
     const machine::Reeving& rope = model.reevings[i];
     if (rope.closed) continue;
@@ -207,7 +236,13 @@ void RopeUses::take_ends(const machine::Model& model, const solve::EquilibriumRe
       const machine::Node& node = at_end ? rope.nodes.back() : rope.nodes.front();
       const double T = at_end ? std::max(last->T_to, last->T_to_max) : std::max(first->T_from, first->T_from_max);
       if (node.drum) {
-        take_drum(model, state, static_cast<int>(i), at_end, T);
+        const auto own_drum = [&](const auto& d) { return d.reeving == static_cast<int>(i) && d.at_end == at_end; };
+        const auto d = std::find_if(drums.begin(), drums.end(), own_drum);
+        if (d == drums.end()) continue;
+        rope::DrumEnd& end = take_drum(model, state.state, *d);
+        end.tension = std::max(end.tension, T);
+        rope::Bend& bend = bends_[i].at("drum " + node.name).bend;
+        bend.tension = std::max(bend.tension, T);
         continue;
       }
       auto& ends = uses_[i].ends;
@@ -228,14 +263,13 @@ std::vector<rope::RopeUse> RopeUses::all() const {
     met.reserve(bends_[i].size());
     for (const auto& [key, one] : bends_[i]) met.push_back(one);
     std::stable_sort(met.begin(), met.end(), [](const Met& a, const Met& b) { return a.order < b.order; });
+    const double least = shown_ ? lasting_[i].largest() : all[i].tension;
     for (Met& one : met) {
-      if (!shown_) one.bend.tension = all[i].tension;
-      if (!shown_) one.bend.wrap = whole_turn;
+      if (one.bend.wrap >= rope::least_wrap) one.bend.tension = std::max(one.bend.tension, least);
       all[i].bends.push_back(std::move(one.bend));
     }
-    for (rope::RopeEnd& end : all[i].ends) {
-      if (!shown_) end.tension = all[i].tension;
-    }
+    for (rope::RopeEnd& end : all[i].ends) end.tension = std::max(end.tension, least);
+    for (rope::DrumEnd& end : all[i].drums) end.tension = std::max(end.tension, least);
   }
   return all;
 }

@@ -5,7 +5,9 @@
 
 #include "taut/base/array.hpp"
 #include "taut/checks/checked_deck.hpp"
+#include "taut/checks/rope/lasting_tension.hpp"
 #include "taut/rope/rope_use.hpp"
+#include "taut/solve/drives.hpp"
 
 namespace taut::checks {
 
@@ -20,11 +22,16 @@ class RopeUses {
   void take(const machine::Model& model, const solve::EquilibriumResult& state, const std::string& words);
   /// Of a model that has some of the ropes, known by their names: their largest tensions alone.
   void take_tensions(const machine::Model& model, const solve::EquilibriumResult& state, const std::string& words);
-  /// Of a calculated motion: the largest tension of the rope at rest before it (0: not known), and its peak, N, at the
-  /// time `when`, s.
+  /// A moment of a calculated motion: how far ropes go round what bends them, what lies on drums, and tensions that
+  /// last.
+  /// `steps`: of the motion until then.
+  void take_moment(const machine::Model& model, const solve::TransientFrame& frame, long steps);
+  /// Of a calculated motion as a whole: the largest tension of the rope at rest (before it; 0: not known), and its
+  /// peak, N, at the time `when`, s.
   void take_motion(int reeving, double at_rest, double peak, double when, const std::string& words);
 
-  /// As in the model. Where no state was shown, but a motion, each round and end has the largest tension of its rope.
+  /// As in the model. Where no state was shown, but a motion, each round and end has the largest tension of its rope at
+  /// rest. It has no less than a tension that lasts in a motion.
   std::vector<rope::RopeUse> all() const;
 
  private:
@@ -36,11 +43,11 @@ class RopeUses {
   rope::Bend& bend_at(std::size_t reeving, const machine::Node& node, int times);
   void take_contacts(const machine::Model& model, const solve::EquilibriumResult& state);
   void take_ends(const machine::Model& model, const solve::EquilibriumResult& state);
-  void take_drum(const machine::Model& model, const solve::EquilibriumResult& state, int reeving, bool at_end,
-                 double tension);
+  rope::DrumEnd& take_drum(const machine::Model& model, const machine::State& state, const solve::DrumResult& d);
 
   bool shown_ = false;
   Array<rope::RopeUse> uses_;                // without bends
+  Array<LastingTension> lasting_;            // of motions
   Array<std::map<std::string, Met>> bends_;  // [reeving], by name and occurrence
   Array<Vector3> axes_;                      // of the first round of each rope: the senses of the others follow from it
 };

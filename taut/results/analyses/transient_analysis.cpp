@@ -37,9 +37,14 @@ void solve(study::TransientRun& run, MachineRun& machine) {
   study::TransientWatchers watchers;
   watchers.progress = machine.progress;
   watchers.anew = [&] { checked = before; };
-  watchers.so_far = [&](const solve::TransientResult& so_far) { checked.take_moment(run.model, so_far, words, name); };
+  watchers.moment = [&](const solve::TransientResult& so_far, const solve::TransientFrame& moment) {
+    checked.take_moment(run.model, so_far, moment, words, name);
+  };
+  watchers.so_far = [&](const solve::TransientResult& so_far) {
+    checked.take_moment(run.model, so_far, so_far.frames.back(), words, name);
+  };
   watchers.as_whole = [&](const solve::TransientResult& motion) {
-    checked.take(run.model, motion, run.record.slips(), words);
+    checked.take(run.model, motion, run.record.slips(), words, run.request.quasi_static);
   };
   study::solve(run, from, watchers);
 }

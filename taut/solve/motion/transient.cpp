@@ -115,7 +115,7 @@ void prepare(Run& run, const DynamicState& start) {
   run.T_older = run.T_old;
   run.rate_old = run.nu_old = run.before.rate;
   run.T_largest.assign(run.model.reevings.size(), 0.0);
-  run.T_error = run.T_largest;
+  run.T_error = run.T_last = run.T_shown = run.T_largest;
   forget_tension_rates(run);
   run.origin = start;
   for (DynamicState::Rope& rope : run.origin.ropes) {

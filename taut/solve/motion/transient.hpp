@@ -80,6 +80,7 @@ struct DynamicState {
   Array<double> memory;        ///< of the integrator; empty: it begins anew from the above
 };
 
+struct TransientFrame;
 struct TransientResult;
 
 struct TransientOptions {
@@ -110,6 +111,11 @@ struct TransientOptions {
   /// Called after each output step with the result so far: its last frame is that step, the one before it the step
   /// before. The result then keeps only the first and the last frame, so that its size does not grow with the motion.
   std::function<void(const TransientResult&)> take;
+  /// Called between output steps with the result so far and a moment, without its energy: where a rope has a peak
+  /// larger than at the output before and all peaks since, and where `moment_step`, s, have passed without one.
+  /// Verlet's steps of chains of points show no peaks.
+  std::function<void(const TransientResult&, const TransientFrame&)> moment;
+  double moment_step = 0;
   /// With `take`: called before the motion begins, and again where Verlet begins it anew with shorter steps. What was
   /// taken until then does not count.
   std::function<void()> anew;

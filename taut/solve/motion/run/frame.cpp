@@ -344,6 +344,10 @@ void record_frame(Run& run, const Values& v) {
   for (std::size_t i = 0; i < run.model.observed.size(); ++i) {
     result.observed[i].push_back(observe(run, v, run.model.observed[i]));
   }
+  run.shown = v.t;
+  for (std::size_t r = 0; r < run.T_shown.size(); ++r) {
+    run.T_shown[r] = rope_tension(run.m, v, static_cast<int>(r), nullptr);
+  }
   if (!run.options.take) return;
   run.options.take(result);
   if (result.frames.size() <= 2) return;
@@ -371,10 +375,26 @@ void record_extremes(Run& run, const Values& v) {
     int branch = 0;
     const double T = rope_tension(run.m, v, static_cast<int>(r), &branch);
     if (first || T > of.T.max) of.branch = branch;
+    run.T_last[r] = first ? T : of.T.end;
     extend(of.T, T, v.t, first);
     if (first) of.T_static = T;
     run.T_largest[r] = std::max(run.T_largest[r], T);
   }
+}
+
+void show_moment(Run& run, const Values& before, const Values& now) {
+  if (!run.options.moment) return;
+  bool peak = false;
+  for (std::size_t r = 0; r < run.T_last.size() && !peak; ++r) {
+    peak = run.T_last[r] > run.result.ropes[r].T.end && run.T_last[r] > run.T_shown[r];
+  }
+  if (!peak && now.t - run.shown < run.options.moment_step) return;
+  for (std::size_t r = 0; r < run.T_last.size(); ++r) {
+    run.T_shown[r] = std::max(run.T_shown[r], peak ? run.T_last[r] : run.result.ropes[r].T.end);
+  }
+  const Values& v = peak ? before : now;
+  run.shown = v.t;
+  run.options.moment(run.result, frame_of(run.m, v));
 }
 
 }  // namespace taut::solve::dynamics

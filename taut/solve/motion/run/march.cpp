@@ -160,6 +160,7 @@ void accept(Run& run, bool rough = false) {
   run.result.largest_step = std::max(run.result.largest_step, h);
   std::swap(run.before, run.now);
   record_extremes(run, run.before);
+  show_moment(run, run.now, run.before);
 }
 
 /// Goes on by implicit Euler: the longer, the less good came of the last time.

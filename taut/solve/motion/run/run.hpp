@@ -43,6 +43,9 @@ struct Run {
   double h_last = 0, h_older = 0;
   int careful = 0;            ///< steps that still grow a little at a time
   Array<double> T_largest{};  ///< by reeving, N
+  Array<double> T_last{};     ///< by reeving: a step before, N
+  Array<double> T_shown{};    ///< by reeving: the largest that was shown since the last output step, N
+  double shown = 0;           ///< time of what was shown last, s
   Array<double> L_first{};    ///< by line, m
   double lacks = 0;           ///< largest residual of the ledger at an output step, J
   // of Verlet's steps
@@ -80,6 +83,8 @@ void extend(Extreme& e, double value, double t, bool first);
 /// Writes down one output step; extremes at every step.
 void record_frame(Run& run, const Values& v);
 void record_extremes(Run& run, const Values& v);
+/// Shows a moment between output steps: the start of the last step, where a rope had a peak there, or its end.
+void show_moment(Run& run, const Values& before, const Values& now);
 /// Of the observed quantities alone.
 void extend_observed(Run& run, const Values& v);
 TransientFrame frame_of(const Mechanism& m, const Values& v);

@@ -1,0 +1,30 @@
+#pragma once
+#include <deque>
+
+namespace taut::checks {
+
+/// The largest tension that a rope of a motion has without a break for a while: what counts as a tension at rest,
+/// beside that before the motion. It is the largest T for which some interval of `lasts` has no tension below T. In an
+/// interval that is longer than a swing the tension is below its mean at times, so it is never more than the tension
+/// that the same load would give at rest.
+class LastingTension {
+ public:
+  static constexpr double lasts = 5;   ///< s; most swings of ropes and loads on them are shorter
+  static constexpr double gap = 0.25;  ///< s; without a moment for longer, several steps of the motion say nothing
+
+  /// A moment, s, N, after so many steps of the motion. One that is not after the last one begins a new motion.
+  void take(double t, double T, long steps);
+  double largest() const { return largest_; }  ///< N; 0: none has lasted
+  double when() const { return when_; }        ///< where that interval ends, s
+
+ private:
+  struct Moment {
+    double t = 0, T = 0;
+  };
+  long steps_ = 0;
+  std::deque<double> times_;   ///< of all moments in the interval
+  std::deque<Moment> rising_;  ///< those below all later ones
+  double largest_ = 0, when_ = 0;
+};
+
+}  // namespace taut::checks

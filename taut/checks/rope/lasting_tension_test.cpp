@@ -1,0 +1,76 @@
+#include "taut/checks/rope/lasting_tension.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <numbers>
+#include <vector>
+
+#include "test/support/dice.hpp"
+
+namespace taut::checks::lasting_tension_test {
+
+/// Moments `step` apart, with so many steps of the motion from one to the next.
+LastingTension of(double duration, double step, const std::function<double(double)>& T, long steps = 1) {
+  LastingTension lasting;
+  for (int i = 0; i * step <= duration; ++i) lasting.take(i * step, T(i * step), i * steps);
+  return lasting;
+}
+
+TEST(LastingTension, ALoadThatComesAndStaysCountsAndAPeakDoesNot) {
+  const auto comes = [](double t) { return t < 4 ? 1e3 : 3e3; };
+  EXPECT_EQ(of(8.9, 0.1, comes).largest(), 1e3) << "3 kN have not lasted yet";
+  EXPECT_EQ(of(9.1, 0.1, comes).largest(), 3e3);
+  EXPECT_NEAR(of(20, 0.1, comes).when(), 9, 0.11);
+  EXPECT_EQ(of(20, 0.1, [](double t) { return std::abs(t - 10) < 2 ? 9e3 : 1e3; }).largest(), 1e3);
+  EXPECT_EQ(of(4.9, 0.1, [](double) { return 1e3; }).largest(), 0);
+}
+
+TEST(LastingTension, OfASwingItIsNotMoreThanItsMean) {
+  for (const double period : {0.3, 1.0, 4.9}) {
+    const auto swings = [&](double t) { return 5e3 + 2e3 * std::sin(2 * std::numbers::pi * t / period); };
+    EXPECT_LT(of(60, 0.02, swings).largest(), 5e3) << period;
+    EXPECT_GE(of(60, 0.02, swings).largest(), 3e3) << period;
+  }
+}
+
+TEST(LastingTension, WhatIsNotSeenSaysNothing) {
+  const auto constant = [](double) { return 1e3; };
+  EXPECT_EQ(of(60, 0.5, constant, 5000).largest(), 0) << "it may have been less in between";
+  EXPECT_EQ(of(60, 0.2, constant, 2000).largest(), 1e3);
+  EXPECT_EQ(of(60, 2.0, constant).largest(), 1e3) << "steps of 2 s";
+}
+
+TEST(LastingTension, ANewMotionBeginsAnew) {
+  LastingTension lasting;
+  for (const double T : {2e3, 3e3}) {
+    for (int i = 0; i <= 30; ++i) lasting.take(i * 0.1, T, i);
+  }
+  EXPECT_EQ(lasting.largest(), 0) << "two motions of 3 s are not one of 6 s";
+}
+
+/// Against the definition, at irregular moments.
+TEST(LastingTension, IsTheLargestOfTheLeastOfAllIntervals) {
+  taut_test::Dice dice;
+  for (int round = 0; round < 20; ++round) {
+    std::vector<double> t = {0}, T = {dice.in(1, 9)};
+    LastingTension lasting;
+    while (t.back() < 30) {
+      t.push_back(t.back() + dice.in(0.01, 0.2));
+      T.push_back(std::clamp(T.back() + dice.in(-1, 1), 0.0, 9.0));
+    }
+    double largest = 0;
+    for (std::size_t end = 0; end < t.size(); ++end) {
+      lasting.take(t[end], T[end], static_cast<long>(end));
+      std::size_t begin = end;
+      double least = T[end];
+      while (begin > 0 && t[begin] > t[end] - LastingTension::lasts) least = std::min(least, T[--begin]);
+      if (t[begin] <= t[end] - LastingTension::lasts) largest = std::max(largest, least);
+    }
+    EXPECT_EQ(lasting.largest(), largest) << round;
+  }
+}
+
+}  // namespace taut::checks::lasting_tension_test

@@ -1,0 +1,86 @@
+#include "taut/checks/two_blocked.hpp"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <string>
+
+#include "test/support/machines.hpp"
+
+namespace taut::checks::two_blocked_test {
+
+using taut_test::anchor;
+using taut_test::sheave;
+
+/// A hook block of 0.3 m radius under a head sheave of 0.2 m, `below` it.
+machine::Model hook(double below) {
+  machine::Model m;
+  m.bodies.push_back(taut_test::body("block", {0, 0, -below}, 100, "xz"));
+  m.reevings.push_back(taut_test::reeve("hoist",
+                                        {anchor("winch", {-9, 0, -9}), sheave("head", {0, 0, 0}, 0.2, 1),
+                                         sheave("hook", {0, 0, 0}, 0.3, -1, 1, 0), anchor("end", {1, 0, 0})},
+                                        30, 0, 1e6));
+  return m;
+}
+
+solve::TransientFrame frame(double below) {
+  solve::TransientFrame f;
+  f.bodies.push_back(
+      {.position = {0, 0, -below}, .velocity = {}, .acceleration = {}, .orientation = Matrix3::Identity(), .spin = {}});
+  return f;
+}
+
+std::string said(const TwoBlocked& blocks) {
+  Result r;
+  blocks.add_warnings(r);
+  EXPECT_EQ(r.unsafe.size(), r.warnings.size());
+  return r.warnings.empty() ? "" : r.warnings.front();
+}
+
+std::string at_rest(const machine::Model& m) {
+  solve::EquilibriumResult e;
+  e.state = machine::initial_state(m);
+  TwoBlocked blocks;
+  blocks.take(m, e, "there");
+  return said(blocks);
+}
+
+TEST(TwoBlocked, BelowBothRadiiTheyRunIntoEachOther) {
+  EXPECT_EQ(at_rest(hook(0.51)), "");
+  EXPECT_EQ(at_rest(hook(0.4)),
+            "there: 'head' and 'hook' run into each other: centres 0.4 m apart, 0.1 m less than both radii");
+}
+
+TEST(TwoBlocked, TheWorstMomentOfAMotionCounts) {
+  const machine::Model m = hook(5);
+  TwoBlocked blocks;
+  for (const double below : {5.0, 0.45, 0.2, 0.3}) blocks.take(m, frame(below), std::to_string(below));
+  EXPECT_NE(said(blocks).find("0.200000: 'head' and 'hook'"), std::string::npos) << said(blocks);
+  TwoBlocked free;
+  free.take(m, frame(0.6), "t");
+  EXPECT_EQ(said(free), "");
+}
+
+TEST(TwoBlocked, SupportsCarriagesAndWheelsOfOneBodyDoNotCount) {
+  machine::Model support = hook(0.1);
+  support.reevings[0].nodes[1].law.efficiency = 0;  // a saddle
+  EXPECT_EQ(at_rest(support), "");
+  machine::Model carriage = hook(0.1);
+  carriage.carriages.push_back({"block", 0, 0, 2, std::nullopt});
+  EXPECT_EQ(at_rest(carriage), "");
+  machine::Model one = hook(0.1);
+  one.reevings[0].nodes[2].at = {.body = machine::ground, .at = {0, 0, -0.1}};
+  EXPECT_EQ(at_rest(one), "");
+}
+
+TEST(TwoBlocked, ADrumIsInTheWayToo) {
+  machine::Model m = hook(0.1);
+  m.reevings[0].nodes.erase(m.reevings[0].nodes.begin());
+  machine::Node& drum = m.reevings[0].nodes[0];
+  drum.kind = machine::NodeKind::anchor;
+  EXPECT_EQ(at_rest(m), "");
+  drum.drum = 0;
+  EXPECT_NE(at_rest(m), "");
+}
+
+}  // namespace taut::checks::two_blocked_test
