@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "taut/math/index.hpp"
+
 namespace taut::checks {
 namespace {
 
@@ -77,9 +79,9 @@ void CheckedParts::take_moment(const machine::Model& model, const solve::Transie
   ropes.take_moment(model, moment, so_far.steps);
   drives.take_moment(model, moment, words);
   if (!any_shown()) return;
-  if (so_far.frames.size() <= 1) T_in_moments.assign(model.reevings.size(), 0);
+  if (moment.t <= so_far.frames.front().t) T_in_moments.assign(model.reevings.size(), 0);
   for (const solve::TransientFrame::Branch& branch : moment.branches) {
-    double& largest = T_in_moments[branch.reeving];
+    double& largest = T_in_moments[as_size(branch.reeving)];
     largest = std::max({largest, branch.T_from, branch.T_to});
   }
   show(state_of(model, so_far, moment, fmt::format("{}, t = {:.4g} s", words, moment.t), analysis));

@@ -13,8 +13,6 @@ namespace taut::checks::checked_parts_test {
 
 using taut_test::cell;
 using taut_test::check_of;
-using taut_test::expect_mistake;
-using taut_test::has_check;
 using taut_test::run_text;
 using taut_test::skyline_deck;
 using taut_test::table_of;
@@ -170,6 +168,7 @@ machine:
   EXPECT_NEAR(check_of(coarse, "top.anchor_strength").value, force, 0.01 * force);
   EXPECT_NEAR(500e3 / force / check_of(coarse, "line.T_max").value, 1, 0.01);
   EXPECT_TRUE(coarse.unmade.empty());
+  EXPECT_TRUE(falling("2 s", ", tolerance: 1e-4, branches: catenary").unmade.empty());
 
   // steps that are taken many at once show no peaks: then it is not judged
   const std::string verlet = ", method: verlet, step: 0.1 ms";

@@ -1,5 +1,6 @@
 #include "taut/checks/drive_uses.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "taut/calc/verdict.hpp"
@@ -81,7 +82,8 @@ analyses: [)" +
 
 TEST(DriveUses, WhatLiesOnADrumCountsAtEveryMoment) {
   const std::string rest = "equilibrium: {motion: hoist}", motion = "transient: {duration: 10 s, output_step: 10 s}";
-  for (const std::string& analyses : {motion, "{" + rest + "}, {" + motion + "}"}) {
+  const std::string both = fmt::format("{{{}}}, {{{}}}", rest, motion);
+  for (const std::string& analyses : {motion, both}) {
     const Result r = run_text(hoist(analyses, "800 mm"));
     ASSERT_TRUE(verdict_of(r)) << to_text(r.errors);
     EXPECT_EQ(to_text(verdict_of(r)->kind), "passes") << verdict_of(r)->reason;
@@ -91,10 +93,31 @@ TEST(DriveUses, WhatLiesOnADrumCountsAtEveryMoment) {
     EXPECT_TRUE(taut_test::has_check(r, "line.fleet_angle"));
     EXPECT_TRUE(taut_test::has_check(r, "line.drum_ratio"));
   }
-  const Result full = run_text(hoist("{" + rest + "}, {" + motion + "}", "470 mm"));
+  const Result full = run_text(hoist(both, "470 mm"));
   EXPECT_EQ(to_text(verdict_of(full)->kind), "fails") << verdict_of(full)->reason;
   EXPECT_FALSE(taut_test::check_of(full, "winch.capacity").passes);
   EXPECT_NE(taut_test::check_of(full, "winch.capacity").where.find("transient, t = "), std::string::npos);
+}
+
+/// A mainline that hauls its carriage from 248 m to 20 m: it has 40 m on its drum, and 20 turns to a layer of 12 mm.
+TEST(DriveUses, WhatLiesOnADrumCountsAtEveryPlaceOfALine) {
+  const Result r = run_text(R"(taut: 1
+machine:
+  points: {head: [0 m, 0 m, 20 m], tail: [300 m, 0 m, 10 m]}
+  ropes:
+    skyline: {rope: "EN 12385-4|6x36-IWRC|20|1960", stiffness: 20 MN}
+    mainline: {rope: "EN 12385-4|6x36-IWRC|12|1960", stiffness: 7 MN}
+  drums: {winch: {at: [-1 m, 0 m, 19 m], core_diameter: 300 mm, face_width: 240 mm, length_on_drum: 40 m, layers: auto}}
+  carriages: {car: {mass: 1350 kg, rides: skyline, hold: rolling, mainline: mainline, at: [250 m, 0 m, 9 m]}}
+  reevings:
+    - {rope: skyline, path: [{anchor: head}, {through: car}, {anchor: tail}], tension_at_start: 60 kN}
+    - {rope: mainline, path: [{drum: winch}, {anchor: car}], length: 253 m}
+analyses: [{load_path: {carriage: car, from: 160 m, to: 20 m, steps: 4, motion: in}}]
+checks: {ropes: {skyline: {safety_factor: 3}, mainline: {safety_factor: 3, drum: grooved}}}
+)");
+  ASSERT_EQ(r.status, Status::ok) << r.message << to_text(r.errors);
+  // 253 m less 21 m, and 40 m: ten layers have 264 m, eleven 298 m
+  EXPECT_EQ(taut_test::check_of(r, "mainline.drum_layers").value, 11);
 }
 
 }  // namespace taut::drive_uses_test

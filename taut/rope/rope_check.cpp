@@ -113,14 +113,16 @@ class RopeChecker {
       const auto same = std::find_if(known.begin(), known.end(), [&](const Check& c) { return c.name == check.name; });
       const bool fails = same != known.end() && !same->passes;
       const bool has_tension = !(rules_.least_termination && check.name.ends_with(".termination"));
-      if (check.passes || fails || !has_tension) {
-        out_.checks.push_back(fails ? *same : std::move(check));
-        continue;
+      if (fails) {
+        out_.checks.push_back(*same);
+      } else if (check.passes || !has_tension) {
+        out_.checks.push_back(std::move(check));
+      } else {
+        out_.left_out.push_back(
+            fmt::format("{} is not checked: the motion reaches {}, more than twice the tension at rest, {}; add an "
+                        "analysis at rest with the full load",
+                        check.name, kilonewton(use_.peak), kilonewton(use_.tension)));
       }
-      out_.left_out.push_back(fmt::format(
-          "{} is not checked: the motion reaches {}, more than twice the tension at rest, {}; add an analysis at rest "
-          "with the full load",
-          check.name, kilonewton(use_.peak), kilonewton(use_.tension)));
     }
     std::move(at_peak.out_.left_out.begin(), at_peak.out_.left_out.end(), std::back_inserter(out_.left_out));
   }

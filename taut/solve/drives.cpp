@@ -183,8 +183,8 @@ template <class Each>
 void for_each_end_on_drum(const machine::Model& model, const Each& each) {
   for (int r = 0; r < static_cast<int>(model.reevings.size()); ++r) {
     const machine::Reeving& rope = model.reevings[r];
-    if (rope.nodes.front().drum) each(r, false, model.drums[*rope.nodes.front().drum]);
-    if (rope.nodes.back().drum) each(r, true, model.drums[*rope.nodes.back().drum]);
+    if (rope.nodes.front().drum) each(r, false, *rope.nodes.front().drum);
+    if (rope.nodes.back().drum) each(r, true, *rope.nodes.back().drum);
   }
 }
 
@@ -200,7 +200,8 @@ double tension_at(const Branches& branches, int reeving, bool at_end) {
 
 Array<DrumResult> drums(const machine::Model& model, const EquilibriumResult& result) {
   Array<DrumResult> all;
-  for_each_end_on_drum(model, [&](int r, bool at_end, const machine::Drum& drum) {
+  for_each_end_on_drum(model, [&](int r, bool at_end, int on) {
+    const machine::Drum& drum = model.drums[on];
     const machine::Reeving& rope = model.reevings[r];
     const bool follows = rope.given == machine::Given::length;
     std::optional<double> length = drum.length_on_drum;
@@ -217,9 +218,9 @@ Array<DrumResult> drums(const machine::Model& model, const EquilibriumResult& re
 
 Array<DrumResult> drums(const machine::Model& model, const TransientFrame& frame) {
   Array<DrumResult> all;
-  for_each_end_on_drum(model, [&](int r, bool at_end, const machine::Drum& drum) {
-    const TransientFrame::Drum& now = frame.drums[as_size(static_cast<int>(&drum - model.drums.data()))];
-    const std::optional<double> length = drum.length_on_drum ? std::optional(now.content) : std::nullopt;
+  for_each_end_on_drum(model, [&](int r, bool at_end, int on) {
+    const TransientFrame::Drum& now = frame.drums[on];
+    const std::optional<double> length = model.drums[on].length_on_drum ? std::optional(now.content) : std::nullopt;
     DrumResult d = at_drum(model, r, at_end, tension_at(frame.branches, r, at_end), length);
     d.speed = now.speed;
     all.push_back(d);
