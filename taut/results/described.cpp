@@ -108,7 +108,7 @@ Kinds kinds_of_states() {
   add("BEAM.", words_of(worst), "the worst of all judged states", "theory/beam.md");
   add("BEAM.", words_of(base), "the first equilibrium", "theory/beam.md");
   add("ROPE.", words_of(picked(study::dynamic_quantities(), {"dynamic_factor"})), "analysis `transient`",
-      "theory/dynamics.md");
+      "theory/motion.md");
   return all;
 }
 
@@ -200,7 +200,7 @@ Kinds kinds_of_motions() {
                  .symbol = "",
                  .unit = si::one,
                  .words = "way that the rope slips, as a share of the way of its rim"}},
-               "analysis `transient`", "theory/dynamics.md");
+               "analysis `transient`", "theory/motion.md");
   all.push_back(
       {.about = {.name = "energy_residual",
                  .symbol = "",
@@ -209,7 +209,7 @@ Kinds kinds_of_motions() {
                      "energy that the ledger can't account for, over the largest that was stored, supplied or lost",
                  .detail = true},
        .of = "analysis `transient`",
-       .page = "theory/dynamics-energy.md"});
+       .page = "theory/motion-energy.md"});
   return all;
 }
 

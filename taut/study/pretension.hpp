@@ -86,7 +86,7 @@ bool pulled_slowly(const machine::Model& model, const Array<Pull>& pulls);
 
 /// Ropes pulled in turn, as they are put up. A machine with contacts or cylinders moves quasi-statically with all its
 /// friction (TransientOptions::quasi_static); else each pull ends in an equilibrium at rest. Drives and signals stand
-/// still, and no events happen. docs/theory/dynamics.md.
+/// still, and no events happen. docs/theory/motion.md.
 PretensionResult pretension(const machine::Model& model, const Array<Pull>& pulls,
                             const PretensionOptions& options = {});
 

@@ -1284,7 +1284,7 @@ def vibrations(f):
     f.arc((570, 220), 44, 2.2, 0.9, "l", "be")
 
 
-def dynamics(f):
+def motion(f):
     c1, r1, c2, r2 = (140, 170), 66, (480, 210), 44
     f.sheave(c1, r1)
     f.sheave(c2, r2)
@@ -1312,7 +1312,7 @@ def dynamics(f):
     f.text((60, 28), "to the drum", "start")
 
 
-def dynamics_steps(f):
+def motion_steps(f):
     # a load that is lifted off the ground by a stiff rope and falls back into it: the real law T = EA max(0, e)
     o, W, Hh = (70, 70), 530, 200
     f.axes(o, W + 20, Hh + 40, "time $t$", "tension $T$")
@@ -1355,7 +1355,7 @@ def dynamics_steps(f):
     f.text((o[0] + 150, o[1] - 22), "steps, shorter at a change of law", "middle")
 
 
-def dynamics_energy(f):
+def motion_energy(f):
     # a rope that leaves its round out of its plane, seen along the chord of the round
     d = radians(24)
     x = 110
@@ -1405,9 +1405,9 @@ FIGURES = {  # name: function, height
     "cycle": (cycle, 300),
     "drives": (drives, 275),
     "drum": (drum, 325),
-    "dynamics": (dynamics, 300),
-    "dynamics-energy": (dynamics_energy, 330),
-    "dynamics-steps": (dynamics_steps, 345),
+    "motion": (motion, 300),
+    "motion-energy": (motion_energy, 330),
+    "motion-steps": (motion_steps, 345),
     "equilibrium": (equilibrium, 320),
     "equilibrium-search": (equilibrium_search, 320),
     "faces": (faces, 300),

@@ -234,7 +234,7 @@ struct TransientResult {
   double spent = 0;
   double open = 0, t_open = 0;  ///< largest residual of the ledger at an output step, of the turnover; when, s
   /// Of Verlet: the error of the tensions within each of their swings, as a share of the rope's largest.
-  /// docs/theory/dynamics-steps.md.
+  /// docs/theory/motion-steps.md.
   double tension_error = 0;
   Array<double> damping_time;  ///< by reeving: beta, s
   Array<double> frequency;     ///< by reeving: omega_1 from which it follows, 1/s; 0: beta was given or none
@@ -242,7 +242,7 @@ struct TransientResult {
   Array<bool> mass_lumped;     ///< by reeving: half of each branch's mass at each end; false: none
 };
 
-/// The machine in motion. docs/theory/dynamics.md.
+/// The machine in motion. docs/theory/motion.md.
 TransientResult transient(const machine::Model& described, const TransientOptions& given);
 
 }  // namespace taut::solve

@@ -9,7 +9,7 @@
 #include "taut/math/static_lu.hpp"
 #include "taut/solve/motion/transient.hpp"
 
-/// Inside of the transient analysis: the machine as arrays. docs/theory/dynamics.md.
+/// Inside of the transient analysis: the machine as arrays. docs/theory/motion.md.
 namespace taut::solve::dynamics {
 
 /// A body of the model, or an inner node of a rope in segments (model < 0: a point mass free in x, y, z). Columns

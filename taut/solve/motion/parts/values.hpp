@@ -247,7 +247,7 @@ inline Pressure pressure(const Mechanism& m, int contact, const Values& now) {
 bool put_loose_back(const Mechanism& m, const Scheme& s, const Values& before, Values& now);
 
 /// Takes the slack lines of a run of rope together with its taut ones, before an iteration: where all of the run will
-/// be taut, or none of it, they pull as springs that may push. docs/theory/dynamics-steps.md.
+/// be taut, or none of it, they pull as springs that may push. docs/theory/motion-steps.md.
 void decide_runs(const Mechanism& m, const Scheme& s, const Values& before, Values& now);
 
 /// Keeps the rope that an iteration lets run round a closed rope (`step`, by column, to be taken off) within bounds.
