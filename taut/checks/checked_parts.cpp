@@ -110,7 +110,7 @@ void CheckedParts::take(const machine::Model& model, const solve::TransientResul
   if (!judged) return;
   judge.take(model, motion, words);
   if (motion.frames.empty()) return;
-  drives.take(model, motion.frames.front(), slips, words);
+  drives.take(model, motion, slips, words);
   for (std::size_t i = 0; i < motion.ropes.size(); ++i) {
     const solve::RopeExtreme& e = motion.ropes[i];
     ropes.take_motion(static_cast<int>(i), slowly ? e.T.max : e.T_static, e.T.max, e.T.t_max, words);

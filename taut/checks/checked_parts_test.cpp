@@ -179,4 +179,25 @@ machine:
   EXPECT_TRUE(falling("1 ms", verlet, ", segments: 4").unmade.empty());
 }
 
+/// A rope at rest and in a motion has one check against its breaking force.
+TEST(CheckedParts, a_check_of_several_analyses_is_one_at_its_worst) {
+  const std::string deck = R"(taut: 1
+machine:
+  points: {top: [0 m, 0 m, 10 m]}
+  ropes: {line: {mass: 1 kg/m, stiffness: 5 MN, breaking_force: 100 kN}}
+  bodies: {load: {mass: 1 t, at: [0 m, 0 m, 5 m], free: [x, z]}}
+  reevings: [{rope: line, path: [{anchor: top}, {anchor: load}], length: 5 m}]
+  signals: {jerk: {ramp: {to: -20 mm, start: 0 s, duration: 50 ms}}}
+  tensioners: [{reeving: line, end: start, change: jerk}]
+analyses: [{equilibrium: {motion: at_rest}}, {transient: {duration: 1 s, tolerance: 1e-3}}]
+)";
+  const Result r = run_text(deck);
+  ASSERT_EQ(r.status, Status::ok) << r.message << to_text(r.errors);
+  const auto same = [](const Check& c) { return c.name == "line.T_max"; };
+  EXPECT_EQ(std::count_if(r.checks.begin(), r.checks.end(), same), 1);
+  EXPECT_DOUBLE_EQ(check_of(r, "line.T_max").value, taut_test::value_of(r, "T_max"));
+  EXPECT_GT(check_of(r, "line.T_max").value, 1.2 * 1e3 * 9.81);
+  EXPECT_NE(check_of(r, "line.T_max").where.find("transient"), std::string::npos);
+}
+
 }  // namespace taut::checks::checked_parts_test

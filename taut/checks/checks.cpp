@@ -4,6 +4,10 @@
 
 #include <algorithm>
 #include <limits>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "taut/calc/verdict.hpp"
 #include "taut/checks/checked_parts.hpp"
@@ -28,6 +32,21 @@ std::vector<std::string> parts_of(const machine::Model& model) {
   for (const machine::Drum& one : model.drums) parts.push_back(one.name);
   for (const machine::Motor& one : model.motors) parts.push_back(one.name);
   return parts;
+}
+
+/// Of several checks of one name, as of states at rest and of a motion, the worst.
+std::vector<Check> worst_of_each(std::vector<Check> all) {
+  std::vector<Check> worst;
+  std::map<std::string, std::size_t> known;
+  for (Check& c : all) {
+    const auto [at, is_new] = known.try_emplace(c.name, worst.size());
+    if (is_new) {
+      worst.push_back(std::move(c));
+    } else if (!(c.utilisation <= worst[at->second].utilisation)) {
+      worst[at->second] = std::move(c);
+    }
+  }
+  return worst;
 }
 
 /// Checks that the user answers for.
@@ -63,7 +82,7 @@ void refuse_unverified(Result& r) {
 void finish_checks(const ChecksRequest& request, Result& r) {
   confirm(request.confirmed, r);
   if (request.refuse_unverified) refuse_unverified(r);
-  r.checks = grouped(std::move(r.checks));
+  r.checks = grouped(worst_of_each(std::move(r.checks)));
 }
 
 AskedChecks resolve(const CheckedDeck& deck, const machine::Model& model, std::vector<Complaint>& complaints) {

@@ -14,6 +14,8 @@ namespace {
 /// Of the way of a rim: below, a rope creeps on it as in every start, above it slips.
 constexpr double least_slip = 0.01;
 
+constexpr double standing = 1e-6;  ///< m/s; a drum that is slower stands
+
 /// Whether a motor's torque is no more than a limit: with the length and all loads given there is nothing it could set.
 /// A signal is no limit: it changes.
 bool is_limit(const machine::Model& m, const machine::Reeving& r) {
@@ -100,8 +102,9 @@ void DriveUses::take_moment(const machine::Model& m, const solve::TransientFrame
   if (!made.empty()) keep(std::move(made), fmt::format("{}, t = {:.4g} s", words, frame.t));
 }
 
-void DriveUses::take(const machine::Model& m, const solve::TransientFrame& first,
+void DriveUses::take(const machine::Model& m, const solve::TransientResult& motion,
                      const std::vector<study::TransientRecord::Slip>& slips, const std::string& words) {
+  const solve::TransientFrame& first = motion.frames.front();
   for (std::size_t c = 0; c < slips.size(); ++c) {
     const machine::Node& node = m.reevings[first.contacts[c].reeving].nodes[first.contacts[c].node];
     const double share = slips[c].rim > 0 ? slips[c].slipped / slips[c].rim : 0;
@@ -110,6 +113,15 @@ void DriveUses::take(const machine::Model& m, const solve::TransientFrame& first
                          .words = fmt::format("{}: the rope slips on '{}', {:.2g} % of the way of its rim", words,
                                               node.name, 100 * share)};
   }
+  for (std::size_t d = 0; d < motion.state.drum_drive.size(); ++d) {
+    const machine::Drive& drive = motion.state.drum_drive[d];
+    const double speed = std::abs(motion.frames.back().drums[d].speed);
+    if (!drive.brake || speed < standing) continue;
+    unbraked_.push_back(
+        fmt::format("{}: '{}' still turns when the motion ends, its rope at {:.3g} m/s, though its brake was set at "
+                    "t = {:.4g} s: it does not hold, or the motion is too short",
+                    words, m.drums[d].name, speed, drive.brake_since));
+  }
 }
 
 void DriveUses::add_checks(Result& r) const {
@@ -117,6 +129,7 @@ void DriveUses::add_checks(Result& r) const {
   for (const auto& [name, slip] : slips_) {
     if (slip.share > 0) warn_unsafe(r, slip.words);
   }
+  for (const std::string& words : unbraked_) warn_unsafe(r, words);
 }
 
 }  // namespace taut::checks

@@ -18,11 +18,12 @@ class DriveUses {
   void take(const machine::Model& model, const solve::EquilibriumResult& state, const std::string& words);
   /// A moment of a motion: what lies on its drums.
   void take_moment(const machine::Model& model, const solve::TransientFrame& frame, const std::string& words);
-  /// Of a motion: how far the rope slips on each contact. `first`: its first frame.
-  void take(const machine::Model& model, const solve::TransientFrame& first,
+  /// A motion as a whole, with at least one frame: how far the rope slips on each contact, whether brakes have stopped
+  /// their drums.
+  void take(const machine::Model& model, const solve::TransientResult& motion,
             const std::vector<study::TransientRecord::Slip>& slips, const std::string& words);
 
-  /// Each check at its worst; a rope that slips in a motion is an unsafe warning.
+  /// Each check at its worst; a rope that slips in a motion and a brake that does not hold are unsafe warnings.
   void add_checks(Result& r) const;
 
  private:
@@ -34,6 +35,7 @@ class DriveUses {
     std::string words;
   };
   std::map<std::string, Slip> slips_;  // the largest of each sheave
+  std::vector<std::string> unbraked_;  // drums that turn on when a motion ends
 };
 
 }  // namespace taut::checks

@@ -120,4 +120,30 @@ checks: {ropes: {skyline: {safety_factor: 3}, mainline: {safety_factor: 3, drum:
   EXPECT_EQ(taut_test::check_of(r, "mainline.drum_layers").value, 11);
 }
 
+/// A drum that lets out 0.1 m/s until its brake is set at 0.5 s: 9.8 kN at 0.2 m are 1.96 kN m.
+TEST(DriveUses, ABrakeThatDoesNotHoldIsUnsafe) {
+  const auto braked = [](const std::string& torque, const std::string& duration) {
+    return run_text(R"(taut: 1
+machine:
+  signals: {out: {ramp: {to: -0.1 m/s, start: 0 s, duration: 0.1 s}}}
+  ropes: {line: {mass: 0 kg/m, stiffness: 10 MN, breaking_force: 100 kN, damping_ratio: 0.1}}
+  bodies: {load: {mass: 1 t, at: [0 m, 0 m, 0 m], free: [x, z]}}
+  drums: {winch: {at: [0 m, 0 m, 10 m], core_diameter: 400 mm, inertia: 5 kg m^2, drive: {speed: out}, brake_torque: )" +
+                    torque + R"(}}
+  events: [{at: 0.5 s, brake: winch}]
+  reevings: [{rope: line, path: [{drum: winch}, {anchor: load}], length: 9.5 m}]
+checks: {ropes: {line: {safety_factor: 4}}}
+analyses: [{transient: {tolerance: 1e-4, duration: )" +
+                    duration + "}}]\n");
+  };
+  const Result holds = braked("2.4 kN m", "2 s");
+  EXPECT_TRUE(holds.unsafe.empty()) << holds.unsafe.front();
+  EXPECT_EQ(to_text(verdict_of(holds)->kind), "passes") << verdict_of(holds)->reason;
+  for (const Result& turns : {braked("1.8 kN m", "2 s"), braked("2.4 kN m", "0.503 s")}) {
+    ASSERT_EQ(turns.unsafe.size(), 1U) << turns.message << to_text(turns.errors);
+    EXPECT_NE(turns.unsafe[0].find("'winch' still turns when the motion ends"), std::string::npos) << turns.unsafe[0];
+    EXPECT_EQ(to_text(verdict_of(turns)->kind), "passes_with_warnings");
+  }
+}
+
 }  // namespace taut::drive_uses_test
