@@ -1,6 +1,6 @@
 """Made from the descriptions by python/tools/make_stub.py; do not edit. `./dev python stub` makes it again.
 
-schema: 20687de9888705669bb88d9cbe43cb87570628692981de5fd9625944c2304ea7
+schema: b2d2a039a3214ffdb9c688a15d5b54f7f32b3f753906fe3318e14dd5dd3c8bc2
 """
 
 from collections.abc import Mapping, Sequence

@@ -130,6 +130,21 @@ machine:
   EXPECT_TRUE(has(reported, "line runs 30.1 deg out of the plane of 'corner'")) << reported;
 }
 
+TEST(Absurd, ASupportInTheGround) {
+  const std::string deck = R"(taut: 1
+machine:
+  points: {head: [0 m, 0 m, 20 m], tail: [100 m, 0 m, -2 m]}
+  ropes: {skyline: {mass: 1.8 kg/m, stiffness: 26.6 MN}}
+  supports: {jack: {at: [60 m, 0 m, 9 m], diameter: 300 mm, friction: 0.1}}
+  reevings: [{rope: skyline, path: [{anchor: head}, {over: jack}, {anchor: tail}], tension_at_start: 60 kN}]
+  terrain: {x: [0 m, 60 m, 100 m], z: [0 m, 0 m, 0 m]}
+analyses: [{equilibrium: {motion: at_rest}}]
+)";
+  EXPECT_EQ(warned(deck).find("below the ground"), std::string::npos) << "an anchor may be buried";
+  const std::string low = warned(std::regex_replace(deck, std::regex("0 m, 0 m, 0 m\\]}"), "0 m, 11 m, 0 m]}"));
+  EXPECT_TRUE(has(low, "'jack' is 2 m below the ground")) << low;
+}
+
 TEST(Absurd, ASagOfMoreThanHalfTheSpan) {
   Line line;
   line.tail = "[250 m, 0 m, 18 m]";

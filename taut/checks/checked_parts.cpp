@@ -113,7 +113,7 @@ void CheckedParts::take(const machine::Model& model, const solve::TransientResul
   drives.take(model, motion, slips, words);
   for (std::size_t i = 0; i < motion.ropes.size(); ++i) {
     const solve::RopeExtreme& e = motion.ropes[i];
-    ropes.take_motion(static_cast<int>(i), slowly ? e.T.max : e.T_static, e.T.max, e.T.t_max, words);
+    ropes.take_motion(static_cast<int>(i), e, slowly, words);
     if (!any_shown() || e.T.max <= (1 + unseen_share) * T_in_moments[i]) continue;
     unseen.push_back(
         fmt::format("{}: the peak of {}, {:.4g} kN at t = {:.4g} s, lies between output steps, which have at most "

@@ -110,7 +110,7 @@ void DriveUses::take(const machine::Model& m, const solve::TransientResult& moti
     const double share = slips[c].rim > 0 ? slips[c].slipped / slips[c].rim : 0;
     if (!node.motor || share < least_slip || share <= slips_[node.name].share) continue;
     slips_[node.name] = {.share = share,
-                         .words = fmt::format("{}: the rope slips on '{}', {:.2g} % of the way of its rim", words,
+                         .words = fmt::format("{}: the rope slips on '{}', {:.3g} % of the way of its rim", words,
                                               node.name, 100 * share)};
   }
   for (std::size_t d = 0; d < motion.state.drum_drive.size(); ++d) {

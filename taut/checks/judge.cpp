@@ -132,6 +132,22 @@ void Judge::take_heights(const machine::Model& m, const solve::EquilibriumResult
     const std::string& rope = m.reevings[branch.reeving].name;
     take_height(rope, between(m, branch), own.height, terrain_x(m, own.place), words, rope_heights_);
   }
+  warn_of_buried(m, words);
+}
+
+/// Supports, sheaves and drums that stand in the ground; an anchor may be buried.
+void Judge::warn_of_buried(const machine::Model& m, const std::string& words) {
+  constexpr double rough = 0.1;  // m; a terrain is not surveyed better
+  for (const machine::Reeving& rope : m.reevings) {
+    for (const machine::Node& node : rope.nodes) {
+      const bool anchor = node.kind == machine::NodeKind::anchor && !node.drum;
+      if (anchor || node.at.body != machine::ground) continue;
+      const double height = node.at.at.z() - study::ground_height(m.terrain, terrain_x(m, node.at.at));
+      if (!(height < -rough)) continue;
+      warn(node.name + " buried", fmt::format("{}: '{}' is {:.3g} m below the ground", words, node.name, -height),
+           true);
+    }
+  }
 }
 
 void Judge::take_beams(const solve::EquilibriumResult& e, const std::string& words) {
@@ -292,6 +308,7 @@ void Judge::take_moment(const machine::Model& m, const solve::TransientResult& s
     const double x = terrain_x(m, p);
     take_height(car.name, "carriage " + car.name, p.z() - study::ground_height(m.terrain, x), x, when, carriages_);
   }
+  warn_of_buried(m, words);
   for (const FreeRope& one : free_ropes(m, so_far, moment)) {
     const study::RopeClearance own = clearance_of(m, one);
     const machine::Reeving& rope = m.reevings[one.reeving];

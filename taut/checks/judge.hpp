@@ -101,6 +101,7 @@ class Judge {
   void take_height(const std::string& part, const std::string& words, double height, double x, const std::string& where,
                    std::map<std::string, Height>& all);
   void take_heights(const machine::Model& model, const solve::EquilibriumResult& state, const std::string& words);
+  void warn_of_buried(const machine::Model& model, const std::string& words);
   void take_beams(const solve::EquilibriumResult& state, const std::string& words);
   void warn(const std::string& once, const std::string& text, bool unsafe);
   void take_contacts(const machine::Model& model, const solve::EquilibriumResult& state, const std::string& words);

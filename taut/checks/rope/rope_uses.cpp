@@ -125,20 +125,23 @@ void RopeUses::take_tensions(const machine::Model& model, const solve::Equilibri
   }
 }
 
-void RopeUses::take_motion(int reeving, double at_rest, double peak, double when, const std::string& words) {
+void RopeUses::take_motion(int reeving, const solve::RopeExtreme& extreme, bool slowly, const std::string& words) {
   rope::RopeUse& use = uses_[reeving];
-  if (at_rest > use.tension) {
-    use.tension = at_rest;
-    use.where = words + ", at rest";
-  }
-  if (const LastingTension& lasting = lasting_[reeving]; lasting.largest() > use.tension) {
-    use.tension = lasting.largest();
-    use.where = fmt::format("{}, for {:g} s until t = {:.4g} s", words, LastingTension::lasts, lasting.when());
-  }
-  if (peak > use.peak) {
-    use.peak = peak;
-    use.peak_where = fmt::format("{}, t = {:.4g} s", words, when);
-  }
+  const solve::Extreme& T = extreme.T;
+  const std::string peak_words = fmt::format("{}, t = {:.4g} s", words, T.t_max);
+  const auto at_rest = [&](double tension, const std::string& where) {
+    if (tension <= use.tension) return;
+    use.tension = tension;
+    use.where = where;
+  };
+  if (slowly) at_rest(T.max, peak_words);
+  at_rest(extreme.T_static, words + ", before it begins");
+  const LastingTension& lasting = lasting_[reeving];
+  at_rest(lasting.largest(),
+          fmt::format("{}, for {:g} s until t = {:.4g} s", words, LastingTension::lasts, lasting.when()));
+  if (T.max <= use.peak) return;
+  use.peak = T.max;
+  use.peak_where = peak_words;
 }
 
 int RopeUses::sense_in(std::size_t reeving, const machine::Node& node) {

@@ -22,13 +22,11 @@ class RopeUses {
   void take(const machine::Model& model, const solve::EquilibriumResult& state, const std::string& words);
   /// Of a model that has some of the ropes, known by their names: their largest tensions alone.
   void take_tensions(const machine::Model& model, const solve::EquilibriumResult& state, const std::string& words);
-  /// A moment of a calculated motion: how far ropes go round what bends them, what lies on drums, and tensions that
-  /// last.
-  /// `steps`: of the motion until then.
+  /// A moment of a calculated motion after so many steps: how far ropes go round what bends them, what lies on drums,
+  /// and tensions that last.
   void take_moment(const machine::Model& model, const solve::TransientFrame& frame, long steps);
-  /// Of a calculated motion as a whole: the largest tension of the rope at rest (before it; 0: not known), and its
-  /// peak, N, at the time `when`, s.
-  void take_motion(int reeving, double at_rest, double peak, double when, const std::string& words);
+  /// Of a calculated motion as a whole: its tension at rest and its peak. `slowly`: all its steps are at rest.
+  void take_motion(int reeving, const solve::RopeExtreme& extreme, bool slowly, const std::string& words);
 
   /// As in the model. Where no state was shown, but a motion, each round and end has the largest tension of its rope at
   /// rest. It has no less than a tension that lasts in a motion.

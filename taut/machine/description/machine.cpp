@@ -40,8 +40,8 @@ const Description& Machine::describe() {
           .record(&Machine::events, "events", "events of a transient, at a time or on a condition")
           .field(&Machine::observe, "observe",
                  "quantities that a transient records: car.z, skyline.T_max, ext[2].T, ext[2,7].x (joint 7 of a branch "
-                 "in segments); default: see the "
-                 "guide on dynamics")
+                 "in segments); default: tensions of ropes, places of free bodies, speeds of drums and motors, forces "
+                 "of contacts and cylinders")
           .named_records(&Machine::measures, "measures",
                          "quantities of a motion under names of their own, recorded in addition to those of 'observe'");
   return d;

@@ -10,7 +10,8 @@
 namespace taut::study {
 namespace {
 
-constexpr double near = 1e-9;  ///< of a span's length
+constexpr double near = 1e-9;        ///< of a span's length
+constexpr double buried_anchor = 3;  ///< m; what is fixed deeper below the ground is a mistake
 
 bool moves(const machine::Model& model, const solve::BranchResult& branch, int node) {
   const machine::Place& place = model.reevings[branch.reeving].nodes[node].at;
@@ -46,8 +47,8 @@ class ClearanceSearch {
 
   /// Of the free rope.
   RopeClearance least() {
-    if (moves(model_, branch_, branch_.from)) take(under_.from, branch_.start);
-    if (moves(model_, branch_, branch_.to)) take(x_at(length_), branch_.end);
+    take_end(branch_.from, under_.from, branch_.start);
+    take_end(branch_.to, x_at(length_), branch_.end);
     // at a fixed end, but for rounding
     between({.first = near * length_, .last = (1 - near) * length_});
     return found_;
@@ -78,6 +79,13 @@ class ClearanceSearch {
     const double height = place.z() - ground_height(ground_, std::abs(inside - x) <= rounding ? inside : x);
     if (std::isnan(height) || height >= found_.height) return;
     found_ = {.height = height, .place = place};
+  }
+
+  /// An end of the branch: one that moves, or is fixed deeper than an anchor is buried.
+  void take_end(int node, double x, const Vector3& place) {
+    const RopeClearance above = found_;
+    take(x, place);
+    if (!moves(model_, branch_, node) && found_.height >= -buried_anchor) found_ = above;
   }
 
   /// The rope at the distance h: by its sag under the chord.
@@ -162,7 +170,9 @@ RopeClearance rope_clearance(const machine::Model& model, const Array<Vector3>& 
     least = lower(least, {.height = place.z() - ground_height(model.terrain, terrain_x(model, place)), .place = place});
   };
   for (std::size_t i = 0; i < rope.size(); ++i) {
-    if ((i > 0 || begins) && (i + 1 < rope.size() || ends)) take(rope[i]);
+    const bool fixed = (i == 0 && !begins) || (i + 1 == rope.size() && !ends);
+    const double height = rope[i].z() - ground_height(model.terrain, terrain_x(model, rope[i]));
+    if (!fixed || height < -buried_anchor) take(rope[i]);
     if (i == 0) continue;
     const double a = terrain_x(model, rope[i - 1]), b = terrain_x(model, rope[i]);
     for (const machine::GroundPoint& top : model.terrain) {

@@ -15,9 +15,9 @@ struct RopeClearance {
 };
 
 /// Clearance of one branch over the terrain: catenary against polyline, exact. Candidates are the places where the rope
-/// is parallel to the ground below, the places over hilltops, and ends that move with a body. Fixed ends are not
-/// candidates, because a rope may begin at the ground there. NaN where the rope only rises from such an end, is slack,
-/// or has no terrain below it.
+/// is parallel to the ground below, the places over hilltops, and ends that move with a body. Fixed ends are candidates
+/// only where they are more than 3 m below the ground, because a rope may begin at a buried anchor. NaN where the rope
+/// only rises from a fixed end, is slack, or has no terrain below it.
 RopeClearance rope_clearance(const machine::Model& model, const solve::BranchResult& branch);
 
 /// The least clearance of all branches.

@@ -73,6 +73,24 @@ TEST(RopeClearance, IsWhereTheRopeIsParallelToTheGroundOrOverAHilltop) {
 }
 
 /// A rope may well begin at the ground where it is fixed; an end that moves with a body may not come down to it.
+/// Ground that rises so steeply that it passes the rope at its end alone: an anchor 2 m in the ground is buried, one at
+/// 4 m is a mistake.
+TEST(RopeClearance, AFixedEndCountsWhereItIsDeeperThanAnAnchorIsBuried) {
+  const auto least = [](double depth) {
+    const Line line = line_over({{.x = -10, .z = 0}, {.x = 95, .z = 0}, {.x = 100, .z = support + depth}});
+    const double exact = taut::study::rope_clearance(line.machine, line.rope).height;
+    std::vector<Vector3> places;
+    for (int i = 0; i <= 100; ++i) places.emplace_back(i, 0, rope_height(i));
+    const double polyline = taut::study::rope_clearance(line.machine, places, false, false).height;
+    EXPECT_TRUE(exact > 0 || std::abs(polyline - exact) < 1e-6) << depth;
+    return exact;
+  };
+  EXPECT_GT(least(-1), 0);
+  EXPECT_GT(least(2), 0);
+  EXPECT_NEAR(least(4), -4, 1e-6);
+  EXPECT_NEAR(least(1000), -1000, 1e-6);
+}
+
 TEST(RopeClearance, CountsEndsThatMove) {
   Line line = line_over({{.x = 0, .z = support}, {.x = 10, .z = 0}, {.x = 100, .z = 0}});
   EXPECT_NEAR(taut::study::rope_clearance(line.machine, line.rope).height, rope_height(50), 1e-6);
