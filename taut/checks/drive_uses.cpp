@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <utility>
 
+#include "taut/checks/guy/guy_checks.hpp"
 #include "taut/solve/drives.hpp"
 
 namespace taut::checks {
@@ -85,6 +87,14 @@ void DriveUses::keep(std::vector<Check> made, const std::string& words) {
   }
 }
 
+/// The turns on a drum take the tension from the rope's fastening by their friction.
+void DriveUses::keep_turns(const machine::Model& m, const solve::DrumResult& d, const std::string& words) {
+  if (!d.length) return;
+  const double left = d.wraps.value_or(std::max(*d.length, 0.0) / (2 * std::numbers::pi * d.radius));
+  const auto [at, is_new] = turns_.try_emplace(m.drums[d.drum].name, Turns{.left = left, .words = words});
+  if (!is_new && left < at->second.left) at->second = {.left = left, .words = words};
+}
+
 void DriveUses::take(const machine::Model& m, const solve::EquilibriumResult& state, const std::string& words) {
   std::vector<Check> made;
   for (const auto& d : solve::drives(m, state)) check_drive(m, d, made);
@@ -92,14 +102,21 @@ void DriveUses::take(const machine::Model& m, const solve::EquilibriumResult& st
     check_torque(m, d, made);
     check_capacity(m, d, made);
     check_rest_of_rope(m, d, made);
+    keep_turns(m, d, words);
   }
   keep(std::move(made), words);
 }
 
 void DriveUses::take_moment(const machine::Model& m, const solve::TransientFrame& frame, const std::string& words) {
+  const auto drums = solve::drums(m, frame);
+  if (drums.empty()) return;
+  const std::string when = fmt::format("{}, t = {:.4g} s", words, frame.t);
   std::vector<Check> made;
-  for (const auto& d : solve::drums(m, frame)) check_capacity(m, d, made);
-  if (!made.empty()) keep(std::move(made), fmt::format("{}, t = {:.4g} s", words, frame.t));
+  for (const auto& d : drums) {
+    check_capacity(m, d, made);
+    keep_turns(m, d, when);
+  }
+  keep(std::move(made), when);
 }
 
 void DriveUses::take(const machine::Model& m, const solve::TransientResult& motion,
@@ -130,6 +147,13 @@ void DriveUses::add_checks(Result& r) const {
     if (slip.share > 0) warn_unsafe(r, slip.words);
   }
   for (const std::string& words : unbraked_) warn_unsafe(r, words);
+  const RuleLimit least = rule_limit("layout.turns_left", false);
+  for (const auto& [drum, turns] : turns_) {
+    if (turns.left >= least.value) continue;
+    warn_unsafe(r, fmt::format("{}: {:.2g} turns are left on '{}'; at least {:g} have to take the tension from the "
+                               "rope's end. Put more rope on it",
+                               turns.words, turns.left, drum, least.value));
+  }
 }
 
 }  // namespace taut::checks

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "taut/calc/result.hpp"
+#include "taut/solve/drives.hpp"
 #include "taut/solve/equilibrium.hpp"
 #include "taut/study/transient_record.hpp"
 
@@ -23,11 +24,13 @@ class DriveUses {
   void take(const machine::Model& model, const solve::TransientResult& motion,
             const std::vector<study::TransientRecord::Slip>& slips, const std::string& words);
 
-  /// Each check at its worst; a rope that slips in a motion and a brake that does not hold are unsafe warnings.
+  /// Each check at its worst; a rope that slips in a motion, a brake that does not hold, and too few turns on a drum
+  /// are unsafe warnings.
   void add_checks(Result& r) const;
 
  private:
   void keep(std::vector<Check> made, const std::string& words);
+  void keep_turns(const machine::Model& model, const solve::DrumResult& drum, const std::string& words);
 
   std::map<std::string, Check> worst_;
   struct Slip {
@@ -36,6 +39,11 @@ class DriveUses {
   };
   std::map<std::string, Slip> slips_;  // the largest of each sheave
   std::vector<std::string> unbraked_;  // drums that turn on when a motion ends
+  struct Turns {
+    double left = 0;
+    std::string words;
+  };
+  std::map<std::string, Turns> turns_;  // of each drum, the least
 };
 
 }  // namespace taut::checks

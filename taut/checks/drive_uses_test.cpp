@@ -120,6 +120,20 @@ checks: {ropes: {skyline: {safety_factor: 3}, mainline: {safety_factor: 3, drum:
   EXPECT_EQ(taut_test::check_of(r, "mainline.drum_layers").value, 11);
 }
 
+/// A drum of 0.2 m and 12 m of rope that lets out 10 m: 2.03 m are 1.55 turns of 1.31 m.
+TEST(DriveUses, FewerThanTwoTurnsLeftOnADrumAreUnsafe) {
+  const auto lowered = [](const std::string& more) {
+    return run_text(
+        hoist("transient: {duration: 10 s, output_step: 10 s}", "800 mm"),
+        {"machine.signals.up.ramp.to=-" + more, "machine.bodies.block.at[2]=15 m", "machine.reevings[0].length=72 m"});
+  };
+  EXPECT_TRUE(lowered("0.9 m/s").unsafe.empty());
+  const Result r = lowered("1.05 m/s");
+  ASSERT_EQ(r.unsafe.size(), 1U) << r.message << to_text(r.errors);
+  EXPECT_NE(r.unsafe[0].find("1.6 turns are left on 'winch'; at least 2"), std::string::npos) << r.unsafe[0];
+  EXPECT_NE(r.unsafe[0].find("t = 10 s"), std::string::npos) << r.unsafe[0];
+}
+
 /// A drum that lets out 0.1 m/s until its brake is set at 0.5 s: 9.8 kN at 0.2 m are 1.96 kN m.
 TEST(DriveUses, ABrakeThatDoesNotHoldIsUnsafe) {
   const auto braked = [](const std::string& torque, const std::string& duration) {
