@@ -1,6 +1,6 @@
 """Made from the descriptions by python/tools/make_stub.py; do not edit. `./dev python stub` makes it again.
 
-schema: b2d2a039a3214ffdb9c688a15d5b54f7f32b3f753906fe3318e14dd5dd3c8bc2
+schema: 954a37716dfdeb55262d8e63396b86f9eb61399efc0a519c2339a9b3f3b5d07d
 """
 
 from collections.abc import Mapping, Sequence
@@ -210,7 +210,7 @@ class Parts:
             Default: 0 kg m^2.
         drag: N m s. viscous drag of its turning: moment by angular velocity; used in motion only, with an 'inertia' (at
             least 0 N m s and at most 1e12 N m s). Default: 0 N m s.
-        brake_torque: N m. moment above which the drum turns in its brake; used in motion only; default: it holds anything
+        brake_torque: N m. moment above which the drum turns in its brake: in motion, and as a check at rest; default: it holds anything
             (above 0 kN m and at most 1e9 kN m).
         brake_delay: s. time from setting the brake until it begins to act (at least 0 s and at most 3600 s). Default: 0 s.
         brake_rise: s. time in which its moment then grows to the full one (at least 0 s and at most 3600 s). Default: 0 s.

@@ -1,6 +1,6 @@
 """Made from the descriptions by python/tools/make_stub.py; do not edit. `./dev python stub` makes it again.
 
-schema: b2d2a039a3214ffdb9c688a15d5b54f7f32b3f753906fe3318e14dd5dd3c8bc2
+schema: 954a37716dfdeb55262d8e63396b86f9eb61399efc0a519c2339a9b3f3b5d07d
 """
 
 from collections.abc import Mapping, Sequence

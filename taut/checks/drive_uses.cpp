@@ -56,6 +56,18 @@ void check_torque(const machine::Model& m, const solve::DrumResult& d, std::vect
                             {.sense = Sense::at_most, .limit = most, .rule = "the drum's torque", .trust = "user"}));
 }
 
+/// A drum that stands by its brake has to hold the pull of its rope.
+void check_brake(const machine::Model& m, const solve::DrumResult& d, const Array<int>& flow,
+                 std::vector<Check>& made) {
+  const machine::Drum& drum = m.drums[d.drum];
+  const bool by_motor = drum.drive.kind == machine::DriveKind::torque || drum.drive.kind == machine::DriveKind::pull;
+  const bool stands = std::all_of(flow.begin(), flow.end(), [](int f) { return f == 0; });
+  if (!drum.brake || by_motor || !stands) return;
+  made.push_back(make_check(
+      drum.name + ".brake_torque", d.torque, si::N_m,
+      {.sense = Sense::at_most, .limit = drum.brake->torque, .rule = "what its brake holds", .trust = "user"}));
+}
+
 void check_capacity(const machine::Model& m, const solve::DrumResult& d, std::vector<Check>& made) {
   if (!d.length || !d.capacity) return;
   made.push_back(make_check(m.drums[d.drum].name + ".capacity", *d.length, si::m,
@@ -100,6 +112,7 @@ void DriveUses::take(const machine::Model& m, const solve::EquilibriumResult& st
   for (const auto& d : solve::drives(m, state)) check_drive(m, d, made);
   for (const auto& d : solve::drums(m, state)) {
     check_torque(m, d, made);
+    check_brake(m, d, state.flow[d.reeving], made);
     check_capacity(m, d, made);
     check_rest_of_rope(m, d, made);
     keep_turns(m, d, words);

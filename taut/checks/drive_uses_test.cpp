@@ -120,6 +120,30 @@ checks: {ropes: {skyline: {safety_factor: 3}, mainline: {safety_factor: 3, drum:
   EXPECT_EQ(taut_test::check_of(r, "mainline.drum_layers").value, 11);
 }
 
+/// 1 t at 0.2 m: 1.96 kN m.
+TEST(DriveUses, ABrakeHasToHoldTheLoadAtRest) {
+  const auto at_rest = [](const std::string& drive, const std::string& motion) {
+    return run_text(R"(taut: 1
+machine:
+  ropes: {line: {mass: 0 kg/m, stiffness: 10 MN, breaking_force: 100 kN}}
+  bodies: {load: {mass: 1 t, at: [0.2 m, 0 m, 0 m], free: [x, z]}}
+  drums: {winch: {at: [0 m, 0 m, 10 m], core_diameter: 400 mm, )" +
+                    drive + R"(}}
+  reevings: [{rope: line, path: [{drum: winch, side: left}, {anchor: load}], length: 9.5 m}]
+checks: {ropes: {line: {safety_factor: 4}}}
+analyses: [{equilibrium: {motion: )" +
+                    motion + "}}]\n");
+  };
+  const Result holds = at_rest("inertia: 5 kg m^2, brake_torque: 2 kN m", "at_rest");
+  EXPECT_NEAR(taut_test::check_of(holds, "winch.brake_torque").value, 1e3 * 9.80665 * 0.2, 1e-6);
+  EXPECT_EQ(to_text(verdict_of(holds)->kind), "passes") << verdict_of(holds)->reason;
+  const Result slips = at_rest("inertia: 5 kg m^2, brake_torque: 1.9 kN m", "at_rest");
+  EXPECT_EQ(to_text(verdict_of(slips)->kind), "fails") << verdict_of(slips)->reason;
+  EXPECT_FALSE(
+      taut_test::has_check(at_rest("inertia: 5 kg m^2, brake_torque: 1.9 kN m", "hoist"), "winch.brake_torque"));
+  EXPECT_FALSE(taut_test::has_check(at_rest("drive: {torque: 1.9 kN m}", "at_rest"), "winch.brake_torque"));
+}
+
 /// A drum of 0.2 m and 12 m of rope that lets out 10 m: 2.03 m are 1.55 turns of 1.31 m.
 TEST(DriveUses, FewerThanTwoTurnsLeftOnADrumAreUnsafe) {
   const auto lowered = [](const std::string& more) {

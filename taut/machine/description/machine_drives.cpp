@@ -82,7 +82,8 @@ const Description& Drum::describe() {
           .at_least(0)
           .at_most(strongest)
           .field(&Drum::brake_torque, "brake_torque", "M_b", si::N_m,
-                 "moment above which the drum turns in its brake; used in motion only; default: it holds anything")
+                 "moment above which the drum turns in its brake: in motion, and as a check at rest; default: it holds "
+                 "anything")
           .above(0)
           .at_most(strongest)
           .field(&Drum::brake_delay, "brake_delay", "dt", si::s, "time from setting the brake until it begins to act")
