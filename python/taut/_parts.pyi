@@ -210,8 +210,8 @@ class Parts:
             Default: 0 kg m^2.
         drag: N m s. viscous drag of its turning: moment by angular velocity; used in motion only, with an 'inertia' (at
             least 0 N m s and at most 1e12 N m s). Default: 0 N m s.
-        brake_torque: N m. moment above which the drum turns in its brake: in motion, and as a check at rest; default: it holds anything
-            (above 0 kN m and at most 1e9 kN m).
+        brake_torque: N m. moment above which the drum turns in its brake: in motion, and as a check at rest; default: it
+            holds anything (above 0 kN m and at most 1e9 kN m).
         brake_delay: s. time from setting the brake until it begins to act (at least 0 s and at most 3600 s). Default: 0 s.
         brake_rise: s. time in which its moment then grows to the full one (at least 0 s and at most 3600 s). Default: 0 s.
 
