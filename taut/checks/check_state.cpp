@@ -6,7 +6,6 @@
 #include <cmath>
 #include <utility>
 
-#include "taut/machine/state.hpp"
 #include "taut/math/index.hpp"
 
 namespace taut::checks {
@@ -44,7 +43,7 @@ void add_parabola(const solve::TransientFrame::Branch& b, double weight, Array<V
   constexpr int pieces = 16;
   const Vector3 way = b.end - b.start;
   const double level = std::hypot(way.x(), way.y());
-  const double H = std::max(b.T_from, b.T_to) * level / way.norm();
+  const double H = (b.T_from + b.T_to) / 2 * level / way.norm();
   const double sag = H > 0 ? weight * level / (8 * H) : 0;
   for (int k = 1; k < pieces; ++k) {
     const double s = static_cast<double>(k) / pieces;
@@ -105,6 +104,15 @@ CheckState state_of(const machine::Model& model, const solve::EquilibriumResult&
   return all;
 }
 
+machine::State places_of(const solve::TransientFrame& moment) {
+  machine::State state;
+  state.bodies.reserve(moment.bodies.size());
+  for (const auto& body : moment.bodies) {
+    state.bodies.push_back({.position = body.position, .orientation = body.orientation});
+  }
+  return state;
+}
+
 std::vector<FreeRope> free_ropes(const machine::Model& model, const solve::TransientResult& motion,
                                  const solve::TransientFrame& moment) {
   std::vector<FreeRope> all;
@@ -144,16 +152,11 @@ CheckState state_of(const machine::Model& model, const solve::TransientResult& m
   for (const auto& b : moment.branches) {
     add_branch(b, model.reevings[b.reeving], is_heavy(motion, b.reeving), all.branches);
   }
-  if (!model.terrain.empty()) all.ropes = free_ropes(model, motion, moment);
+  const machine::State places = places_of(moment);
   for (const auto& c : moment.contacts) {
     const bool lifts = c.state == solve::ContactState::lifted || c.state == solve::ContactState::pulled;
     const machine::Place& place = model.reevings[c.reeving].nodes[c.node].at;
-    Vector3 middle = place.at;
-    if (place.body != machine::ground) {
-      const auto& body = moment.bodies[place.body];
-      middle = body.position + body.orientation * place.at;
-    }
-    all.contacts.push_back({c.reeving, c.node, c.wrap, lifts, middle, c.force});
+    all.contacts.push_back({c.reeving, c.node, c.wrap, lifts, machine::in_ground(places, place), c.force});
   }
   return all;
 }

@@ -4,6 +4,7 @@
 
 #include "taut/base/array.hpp"
 #include "taut/machine/model.hpp"
+#include "taut/machine/state.hpp"
 #include "taut/solve/equilibrium.hpp"
 #include "taut/solve/motion/transient.hpp"
 #include "taut/study/line/rope_clearance.hpp"
@@ -36,6 +37,9 @@ struct FreeRope {
   Array<Vector3> places;              ///< m
 };
 
+/// Where the bodies are at a moment of a motion; nothing more.
+machine::State places_of(const solve::TransientFrame& moment);
+
 /// All of them at a moment of a motion.
 std::vector<FreeRope> free_ropes(const machine::Model& model, const solve::TransientResult& motion,
                                  const solve::TransientFrame& moment);
@@ -50,7 +54,7 @@ struct CheckState {
   std::vector<CheckContact> contacts;
   const solve::EquilibriumResult* rest = nullptr;  ///< what it is of; a motion has none, and no beams
   bool moves = false;
-  std::vector<FreeRope> ropes;  ///< of a motion over terrain
+  std::vector<FreeRope> ropes;  ///< of a motion over terrain, where they are asked for
   std::string words;            ///< "envelope, in, x = 40 m", "transient, drop, t = 1.2 s"
   std::string analysis;         ///< its name in the deck, or its kind
 };

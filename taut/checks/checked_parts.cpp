@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 #include "taut/math/index.hpp"
 
@@ -75,7 +76,9 @@ void CheckedParts::take_moment(const machine::Model& model, const solve::Transie
                                const solve::TransientFrame& moment, const std::string& words,
                                const std::string& analysis) {
   if (!judged) return;
-  judge.take_moment(model, so_far, moment, words);
+  std::vector<FreeRope> free;
+  if (!model.terrain.empty()) free = free_ropes(model, so_far, moment);
+  judge.take_moment(model, so_far, moment, free, words);
   ropes.take_moment(model, moment, so_far.steps);
   drives.take_moment(model, moment, words);
   if (!any_shown()) return;
@@ -84,7 +87,9 @@ void CheckedParts::take_moment(const machine::Model& model, const solve::Transie
     double& largest = T_in_moments[as_size(branch.reeving)];
     largest = std::max({largest, branch.T_from, branch.T_to});
   }
-  show(state_of(model, so_far, moment, fmt::format("{}, t = {:.4g} s", words, moment.t), analysis));
+  CheckState seen = state_of(model, so_far, moment, fmt::format("{}, t = {:.4g} s", words, moment.t), analysis);
+  seen.ropes = std::move(free);
+  show(seen);
 }
 
 void CheckedParts::take_rest(const machine::Model& model, const solve::TransientFrame& rest, bool rope_mass,

@@ -38,11 +38,14 @@ std::vector<std::string> parts_of(const machine::Model& model) {
 std::vector<Check> worst_of_each(std::vector<Check> all) {
   std::vector<Check> worst;
   std::map<std::string, std::size_t> known;
+  const auto is_worse = [](const Check& a, const Check& b) {
+    return a.passes == b.passes ? a.utilisation > b.utilisation : b.passes;
+  };
   for (Check& c : all) {
     const auto [at, is_new] = known.try_emplace(c.name, worst.size());
     if (is_new) {
       worst.push_back(std::move(c));
-    } else if (!(c.utilisation <= worst[at->second].utilisation)) {
+    } else if (is_worse(c, worst[at->second])) {
       worst[at->second] = std::move(c);
     }
   }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 
 #include "taut/calc/verdict.hpp"
 #include "test/support/guyed_decks.hpp"
@@ -37,6 +38,29 @@ TEST(Checks, what_is_unverified_can_be_refused) {
   EXPECT_TRUE(check_of(r, "a.termination").passes);
   EXPECT_TRUE(check_of(r, "a.safety_factor").refused);
   EXPECT_EQ(verdict_of(r)->verdict_class, "unverified");
+}
+
+/// A refused limit has no utilisation; it must not give way to one that passes.
+TEST(Checks, of_one_name_the_one_that_fails_stays) {
+  for (const bool refused_first : {true, false}) {
+    Result r = two_checks();
+    r.checks[1].name = r.checks[0].name;
+    if (!refused_first) std::swap(r.checks[0], r.checks[1]);
+    r.checks.push_back(make_check("a.safety_factor", 4.1, si::one,
+                                  {.sense = Sense::at_least, .limit = 4, .rule = "own", .trust = "user"}));
+    ChecksRequest request;
+    request.refuse_unverified = true;
+    finish_checks(request, r);
+    ASSERT_EQ(r.checks.size(), 1U);
+    EXPECT_TRUE(r.checks[0].refused);
+    EXPECT_FALSE(r.checks[0].passes);
+  }
+  Result r = two_checks();
+  r.checks[1].name = r.checks[0].name;
+  r.checks[1].utilisation = 0.99;
+  finish_checks({}, r);
+  ASSERT_EQ(r.checks.size(), 1U);
+  EXPECT_EQ(r.checks[0].utilisation, 0.99);
 }
 
 TEST(Checks, what_the_user_has_confirmed_rests_on_his_word) {

@@ -7,7 +7,6 @@
 #include <numbers>
 
 #include "taut/calc/none.hpp"
-#include "taut/checks/check_state.hpp"
 #include "taut/checks/described.hpp"
 #include "taut/checks/rope/rope_uses.hpp"
 #include "taut/math/index.hpp"
@@ -265,7 +264,7 @@ void Judge::take(const machine::Model& m, const solve::EquilibriumResult& e, con
   take_slack(m, e, words);
   take_places(m, e, words);
   off_groove_.take(m, e, words);
-  two_blocked_.take(m, e, words);
+  two_blocked_.take(m, e.state, words);
 }
 
 void Judge::take(const machine::Model& m, const solve::TransientResult& motion, const std::string& words) {
@@ -290,7 +289,8 @@ void Judge::take(const machine::Model& m, const solve::TransientResult& motion, 
 }
 
 void Judge::take_moment(const machine::Model& m, const solve::TransientResult& so_far,
-                        const solve::TransientFrame& moment, const std::string& words) {
+                        const solve::TransientFrame& moment, const std::vector<FreeRope>& free,
+                        const std::string& words) {
   if (so_far.frames.size() == 1) {
     events_seen_ = 0;
     broken_ = false;
@@ -301,15 +301,15 @@ void Judge::take_moment(const machine::Model& m, const solve::TransientResult& s
   if (broken_) return;
   const std::string when = fmt::format("{}, t = {:.4g} s", words, moment.t);
   off_groove_.take(m, moment, when);
-  two_blocked_.take(m, moment, when);
+  two_blocked_.take(m, places_of(moment), when);
   if (m.terrain.empty()) return;
   for (const machine::Carriage& car : m.carriages) {
     const Vector3& p = moment.bodies[car.body].position;
     const double x = terrain_x(m, p);
     take_height(car.name, "carriage " + car.name, p.z() - study::ground_height(m.terrain, x), x, when, carriages_);
   }
-  warn_of_buried(m, words);
-  for (const FreeRope& one : free_ropes(m, so_far, moment)) {
+  if (moment.t <= so_far.frames.front().t) warn_of_buried(m, words);
+  for (const FreeRope& one : free) {
     const study::RopeClearance own = clearance_of(m, one);
     const machine::Reeving& rope = m.reevings[one.reeving];
     const std::string part =

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "taut/calc/result.hpp"
+#include "taut/checks/check_state.hpp"
 #include "taut/checks/checked_deck.hpp"
 #include "taut/checks/off_groove.hpp"
 #include "taut/checks/two_blocked.hpp"
@@ -51,10 +52,10 @@ class Judge {
   void take(const machine::Model& model, const solve::EquilibriumResult& state, const std::string& words);
   /// Ropes alone: a line as it is put up, whose bodies and supports are not the machine's.
   void take_ropes(const machine::Model& model, const solve::EquilibriumResult& state, const std::string& words);
-  /// A motion at an output step or a peak: heights of carriages and ropes, ropes out of their grooves, blocks that
-  /// run into each other, up to the first break.
+  /// A moment of a motion, up to the first break: heights of carriages and ropes, ropes out of their grooves, blocks
+  /// that run into each other. `free`: its free ropes, of a machine over terrain.
   void take_moment(const machine::Model& model, const solve::TransientResult& so_far,
-                   const solve::TransientFrame& moment, const std::string& words);
+                   const solve::TransientFrame& moment, const std::vector<FreeRope>& free, const std::string& words);
   /// The place of rest about which a machine vibrates, as a motion of one moment: its tensions.
   void take_rest(const machine::Model& model, const solve::TransientResult& still, const std::string& words);
   /// A motion as a whole: which ropes bear tension, what goes slack.

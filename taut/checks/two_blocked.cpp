@@ -4,8 +4,6 @@
 
 #include <algorithm>
 
-#include "taut/machine/state.hpp"
-
 namespace taut::checks {
 namespace {
 
@@ -23,34 +21,19 @@ bool is_wheel(const machine::Model& m, const machine::Node& node) {
 
 }  // namespace
 
-template <class Places>
-void TwoBlocked::take_all(const machine::Model& m, const Places& place_of, const std::string& words) {
+void TwoBlocked::take(const machine::Model& m, const machine::State& state, const std::string& words) {
   for (const machine::Reeving& rope : m.reevings) {
     const std::size_t count = rope.nodes.size();
     for (std::size_t k = 0; k + (rope.closed ? 0 : 1) < count; ++k) {
       const machine::Node &one = rope.nodes[k], &next = rope.nodes[(k + 1) % count];
       if (one.at.body == next.at.body || !is_wheel(m, one) || !is_wheel(m, next)) continue;
-      const double distance = (place_of(one) - place_of(next)).norm();
+      const double distance = (machine::in_ground(state, one.at) - machine::in_ground(state, next.at)).norm();
       const double gap = distance - one.radius - next.radius;
       if (gap >= 0) continue;
       Worst& worst = worst_[std::minmax(one.name, next.name)];
       if (gap < worst.gap) worst = {.gap = gap, .distance = distance, .where = words};
     }
   }
-}
-
-void TwoBlocked::take(const machine::Model& m, const solve::EquilibriumResult& e, const std::string& words) {
-  take_all(
-      m, [&](const machine::Node& node) { return machine::in_ground(e.state, node.at); }, words);
-}
-
-void TwoBlocked::take(const machine::Model& m, const solve::TransientFrame& frame, const std::string& words) {
-  const auto place_of = [&](const machine::Node& node) -> Vector3 {
-    if (node.at.body == machine::ground) return node.at.at;
-    const auto& body = frame.bodies[node.at.body];
-    return body.position + body.orientation * node.at.at;
-  };
-  take_all(m, place_of, words);
 }
 
 void TwoBlocked::add_warnings(Result& r) const {

@@ -4,8 +4,8 @@
 #include <utility>
 
 #include "taut/calc/result.hpp"
-#include "taut/solve/equilibrium.hpp"
-#include "taut/solve/motion/transient.hpp"
+#include "taut/machine/model.hpp"
+#include "taut/machine/state.hpp"
 
 namespace taut::checks {
 
@@ -14,8 +14,7 @@ namespace taut::checks {
 class TwoBlocked {
  public:
   /// `words`: which state it is, "sweep, loads[0].mass = 40 t".
-  void take(const machine::Model& model, const solve::EquilibriumResult& state, const std::string& words);
-  void take(const machine::Model& model, const solve::TransientFrame& frame, const std::string& words);
+  void take(const machine::Model& model, const machine::State& state, const std::string& words);
 
   /// Each pair at its worst, as an unsafe warning.
   void add_warnings(Result& r) const;
@@ -26,8 +25,6 @@ class TwoBlocked {
     double distance = 0;  ///< of the centres, m
     std::string where;
   };
-  template <class Places>
-  void take_all(const machine::Model& model, const Places& place_of, const std::string& words);
 
   std::map<std::pair<std::string, std::string>, Worst> worst_;  ///< by the names of the rounds
 };

@@ -114,8 +114,9 @@ analyses: [{}]
   EXPECT_GT(before, after + 0.2);
   EXPECT_NEAR(clearance(99.9, motion("catenary")), after, 0.01);
   EXPECT_NEAR(clearance(99.9, rest + ", " + motion("catenary")), after, 0.01);
-  const double T = 30e6 * (100 / 99.95 - 1);  // of a straight branch
-  EXPECT_NEAR(clearance(99.9, motion("straight")), 8 - 9.80665 * 99.95 * 100 / (8 * T), 0.01);
+  // the tension of a straight branch; with it a catenary of 1 kg/m sags by a (cosh(l/(2 a)) - 1)
+  const double T = 30e6 * (100 / 99.95 - 1), a = T / 9.80665;
+  EXPECT_NEAR(clearance(99.9, motion("straight")), 8 - a * (std::cosh(50 / a) - 1), 0.002);
 }
 
 TEST(LineChecks, MistakesHaveTheirPlace) {

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "taut/catalogue/rope_search.hpp"
+#include "taut/checks/check_state.hpp"
 #include "taut/machine/compile/drums.hpp"
 #include "taut/math/index.hpp"
 #include "taut/rope/rope_check.hpp"
@@ -219,10 +220,7 @@ void RopeUses::take_moment(const machine::Model& model, const solve::TransientFr
     rope::Bend& bend = bend_at(as_size(c.reeving), node, met[{c.reeving, node.name}]++);
     if (c.state != solve::ContactState::lifted) bend.wrap = std::max(bend.wrap, c.wrap);
   }
-  machine::State state;
-  for (const auto& body : frame.bodies) {
-    state.bodies.push_back({.position = body.position, .orientation = body.orientation});
-  }
+  const machine::State state = places_of(frame);
   for (const solve::DrumResult& d : solve::drums(model, frame)) take_drum(model, state, d);
 }
 
@@ -268,7 +266,9 @@ std::vector<rope::RopeUse> RopeUses::all() const {
     std::stable_sort(met.begin(), met.end(), [](const Met& a, const Met& b) { return a.order < b.order; });
     const double least = shown_ ? lasting_[i].largest() : all[i].tension;
     for (Met& one : met) {
-      if (one.bend.wrap >= rope::least_wrap) one.bend.tension = std::max(one.bend.tension, least);
+      // a round that the rope comes to in a motion alone has the tension of the whole rope
+      const double own = one.bend.tension > 0 ? least : all[i].tension;
+      if (one.bend.wrap >= rope::least_wrap) one.bend.tension = std::max(one.bend.tension, own);
       all[i].bends.push_back(std::move(one.bend));
     }
     for (rope::RopeEnd& end : all[i].ends) end.tension = std::max(end.tension, least);

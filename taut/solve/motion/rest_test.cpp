@@ -142,7 +142,8 @@ machine::Model begun_near(const Machine& t, const EquilibriumResult& r, Dice& di
 /// Empty where the motion cannot go on, with the reason in `why`.
 std::optional<TransientFrame> rest_of_motion(const Machine& t, const machine::Model& begun, Dice& dice,
                                              std::string& why) {
-  constexpr double at_rest = 1e-17;  // kinetic energy of a machine at rest, at most, of the energy turned over
+  // A machine is at rest when its kinetic energy is below this share of the energy turned over.
+  constexpr double at_rest = 1e-17;
   TransientOptions options = lasting(0.05 * std::sqrt(t.size / 9.81), 1e-5);
   options.branches = Branches::catenary;
   if (!begun.drums.empty()) options.start = Start::settled;

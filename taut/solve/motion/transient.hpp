@@ -113,9 +113,9 @@ struct TransientOptions {
   std::function<void(const TransientResult&)> take;
   /// Called between output steps with the result so far and a moment, without its energy: where a rope has a peak
   /// larger than at the output before and all peaks since, and where `moment_step`, s, have passed without one.
-  /// Verlet's steps of chains of points show no peaks.
+  /// Verlet's steps of chains of points, taken many at once, show no moments.
   std::function<void(const TransientResult&, const TransientFrame&)> moment;
-  double moment_step = 0;
+  double moment_step = 0;  ///< s; 0: each step is a moment
   /// With `take`: called before the motion begins, and again where Verlet begins it anew with shorter steps. What was
   /// taken until then does not count.
   std::function<void()> anew;
