@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <initializer_list>
 #include <utility>
 
 #include "taut/base/suggest.hpp"
@@ -34,6 +33,9 @@ void raise_to(rope::RopeUse& use, const Result& r, const std::string& value) {
 
 void one_end(rope::RopeUse& use) { use.ends = {{.name = "an end", .tension = use.tension}}; }
 
+/// The methods do not know the diameters of the sheaves that their ropes run over.
+constexpr const char* sheaves = "its sheaves";
+
 }  // namespace
 
 std::vector<rope::RopeUse> ropes_of_mast(const mast_section::Input& in, const Result* /*r*/) {
@@ -41,6 +43,7 @@ std::vector<rope::RopeUse> ropes_of_mast(const mast_section::Input& in, const Re
   all[0].tension = in.skyline_force;
   all[1].tension = in.mainline_force;
   for (rope::RopeUse& use : all) {
+    use.unmeasured = {sheaves};
     use.where = "the deck's largest";
     one_end(use);
   }
@@ -73,22 +76,14 @@ void take_rope_row(const Result& r, rope::RopeUse& use) {
   }
 }
 
-/// Where the table has no tension: the values of the worst position at these places, exact where known.
-void take_worst_position(const Result& r, std::initializer_list<const char*> places, rope::RopeUse& use) {
-  if (use.tension > 0) return;
-  const char* const tier = r.find_value("T_lA_exact") != nullptr ? "_exact" : "";
-  for (const char* place : places) raise_to(use, r, fmt::format("{}{}", place, tier));
-}
-
 }  // namespace
 
 std::vector<rope::RopeUse> ropes_of_loop(const closed_loop::Input& in, const Result* r) {
   std::vector<rope::RopeUse> all = {rope_of_loop("return", in.return_rope, in),
                                     rope_of_loop("traction", in.traction_rope, in)};
+  for (rope::RopeUse& use : all) use.unmeasured = {sheaves};
   if (r == nullptr) return all;
   for (rope::RopeUse& use : all) take_rope_row(*r, use);
-  take_worst_position(*r, {"T_uA", "T_U", "T_uB", "T_lB", "T_lLB"}, all[0]);
-  take_worst_position(*r, {"T_lA", "T_lLA"}, all[1]);
   for (rope::RopeUse& use : all) one_end(use);
   return all;
 }
@@ -104,17 +99,35 @@ std::vector<rope::RopeUse> ropes_of_drive(const friction_drive::Input& in, const
   }
   if (in.sheave_radius) {
     use.bends.push_back({"driving sheave", rope::BendKind::sheave, 2 * *in.sheave_radius, use.tension, in.wrap, 1});
+  } else {
+    use.unmeasured = {"driving sheave"};
   }
   return {use};
 }
 
-std::vector<rope::RopeUse> ropes_of_boom(const boom_ropes::Input& /*in*/, const Result* r) {
+namespace {
+
+/// The tensions of the result are those at section 3. Where the boom slides, its rope runs off there over a sheave into
+/// the anchor branch of the extension rope, or out of that of the retraction rope; the tight side is 1/eta larger.
+void take_tight_branch(const boom_ropes::Sliding& q, std::size_t rope, rope::RopeUse& use) {
+  const bool extends = q.operation == boom_ropes::Operation::extend;
+  const double efficiency = rope == 0 ? q.sheave_efficiency_1 : q.sheave_efficiency_2;
+  if (extends != (rope == 0) || !(efficiency < 1)) return;
+  use.tension /= efficiency;
+  use.where += fmt::format(", over the efficiency {:g} of its sheave", efficiency);
+}
+
+}  // namespace
+
+std::vector<rope::RopeUse> ropes_of_boom(const boom_ropes::Input& in, const Result* r) {
   std::vector<rope::RopeUse> all = {named_use("extension"), named_use("retraction")};
+  for (rope::RopeUse& use : all) use.unmeasured = {sheaves};
   if (r == nullptr) return all;
   const char* const columns[] = {"S1", "S2"};
   for (std::size_t i = 0; i < all.size(); ++i) {
     raise_to(all[i], *r, fmt::format("{}_max", columns[i]));
     raise_to(all[i], *r, columns[i]);
+    if (in.sliding) take_tight_branch(*in.sliding, i, all[i]);
     raise_to(all[i], *r, fmt::format("S{}0_set", i + 1));
     if (const Table* t = r->find_table("cases")) {
       for (std::size_t k = 0; k < t->rows.size(); ++k) {
@@ -145,10 +158,12 @@ checks::AskedChecks resolve_checks(const checks::ChecksRequest& request, const s
       continue;
     }
     const catalogue::RopeRow rope = checks::with_request(use->rope, one);
+    checks::complain_of_values(one, use->rope, path, complaints);
     const checks::AskedRules& rules = asked.ropes.emplace_back(checks::asked_rules(one, path, complaints));
     checks::complain_of_limits(one, rules, rope, path, complaints);
     checks::complain_of_life(one, rope, {}, path, complaints);
   }
+  checks::complain_of_confirmed(request, complaints);
   checks::complain_of_method_masts(request.masts, method, complaints);
   const auto refuse = [&](const auto& all, const char* key) {
     if (!all.empty())

@@ -317,15 +317,11 @@ Result run_machine(const MachineDeck& deck, RunDepth depth, const std::function<
   run.judges = many.judges;
   const bool more = !asked.more.empty();
   Result r = compute(deck, std::move(*model), std::move(asked), depth, progress, run);
-  if (r.status == Status::ok && !r.missing.empty()) {
-    r.status = Status::infeasible;
-    r.message =
-        fmt::format("{}, {}: {}", r.missing.front().analysis, r.missing.front().first, r.missing.front().reason);
-  }
-  if (many.found != nullptr && r.status == Status::ok) {
+  const bool whole = study::outcome_of_case(r).ok();
+  if (many.found != nullptr && whole) {
     for (const study::EquilibriumRun& one : run.equilibria) many.found->push_back(one.result.state);
   }
-  if (many.judged != nullptr && r.status == Status::ok) *many.judged = judged_names(run, more, r);
+  if (many.judged != nullptr && whole) *many.judged = judged_names(run, more, r);
   return r;
 }
 

@@ -47,7 +47,7 @@ struct OneOfMany {
 };
 
 /// Runs a deck whose mistakes were told when it was read, with other numbers than it had then. Infeasible where a
-/// number makes no machine, and where a state is missing of which the deck asks: it can't be judged.
+/// number makes no machine.
 Result run_machine(const MachineDeck& deck, RunDepth depth, const std::function<bool(const Progress&)>& progress = {},
                    const OneOfMany& many = {});
 

@@ -20,10 +20,18 @@ std::string_view trimmed(std::string_view text) {
   return text.substr(from, text.find_last_not_of(" \t\r\"") - from + 1);
 }
 
-std::vector<std::string_view> cells_of(std::string_view line) {
+/// What separates the cells of a file, by its first line: a comma is part of a number where there is another one.
+char separator_of(std::string_view line) {
+  for (const char one : {'\t', ';'}) {
+    if (line.find(one) != std::string_view::npos) return one;
+  }
+  return ',';
+}
+
+std::vector<std::string_view> cells_of(std::string_view line, char separator) {
   std::vector<std::string_view> cells;
   while (true) {
-    const auto end = line.find_first_of(",;\t");
+    const auto end = line.find(separator);
     cells.push_back(trimmed(line.substr(0, end)));
     if (end == std::string_view::npos) return cells;
     line.remove_prefix(end + 1);
@@ -67,7 +75,6 @@ struct TerrainColumns {
   std::optional<TerrainColumn> x, y, z;
 
   bool known() const { return x && z; }
-  std::size_t last() const { return std::max({x->cell, z->cell, y ? y->cell : 0}); }
 };
 
 TerrainColumns named_columns(const std::vector<std::string_view>& head) {
@@ -101,7 +108,8 @@ class TerrainReader {
       csv.remove_prefix(std::min(end + 1, csv.size()));
       ++number_;
       if (trimmed(line_).empty() || trimmed(line_).front() == '#') continue;
-      if (!take(cells_of(line_))) return;
+      if (separator_ == 0) separator_ = separator_of(line_);
+      if (!take(cells_of(line_, separator_))) return;
     }
     if (mistakes_.size() == before_ && terrain_.x.size() < 2) {
       mistakes_.push_back(
@@ -118,6 +126,7 @@ class TerrainReader {
   /// False where there is no use in reading on.
   bool take(const std::vector<std::string_view>& cells) {
     if (columns_.known()) return take_row(cells), true;
+    width_ = cells.size();
     columns_ = named_columns(cells);
     if (columns_.known()) return true;
     columns_ = columns_by_count(cells);
@@ -131,7 +140,8 @@ class TerrainReader {
   }
 
   void take_row(const std::vector<std::string_view>& cells) {
-    if (columns_.last() >= cells.size()) return wrong(fmt::format("the line has {} cells", cells.size()));
+    if (cells.size() != width_)
+      return wrong(fmt::format("the line has {} cells, the first one has {}", cells.size(), width_));
     const auto x = number(cells, columns_.x, "x");
     const auto y = number(cells, columns_.y, "y");
     const auto z = number(cells, columns_.z, "z");
@@ -157,6 +167,8 @@ class TerrainReader {
   std::size_t before_;
   std::string_view line_;
   int number_ = 0;
+  char separator_ = 0;     // 0: not known yet
+  std::size_t width_ = 0;  // cells of the first line
   TerrainColumns columns_;
 };
 

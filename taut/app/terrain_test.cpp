@@ -104,4 +104,18 @@ TEST(Terrain, OfASurveyIsThatOfItsProfile) {
   }
 }
 
+// As a spreadsheet of a country with decimal commas writes it: "170,00;33,00" are two numbers.
+TEST(Terrain, ADecimalCommaIsNoSeparator) {
+  const auto mistakes_in = [](const char* text) {
+    machine::description::Terrain terrain;
+    Diagnostics mistakes;
+    read_terrain(text, "p.csv", terrain, mistakes);
+    return to_text(mistakes);
+  };
+  EXPECT_NE(mistakes_in("x;z\n0,00;33,00\n170,00;34,50\n").find("a comma in a number"), std::string::npos);
+  EXPECT_NE(mistakes_in("0;12,5\n10;13,5\n").find("the first line names the columns"), std::string::npos);
+  EXPECT_NE(mistakes_in("x,z\n0,1\n2,5,3\n").find("p.csv:3:1: error: the line has 3 cells, the first one has 2"),
+            std::string::npos);
+}
+
 }  // namespace taut::app::terrain_test

@@ -204,9 +204,16 @@ bool decides(const Check& c) { return is_unverified(c.trust) && !c.refused && se
 
 double severity(const Check& c) {
   constexpr double steps = 1e9;
-  if (std::isnan(c.utilisation)) return HUGE_VAL;
+  if (std::isnan(c.utilisation)) return c.passes ? 0 : HUGE_VAL;
   if (!(std::abs(c.utilisation) < 1e6)) return c.utilisation;
   return (std::round(steps * c.utilisation) + (c.passes ? 0 : 0.5)) / steps;
+}
+
+bool worse_state(const Check& a, const Check& b) {
+  if (a.passes != b.passes) return b.passes;
+  if (!std::isnan(a.utilisation) && !std::isnan(b.utilisation)) return a.utilisation > b.utilisation;
+  const auto beyond = [](const Check& c) { return c.sense == Sense::at_most ? c.value - c.limit : c.limit - c.value; };
+  return beyond(a) > beyond(b);
 }
 
 int exit_code(const Result& r, bool strict) {

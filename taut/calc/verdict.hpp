@@ -40,8 +40,12 @@ bool is_unverified(std::string_view trust);
 bool decides(const Check& c);
 
 /// How bad a check is, for an order: its utilisation to nine decimals, so that limits which are reached together stay
-/// in the deck's order whatever their last digits; of two such the one that fails is worse. A number that is not there
-/// is worse than any.
+/// in the deck's order whatever their last digits; of two such the one that fails is worse. One without an utilisation
+/// is worse than any where it fails, and nothing where it passes.
 double severity(const Check& c);
+
+/// Whether `a` is worse than `b`, a check of the same limit in another state or at another place: what fails is worse
+/// than what passes, then the larger utilisation, without one the larger excess.
+bool worse_state(const Check& a, const Check& b);
 
 }  // namespace taut

@@ -124,6 +124,8 @@ TEST(Severity, TheLastDigitsMakeNoOrderButAFailureDoes) {
   other.utilisation = 1 - 1e-8;
   EXPECT_GT(severity(reached), severity(other));
   other.utilisation = std::nan("");
+  EXPECT_EQ(severity(other), 0) << "no measure, and it passes";
+  other.passes = false;
   EXPECT_GT(severity(other), severity(beyond));
 }
 
@@ -132,6 +134,30 @@ TEST(IsUnverified, ByTheFirstWord) {
   EXPECT_TRUE(is_unverified("UNVERIFIED: second hand"));
   EXPECT_FALSE(is_unverified("verified"));
   EXPECT_FALSE(is_unverified(""));
+}
+
+// An angle of at most -60 deg, a length of at least 0 m: a quotient would have the wrong sign or size.
+TEST(Severity, ALimitThatIsNoMeasureHasNoUtilisation) {
+  const auto check = [](double value, Sense sense, double limit) {
+    return make_check("a", value, si::one, {.sense = sense, .limit = limit, .rule = "", .trust = "user"});
+  };
+  const Check high = check(0.5, Sense::at_most, -1), low = check(-2, Sense::at_most, -1);
+  EXPECT_TRUE(std::isnan(high.utilisation) && std::isnan(low.utilisation));
+  EXPECT_TRUE(!high.passes && low.passes);
+  EXPECT_TRUE(std::isinf(severity(high)));
+  EXPECT_EQ(severity(low), 0);
+  EXPECT_TRUE(std::isnan(check(-0.1, Sense::at_least, 3).utilisation));
+  EXPECT_EQ(check(-1, Sense::at_most, 2).utilisation, -0.5);
+}
+
+TEST(Severity, OfTwoStatesTheWorseIsFoundWithoutUtilisations) {
+  const auto left = [](double length) {
+    return make_check("drum", length, si::m, {.sense = Sense::at_least, .limit = 0, .rule = "", .trust = "user"});
+  };
+  EXPECT_TRUE(worse_state(left(-2), left(-1)));
+  EXPECT_FALSE(worse_state(left(-1), left(-2)));
+  EXPECT_TRUE(worse_state(left(-1), left(5)));
+  EXPECT_TRUE(worse_state(left(1), left(5)));
 }
 
 }  // namespace taut::verdict_test

@@ -37,13 +37,31 @@ bool is_heavy(const solve::TransientResult& motion, int reeving) {
   return rope < motion.mass_lumped.size() && motion.mass_lumped[rope];
 }
 
-/// Points of a parabola below a straight branch: the weight W of the branch over the horizontal way a at the horizontal
-/// tension H has the sag W a/(8 H).
-void add_parabola(const solve::TransientFrame::Branch& b, double weight, Array<Vector3>& places) {
+/// The tension of a branch that sags, where as a straight one of the same length it has T0. With its weight W across it
+/// the sag takes up the share W^2/(24 T^2) of its length: T = T0 + EA W^2/24 (1/T^2 - 1/T1^2), Irvine, Cable
+/// Structures. T1: the tension that is given at the start, from which the length of the straight branch follows; 0:
+/// that is given.
+double tension_with_sag(double T0, double T1, double EA, double W) {
+  const double k = EA * W * W / 24, straight = T1 > 0 ? T0 - k / (T1 * T1) : T0;
+  if (k == 0) return T0;
+  // T^2 (T - straight) = k, by Newton's iteration from above, where the cubic is convex
+  double T = std::max(straight, 0.0) + std::cbrt(k);
+  for (double last = 2 * T; T < last;) {
+    last = T;
+    T -= (T * T * (T - straight) - k) / (3 * T * T - 2 * T * straight);
+  }
+  return T;
+}
+
+double mean_tension(const solve::TransientFrame::Branch& b) { return (b.T_from + b.T_to) / 2; }
+
+/// Points of a parabola below a straight branch of the tension T: the weight W of the branch over the horizontal way a
+/// at the horizontal tension H has the sag W a/(8 H).
+void add_parabola(const solve::TransientFrame::Branch& b, double weight, double T, Array<Vector3>& places) {
   constexpr int pieces = 16;
   const Vector3 way = b.end - b.start;
   const double level = std::hypot(way.x(), way.y());
-  const double H = (b.T_from + b.T_to) / 2 * level / way.norm();
+  const double H = T * level / way.norm();
   const double sag = H > 0 ? weight * level / (8 * H) : 0;
   for (int k = 1; k < pieces; ++k) {
     const double s = static_cast<double>(k) / pieces;
@@ -127,7 +145,12 @@ std::vector<FreeRope> free_ropes(const machine::Model& model, const solve::Trans
       if (piece.reeving != first.reeving || piece.from != first.from || piece.to != first.to) break;
       const bool straight = piece.curve.empty() && rope.segments <= 1 && is_heavy(motion, first.reeving);
       if (bears && straight) {
-        add_parabola(piece, rope.weight * piece.unstretched / (1 + rope.thermal_strain), one.places);
+        const double weight = rope.weight * piece.unstretched / (1 + rope.thermal_strain);
+        const Vector3 way = piece.end - piece.start;
+        const double across = weight * std::hypot(way.x(), way.y()) / way.norm();
+        const bool by_length = rope.given == machine::Given::length;
+        const double first = by_length ? 0 : mean_tension(motion.frames.front().branches[i]);
+        add_parabola(piece, weight, tension_with_sag(mean_tension(piece), first, rope.stiffness, across), one.places);
       }
       one.places.insert(one.places.end(), piece.curve.begin(), piece.curve.end());
       one.places.push_back(piece.end);
@@ -138,8 +161,7 @@ std::vector<FreeRope> free_ropes(const machine::Model& model, const solve::Trans
 }
 
 study::RopeClearance clearance_of(const machine::Model& model, const FreeRope& rope) {
-  const auto moves = [&](int node) { return model.reevings[rope.reeving].nodes[node].at.body != machine::ground; };
-  return study::rope_clearance(model, rope.places, moves(rope.from), moves(rope.to));
+  return study::rope_clearance(model, rope.places, rope.reeving, rope.from, rope.to);
 }
 
 CheckState state_of(const machine::Model& model, const solve::TransientResult& motion,

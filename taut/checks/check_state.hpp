@@ -31,7 +31,7 @@ struct CheckContact {
 };
 
 /// A free rope of a motion that bears tension, as a line of points: its curve where it sags, its joints where it is in
-/// segments. One that the motion has straight, with its weight at its ends, hangs as a parabola of its tension.
+/// segments. One that the motion has straight, with its weight at its ends, hangs as a parabola of the same length.
 struct FreeRope {
   int reeving = 0, from = 0, to = 0;  ///< nodes
   Array<Vector3> places;              ///< m

@@ -89,13 +89,37 @@ TEST(CheckState, free_ropes_hang) {
   EXPECT_EQ(places.front(), branch.start);
   EXPECT_EQ(places.back(), branch.end);
   const Vector3 way = branch.end - branch.start;
-  const double level = std::hypot(way.x(), way.y()), T = (branch.T_from + branch.T_to) / 2;
-  const double sag = m.reevings[0].weight * branch.unstretched * way.norm() / (8 * T);
-  EXPECT_NEAR(((branch.start + branch.end) / 2 - places[8]).z(), sag, 1e-9);
-  EXPECT_NEAR(places[8].x() - branch.start.x(), level / 2, 1e-9);
+  EXPECT_NEAR(places[8].x() - branch.start.x(), std::hypot(way.x(), way.y()) / 2, 1e-9);
   solve::TransientFrame slack = moment;
   slack.branches[0].T_from = slack.branches[0].T_to = 0;
   EXPECT_EQ(free_ropes(m, motion, slack).size(), 1U);
+}
+
+/// A straight branch hangs as deep as a rope of its length, also where it has lost nearly all of its tension: the rope
+/// of the length l0 with the weight W across it has the sag W l/(8 T) where l0 (1 + T/EA) = l (1 + W^2/(24 T^2)).
+TEST(CheckState, a_free_rope_keeps_its_length) {
+  machine::Model m = hanging(6);
+  const auto motion = a_moment(m);
+  ASSERT_FALSE(motion.frames.empty()) << motion.outcome.message;
+  solve::TransientFrame moment = motion.frames.front();
+  auto& branch = moment.branches[0];
+  const double EA = m.reevings[0].stiffness, W = m.reevings[0].weight * branch.unstretched;
+  const double T1 = (branch.T_from + branch.T_to) / 2;
+  const Vector3 way = branch.end - branch.start;
+  const double across = W * std::hypot(way.x(), way.y()) / way.norm();
+  const auto hung = [&](double share) {  // T, by its sag
+    branch.T_from = branch.T_to = share * T1;
+    const auto places = free_ropes(m, motion, moment)[0].places;
+    return W * way.norm() / (8 * ((branch.start + branch.end) / 2 - places[8]).z());
+  };
+  for (const double share : {1.0, 1e-3}) {
+    const double T = hung(share);
+    EXPECT_NEAR(T - EA * across * across / (24 * T * T), share * T1, 1e-6 * T1);
+  }
+  // where the tension was given, the length follows from it: that of the straight branch is shorter than the rope
+  m.reevings[0].given = machine::Given::tension_at_start;
+  EXPECT_NEAR(hung(1), T1, 1e-9 * T1);
+  EXPECT_LT(hung(1e-3), T1);
 }
 
 TEST(CheckState, names_of_analyses) {

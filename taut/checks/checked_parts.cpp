@@ -56,12 +56,14 @@ void CheckedParts::take(const machine::Model& model, const solve::EquilibriumRes
 void CheckedParts::take_empty(const machine::Model& model, const solve::EquilibriumResult& state,
                               const std::string& line, const std::string& words, bool put_up) {
   if (!judged) return;
-  judge.take_ropes(model, state, words);
-  ropes.take_tensions(model, state, words);
+  put_up ? judge.take_ropes(model, state, words) : judge.take_empty(model, state, words);
+  ropes.take_empty(model, state, words);
   const auto rope = std::find_if(model.reevings.begin(), model.reevings.end(),
                                  [&](const machine::Reeving& one) { return one.name == line; });
-  if ((lines.empty() && yarders.empty()) || rope == model.reevings.end()) return;
+  if (rope == model.reevings.end()) return;
   const CheckState seen = state_of(model, state, words, "installation");
+  for (AnchorStates& one : anchors) checks::take(seen, one);
+  for (SupportStates& one : supports) checks::take(seen, one);
   for (YarderLineStates& one : yarders) take_empty_line(seen, line, put_up, one);
   for (LineStates& one : lines) {
     if (one.request->name != line) continue;
@@ -74,12 +76,12 @@ void CheckedParts::take_empty(const machine::Model& model, const solve::Equilibr
 
 void CheckedParts::take_moment(const machine::Model& model, const solve::TransientResult& so_far,
                                const solve::TransientFrame& moment, const std::string& words,
-                               const std::string& analysis) {
+                               const std::string& analysis, bool slowly) {
   if (!judged) return;
   std::vector<FreeRope> free;
   if (!model.terrain.empty()) free = free_ropes(model, so_far, moment);
   judge.take_moment(model, so_far, moment, free, words);
-  ropes.take_moment(model, moment, so_far.steps);
+  ropes.take_moment(model, moment, so_far.steps, slowly || moment.t <= so_far.frames.front().t);
   drives.take_moment(model, moment, words);
   if (!any_shown()) return;
   if (moment.t <= so_far.frames.front().t) T_in_moments.assign(model.reevings.size(), 0);
@@ -106,16 +108,16 @@ void CheckedParts::take_rest(const machine::Model& model, const solve::Transient
     rope.T.min = std::min({rope.T.min, branch.T_from, branch.T_to});
   }
   take_moment(model, still, rest, words, analysis);
-  take(model, still, {}, words);
+  take(model, still, words);
   judge.take_rest(model, still, words);
 }
 
-void CheckedParts::take(const machine::Model& model, const solve::TransientResult& motion,
-                        const std::vector<study::TransientRecord::Slip>& slips, const std::string& words, bool slowly) {
+void CheckedParts::take(const machine::Model& model, const solve::TransientResult& motion, const std::string& words,
+                        bool slowly) {
   if (!judged) return;
   judge.take(model, motion, words);
   if (motion.frames.empty()) return;
-  drives.take(model, motion, slips, words);
+  drives.take(model, motion, words);
   for (std::size_t i = 0; i < motion.ropes.size(); ++i) {
     const solve::RopeExtreme& e = motion.ropes[i];
     ropes.take_motion(static_cast<int>(i), e, slowly, words);

@@ -23,20 +23,21 @@ struct CheckedParts {
   /// `words`: which state it is; `analysis`: the name of its analysis, for load combinations.
   void take(const machine::Model& model, const solve::EquilibriumResult& state, const std::string& words,
             const std::string& analysis);
-  /// A line that is empty, in a model without what hangs on it: for its tension, bends, angles and clearance.
-  /// `put_up`: it is being put up, which its winch has to do.
+  /// A line that is empty, in a model without what hangs on it: its tension and bends, what holds and carries it, its
+  /// angles and clearance. `put_up`: it is being put up, which its winch has to do; it may lie on the ground yet.
   void take_empty(const machine::Model& model, const solve::EquilibriumResult& state, const std::string& line,
                   const std::string& words, bool put_up = false);
-  /// A motion at an output step or where a rope has a peak: forces and places.
+  /// A motion at an output step or where a rope has a peak: forces and places. `slowly`: each is a state at rest.
   void take_moment(const machine::Model& model, const solve::TransientResult& so_far,
-                   const solve::TransientFrame& moment, const std::string& words, const std::string& analysis);
+                   const solve::TransientFrame& moment, const std::string& words, const std::string& analysis,
+                   bool slowly = false);
   /// The place of rest about which a machine vibrates. `rope_mass`: whether the mass of its ropes is counted.
   void take_rest(const machine::Model& model, const solve::TransientFrame& rest, bool rope_mass,
                  const std::string& words, const std::string& analysis);
   /// A motion as a whole: tensions at all its steps, and how far its ropes slipped. `slowly`: it has no inertia, and
   /// all its steps are at rest.
-  void take(const machine::Model& model, const solve::TransientResult& motion,
-            const std::vector<study::TransientRecord::Slip>& slips, const std::string& words, bool slowly = false);
+  void take(const machine::Model& model, const solve::TransientResult& motion, const std::string& words,
+            bool slowly = false);
 
   /// Shows a state to the parts that are named in `checks:` or have a rating.
   void show(const CheckState& seen);

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <string>
 
+#include "taut/calc/verdict.hpp"
 #include "test/paths.hpp"
 #include "test/support/machine_decks.hpp"
 
@@ -198,6 +199,59 @@ analyses: [{equilibrium: {motion: at_rest}}, {transient: {duration: 1 s, toleran
   EXPECT_DOUBLE_EQ(check_of(r, "line.T_max").value, taut_test::value_of(r, "T_max"));
   EXPECT_GT(check_of(r, "line.T_max").value, 1.2 * 1e3 * 9.81);
   EXPECT_NE(check_of(r, "line.T_max").where.find("transient"), std::string::npos);
+}
+
+/// A line that is put up on a day of 15 degC; what holds it has to hold it on a cold one, and on a hot one it may not
+/// lie on the ground.
+TEST(CheckedParts, every_temperature_of_an_installation) {
+  const auto line = [](const std::string& analyses) {
+    return run_text(R"(taut: 1
+machine:
+  temperature: 15 degC
+  ropes: {line: {mass: 1.5 kg/m, stiffness: 20 MN, breaking_force: 250 kN, diameter: 20 mm}}
+  points: {a: [0 m, 0 m, 10 m], b: [100 m, 0 m, 10 m]}
+  terrain: {x: [0 m, 40 m, 60 m, 100 m], z: [0 m, 8.8 m, 8.8 m, 0 m]}
+  reevings: [{rope: line, path: [{anchor: a}, {anchor: b}], install: {tension: 20 kN}}]
+checks:
+  ropes: {line: {safety_factor: 3, termination_efficiency: 0.8}}
+  anchors: {a: {strength: 25 kN}}
+analyses:
+  - equilibrium: {motion: at_rest}
+)" + analyses);
+  };
+  const auto installed = [&](const std::string& temperature) {
+    return line("  - installation: {reeving: line, temperatures: [15 degC, " + temperature +
+                "], given: {tension: 20 kN, temperature: 15 degC}}\n");
+  };
+  const Result mild = line(""), cold = installed("-40 degC"), hot = installed("60 degC");
+  EXPECT_EQ(verdict_of(mild)->kind, VerdictKind::passes) << verdict_of(mild)->reason;
+  const double T = cold.find_value("line.T_max")->value;
+  EXPECT_NEAR(check_of(cold, "a.anchor_strength").value, 25e3 / T, 1e-3);
+  EXPECT_NEAR(check_of(cold, "line.termination").value, 0.8 * 250e3 / T, 1e-3);
+  EXPECT_FALSE(check_of(cold, "a.anchor_strength").passes);
+  EXPECT_FALSE(check_of(hot, "line.ground").passes);
+  EXPECT_FALSE(taut_test::has_check(cold, "line.ground"));
+}
+
+// A slow motion is at rest at all its steps; an equilibrium beside it does not make its tensions count less.
+TEST(CheckedParts, the_ends_of_a_slow_motion) {
+  const auto tightened = [](const std::string& equilibrium) {
+    const Result r = run_text(R"(taut: 1
+machine:
+  signals: {in: {ramp: {to: 0.1 m/s, start: 0 s, duration: 0.5 s, smooth: true}}}
+  ropes: {line: {mass: 0.5 kg/m, stiffness: 10 MN, breaking_force: 330 kN}}
+  points: {head: [0 m, 0 m, 20 m]}
+  sheaves: {s: {at: [100 m, 0 m, 20 m], diameter: 800 mm}}
+  drums: {winch: {at: [100 m, 0 m, 0 m], core_diameter: 800 mm, drive: {speed: in}}}
+  reevings: [{rope: line, path: [{anchor: head}, {over: s}, {drum: winch}], length: 120.1 m}]
+checks: {ropes: {line: {safety_factor: 4, termination_efficiency: 0.8}}}
+analyses:
+)" + equilibrium + "  - transient: {duration: 4 s, output_step: 0.1 s, quasi_static: true}\n");
+    return std::pair(check_of(r, "line.termination").value, check_of(r, "line.safety_factor").value);
+  };
+  const auto [alone, factor] = tightened("");
+  EXPECT_NEAR(alone, 0.8 * factor, 2e-3);
+  EXPECT_NEAR(tightened("  - equilibrium: {}\n").first, alone, 1e-9);
 }
 
 }  // namespace taut::checks::checked_parts_test

@@ -38,14 +38,11 @@ std::vector<std::string> parts_of(const machine::Model& model) {
 std::vector<Check> worst_of_each(std::vector<Check> all) {
   std::vector<Check> worst;
   std::map<std::string, std::size_t> known;
-  const auto is_worse = [](const Check& a, const Check& b) {
-    return a.passes == b.passes ? a.utilisation > b.utilisation : b.passes;
-  };
   for (Check& c : all) {
     const auto [at, is_new] = known.try_emplace(c.name, worst.size());
     if (is_new) {
       worst.push_back(std::move(c));
-    } else if (is_worse(c, worst[at->second])) {
+    } else if (worse_state(c, worst[at->second])) {
       worst[at->second] = std::move(c);
     }
   }
@@ -88,9 +85,21 @@ void finish_checks(const ChecksRequest& request, Result& r) {
   r.checks = grouped(worst_of_each(std::move(r.checks)));
 }
 
+void complain_of_confirmed(const ChecksRequest& request, std::vector<Complaint>& complaints) {
+  constexpr std::ptrdiff_t least = 3;  // letters and digits: "EN" is in the words of most rules
+  for (std::size_t i = 0; i < request.confirmed.size(); ++i) {
+    const std::string& text = request.confirmed[i];
+    const auto is_letter = [](unsigned char c) { return std::isalnum(c) != 0; };
+    if (std::count_if(text.begin(), text.end(), is_letter) >= least) continue;
+    complaints.push_back({fmt::format("checks.confirmed[{}]", i),
+                          fmt::format("'{}' names no source: give one as in 'EN 1993-1-1' or 'ISO 4309'", text)});
+  }
+}
+
 AskedChecks resolve(const CheckedDeck& deck, const machine::Model& model, std::vector<Complaint>& complaints) {
   AskedChecks asked;
   if (!deck.checks) return asked;
+  complain_of_confirmed(*deck.checks, complaints);
   asked.ropes = resolve_ropes(*deck.checks, deck, model, complaints);
   complain_of_masts(deck.checks->masts, deck, model, complaints);
   complain_of_guys(deck.checks->guys, deck, model, complaints);

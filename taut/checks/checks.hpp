@@ -22,6 +22,9 @@ AskedChecks resolve(const CheckedDeck& deck, const machine::Model& model, std::v
 /// verdict's scope is known.
 void add_checks(const CheckedDeck& deck, const machine::Model& model, const CheckedParts& seen, Result& r);
 
+/// Complains of texts under `confirmed` that name no source, and would be found in the words of most rules.
+void complain_of_confirmed(const ChecksRequest& request, std::vector<Complaint>& complaints);
+
 /// The last step of both wings: groups, and the refusal.
 void finish_checks(const ChecksRequest& request, Result& r);
 

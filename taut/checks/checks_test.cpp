@@ -90,4 +90,13 @@ TEST(Checks, refused_and_confirmed_in_a_deck) {
   EXPECT_TRUE(check_of(confirmed, "mast.buckling").passes);
 }
 
+// The empty text is in every rule, "EN" in most of them.
+TEST(Checks, what_confirms_names_a_source) {
+  for (const char* text : {"''", "' '", "EN"}) {
+    const Result r = run_text(guyed("  confirmed: [" + std::string(text) + "]\n"));
+    ASSERT_EQ(r.status, Status::bad_deck) << text;
+    EXPECT_NE(to_text(r.errors).find("names no source"), std::string::npos) << to_text(r.errors);
+  }
+}
+
 }  // namespace taut::checks::checks_test

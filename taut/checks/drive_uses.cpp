@@ -7,14 +7,15 @@
 #include <numbers>
 #include <utility>
 
+#include "taut/calc/verdict.hpp"
 #include "taut/checks/guy/guy_checks.hpp"
 #include "taut/solve/drives.hpp"
 
 namespace taut::checks {
 namespace {
 
-/// Of the way of a rim: below, a rope creeps on it as in every start, above it slips.
-constexpr double least_slip = 0.01;
+/// Of the way of a rim, and of its radius: below, a rope creeps on it as in every start, above it slips.
+constexpr double least_slip = 0.01, least_way = 1e-3;
 
 constexpr double standing = 1e-6;  ///< m/s; a drum that is slower stands
 
@@ -46,9 +47,25 @@ void check_drive(const machine::Model& m, const solve::DriveResult& d, std::vect
                             {.sense = Sense::at_most, .limit = most, .rule = "the motor's torque", .trust = "user"}));
 }
 
+/// All ropes of a drum together.
+struct DrumLoad {
+  double torque = 0;   ///< N m
+  bool stands = true;  ///< none of them runs
+};
+std::map<int, DrumLoad> loads_of(const Array<solve::DrumResult>& ends, const Array<Array<int>>& flow) {
+  std::map<int, DrumLoad> loads;
+  for (const solve::DrumResult& d : ends) {
+    DrumLoad& load = loads[d.drum];
+    load.torque += d.sense * d.torque;
+    const Array<int>& runs = flow[d.reeving];
+    load.stands = load.stands && std::all_of(runs.begin(), runs.end(), [](int f) { return f == 0; });
+  }
+  for (auto& [drum, load] : loads) load.torque = std::abs(load.torque);
+  return loads;
+}
+
 /// Where the torque of a drum is given, the rope's tension follows from it, or it is a limit.
-void check_torque(const machine::Model& m, const solve::DrumResult& d, std::vector<Check>& made) {
-  const machine::Drum& drum = m.drums[d.drum];
+void check_torque(const machine::Drum& drum, const DrumLoad& d, std::vector<Check>& made) {
   if (drum.drive.kind != machine::DriveKind::torque || !drum.drive.signal.name.empty()) return;
   const double most = machine::at(drum.drive.signal, 0).value;
   if (d.torque >= most * (1 - 1e-9) && d.torque <= most * (1 + 1e-9)) return;
@@ -57,12 +74,9 @@ void check_torque(const machine::Model& m, const solve::DrumResult& d, std::vect
 }
 
 /// A drum that stands by its brake has to hold the pull of its rope.
-void check_brake(const machine::Model& m, const solve::DrumResult& d, const Array<int>& flow,
-                 std::vector<Check>& made) {
-  const machine::Drum& drum = m.drums[d.drum];
+void check_brake(const machine::Drum& drum, const DrumLoad& d, std::vector<Check>& made) {
   const bool by_motor = drum.drive.kind == machine::DriveKind::torque || drum.drive.kind == machine::DriveKind::pull;
-  const bool stands = std::all_of(flow.begin(), flow.end(), [](int f) { return f == 0; });
-  if (!drum.brake || by_motor || !stands) return;
+  if (!drum.brake || by_motor || !d.stands) return;
   made.push_back(make_check(
       drum.name + ".brake_torque", d.torque, si::N_m,
       {.sense = Sense::at_most, .limit = drum.brake->torque, .rule = "what its brake holds", .trust = "user"}));
@@ -93,7 +107,7 @@ void DriveUses::keep(std::vector<Check> made, const std::string& words) {
     const auto known = worst_.find(check.name);
     if (known == worst_.end()) {
       worst_.emplace(check.name, std::move(check));
-    } else if (check.utilisation > known->second.utilisation) {
+    } else if (worse_state(check, known->second)) {
       known->second = std::move(check);
     }
   }
@@ -110,9 +124,12 @@ void DriveUses::keep_turns(const machine::Model& m, const solve::DrumResult& d, 
 void DriveUses::take(const machine::Model& m, const solve::EquilibriumResult& state, const std::string& words) {
   std::vector<Check> made;
   for (const auto& d : solve::drives(m, state)) check_drive(m, d, made);
-  for (const auto& d : solve::drums(m, state)) {
-    check_torque(m, d, made);
-    check_brake(m, d, state.flow[d.reeving], made);
+  const Array<solve::DrumResult> ends = solve::drums(m, state);
+  for (const auto& [drum, load] : loads_of(ends, state.flow)) {
+    check_torque(m.drums[drum], load, made);
+    check_brake(m.drums[drum], load, made);
+  }
+  for (const auto& d : ends) {
     check_capacity(m, d, made);
     check_rest_of_rope(m, d, made);
     keep_turns(m, d, words);
@@ -132,22 +149,32 @@ void DriveUses::take_moment(const machine::Model& m, const solve::TransientFrame
   keep(std::move(made), when);
 }
 
-void DriveUses::take(const machine::Model& m, const solve::TransientResult& motion,
-                     const std::vector<study::TransientRecord::Slip>& slips, const std::string& words) {
+void DriveUses::take(const machine::Model& m, const solve::TransientResult& motion, const std::string& words) {
   const solve::TransientFrame& first = motion.frames.front();
-  for (std::size_t c = 0; c < slips.size(); ++c) {
+  for (std::size_t c = 0; c < motion.ways.size(); ++c) {
     const machine::Node& node = m.reevings[first.contacts[c].reeving].nodes[first.contacts[c].node];
-    const double share = slips[c].rim > 0 ? slips[c].slipped / slips[c].rim : 0;
-    if (!node.motor || share < least_slip || share <= slips_[node.name].share) continue;
-    slips_[node.name] = {.share = share,
-                         .words = fmt::format("{}: the rope slips on '{}', {:.3g} % of the way of its rim", words,
-                                              node.name, 100 * share)};
+    const auto [slipped, rim] = motion.ways[c];
+    if (!node.motor || slipped < least_slip * rim || slipped < least_way * node.radius) continue;
+    Slip& largest = slips_[node.name];
+    if (slipped <= largest.slipped) continue;
+    const std::string share = slipped < rim ? fmt::format(", {:.3g} % of the way of its rim", 100 * slipped / rim) : "";
+    largest = {.slipped = slipped,
+               .words = fmt::format("{}: the rope slips on '{}' by {:.3g} m{}", words, node.name, slipped, share)};
+  }
+  for (std::size_t d = 0; d < motion.brake_ways.size(); ++d) {
+    const solve::BrakeWay& slips = motion.brake_ways[d];
+    if (slips.way < least_slip * 2 * std::numbers::pi * m.drums[d].core_radius) continue;
+    unbraked_.try_emplace(m.drums[d].name,
+                          fmt::format("{}, t = {:.4g} s: '{}' slips in its brake, which is set and had stopped it, by "
+                                      "{:.3g} m of rope: it does not hold",
+                                      words, slips.since, m.drums[d].name, slips.way));
   }
   for (std::size_t d = 0; d < motion.state.drum_drive.size(); ++d) {
     const machine::Drive& drive = motion.state.drum_drive[d];
     const double speed = std::abs(motion.frames.back().drums[d].speed);
     if (!drive.brake || speed < standing) continue;
-    unbraked_.push_back(
+    unbraked_.try_emplace(
+        m.drums[d].name,
         fmt::format("{}: '{}' still turns when the motion ends, its rope at {:.3g} m/s, though its brake was set at "
                     "t = {:.4g} s: it does not hold, or the motion is too short",
                     words, m.drums[d].name, speed, drive.brake_since));
@@ -156,10 +183,8 @@ void DriveUses::take(const machine::Model& m, const solve::TransientResult& moti
 
 void DriveUses::add_checks(Result& r) const {
   for (const auto& [name, check] : worst_) r.checks.push_back(check);
-  for (const auto& [name, slip] : slips_) {
-    if (slip.share > 0) warn_unsafe(r, slip.words);
-  }
-  for (const std::string& words : unbraked_) warn_unsafe(r, words);
+  for (const auto& [name, slip] : slips_) warn_unsafe(r, slip.words);
+  for (const auto& [drum, words] : unbraked_) warn_unsafe(r, words);
   const RuleLimit least = rule_limit("layout.turns_left", false);
   for (const auto& [drum, turns] : turns_) {
     if (turns.left >= least.value) continue;

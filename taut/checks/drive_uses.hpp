@@ -6,7 +6,6 @@
 #include "taut/calc/result.hpp"
 #include "taut/solve/drives.hpp"
 #include "taut/solve/equilibrium.hpp"
-#include "taut/study/transient_record.hpp"
 
 namespace taut::checks {
 
@@ -19,10 +18,9 @@ class DriveUses {
   void take(const machine::Model& model, const solve::EquilibriumResult& state, const std::string& words);
   /// A moment of a motion: what lies on its drums.
   void take_moment(const machine::Model& model, const solve::TransientFrame& frame, const std::string& words);
-  /// A motion as a whole, with at least one frame: how far the rope slips on each contact, whether brakes have stopped
-  /// their drums.
-  void take(const machine::Model& model, const solve::TransientResult& motion,
-            const std::vector<study::TransientRecord::Slip>& slips, const std::string& words);
+  /// A motion as a whole, with at least one frame: how far the rope slips on each contact, whether brakes hold and have
+  /// stopped their drums.
+  void take(const machine::Model& model, const solve::TransientResult& motion, const std::string& words);
 
   /// Each check at its worst; a rope that slips in a motion, a brake that does not hold, and too few turns on a drum
   /// are unsafe warnings.
@@ -34,11 +32,11 @@ class DriveUses {
 
   std::map<std::string, Check> worst_;
   struct Slip {
-    double share = 0;  ///< of the way of the rim
+    double slipped = 0;  ///< m
     std::string words;
   };
-  std::map<std::string, Slip> slips_;  // the largest of each sheave
-  std::vector<std::string> unbraked_;  // drums that turn on when a motion ends
+  std::map<std::string, Slip> slips_;            // the largest of each sheave
+  std::map<std::string, std::string> unbraked_;  // drums whose brake slips, or that turn on when a motion ends
   struct Turns {
     double left = 0;
     std::string words;

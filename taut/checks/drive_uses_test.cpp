@@ -184,4 +184,79 @@ analyses: [{transient: {tolerance: 1e-4, duration: )" +
   }
 }
 
+// 6 t on two ropes of one drum of 0.2 m: each pulls 5.88 kN m, both 11.77. Wound the other way one holds the other.
+TEST(DriveUses, ABrakeHoldsAllRopesOfItsDrum) {
+  const auto two = [](const std::string& right, const std::string& copies) {
+    return run_text(R"(taut: 1
+machine:
+  ropes: {hoist: {mass: 0 kg/m, stiffness: 13 MN, breaking_force: 178 kN}}
+  bodies: {hook: {mass: 6 t, at: [0 m, 0 m, 3 m], free: [x, z]}}
+  drums: {winch: {at: [0 m, 0 m, 10 m], core_diameter: 400 mm, inertia: 50 kg m^2, brake_torque: 7 kN m, drive: {brake: set}}}
+  reevings:
+    - {rope: hoist, name: left, path: [{drum: winch}, {anchor: hook}], length: 7 m)" +
+                    copies + "}\n" + right + R"(
+analyses: [{equilibrium: {motion: at_rest}}]
+checks: {ropes: {hoist: {safety_factor: 5}}}
+)");
+  };
+  const double torque = 6e3 * 9.80665 * 0.2;
+  const std::string right = "    - {rope: hoist, name: right, path: [{drum: winch}, {anchor: hook}], length: 7 m}";
+  EXPECT_NEAR(taut_test::check_of(two(right, ""), "winch.brake_torque").value, torque, 1e-5 * torque);
+  EXPECT_NEAR(taut_test::check_of(two("", ", copies: 2"), "winch.brake_torque").value, torque, 1e-5 * torque);
+  const Result against =
+      two("    - {rope: hoist, name: right, path: [{drum: winch, side: left}, {anchor: hook}], length: 7 m}", "");
+  ASSERT_EQ(against.status, Status::ok) << against.message << to_text(against.errors);
+  EXPECT_LT(taut_test::check_of(against, "winch.brake_torque").value, 0.1 * torque);
+}
+
+/// An endless rope of 36 kN over a driving sheave that stands: (18 + 3)/(18 - 3) = 1.4 is more than exp(0.1 pi) = 1.37.
+TEST(DriveUses, SlipOnAStandingSheaveIsUnsafeWhateverTheOutputs) {
+  const auto pulled = [](const std::string& force, const std::string& output) {
+    return run_text(R"(taut: 1
+machine:
+  signals: {train: {ramp: {to: )" +
+                    force + R"(, start: 0.2 s, duration: 1 s, smooth: true}}}
+  ropes: {haul: {mass: 1 kg/m, breaking_force: 200 kN, stiffness: 13 MN, damping_ratio: 0.03}}
+  bodies: {slide: {mass: 900 kg, at: [0 m, 0 m, 1 m], free: [x]}}
+  sheaves:
+    head: {at: [120 m, 0 m, 1 m], diameter: 1200 mm, friction: 0.1, inertia: 60 kg m^2, motor: {speed: 0 m/s}}
+    tail: {body: slide, at: [0 m, 0 m, 0 m], diameter: 1200 mm, inertia: 60 kg m^2}
+  loads: [{at: slide, force: [-36 kN, 0 kN, 0 kN]}]
+  reevings: [{name: loop, rope: haul, path: [{over: head, side: left}, {over: tail, side: left}], closed: true, length: 243.5 m}]
+  rope_loads: [{name: cars, rope: loop, between: [tail, head], tangential: 0 kN, signal: train, direction: along_path}]
+checks: {ropes: {haul: {safety_factor: 3}}}
+analyses: [{transient: {duration: 2 s, tolerance: 1e-3, output_step: )" +
+                    output + "}}]\n");
+  };
+  for (const char* output : {"20 ms", "2 s"}) {
+    const Result slips = pulled("7 kN", output);
+    ASSERT_EQ(slips.unsafe.size(), 1U) << slips.message << to_text(slips.errors);
+    EXPECT_NE(slips.unsafe[0].find("the rope slips on 'head' by "), std::string::npos) << slips.unsafe[0];
+    EXPECT_TRUE(pulled("4 kN", output).unsafe.empty());
+  }
+}
+
+/// A brake that holds 16 kN of rope; 1 t hangs on it, and 15 kN pull for a second.
+TEST(DriveUses, ABrakeThatSlipsForAWhileIsUnsafe) {
+  const auto pulled = [](const std::string& force) {
+    return run_text(R"(taut: 1
+machine:
+  signals: {F: {table: {t: [0 s, 1 s, 1.5 s, 2.5 s, 3 s, 10 s], value: [0 kN, 0 kN, FORCE, FORCE, 0 kN, 0 kN]}}}
+  ropes: {r: {mass: 1 kg/m, stiffness: 10 MN, breaking_force: 300 kN, damping_ratio: 0.1}}
+  bodies: {cage: {mass: 1 t, at: [0.5 m, 0 m, -20 m], free: [z]}}
+  drums: {w: {at: [0 m, 0 m, 0 m], core_diameter: 1000 mm, inertia: 500 kg m^2, drive: {brake: set}, brake_torque: 8 kN m}}
+  loads: [{at: cage, force: [0 kN, 0 kN, -1 kN], signal: F}]
+  reevings: [{rope: r, path: [{drum: w}, {anchor: cage}], length: 20 m}]
+checks: {ropes: {r: {safety_factor: 5}}}
+analyses: [{transient: {duration: 8 s, output_step: 0.5 s, tolerance: 1e-3}}]
+)",
+                    {"machine.signals.F.table.value[2]=" + force, "machine.signals.F.table.value[3]=" + force});
+  };
+  EXPECT_TRUE(pulled("2 kN").unsafe.empty());
+  const Result r = pulled("15 kN");
+  ASSERT_EQ(r.unsafe.size(), 1U) << r.message << to_text(r.errors);
+  EXPECT_NE(r.unsafe[0].find("'w' slips in its brake, which is set and had stopped it, by 7."), std::string::npos)
+      << r.unsafe[0];
+}
+
 }  // namespace taut::drive_uses_test

@@ -40,15 +40,15 @@ std::string too_short(const machine::Model& m, const solve::EquilibriumResult& e
 }
 
 /// Words for a carriage that has left the span in which its rope's path has it; empty when it is there.
-std::string beside_its_span(const machine::Model& m, const solve::EquilibriumResult& e, const machine::Carriage& car) {
+std::string beside_its_span(const machine::Model& m, const machine::State& state, const machine::Carriage& car) {
   const auto& nodes = m.reevings[car.reeving].nodes;
   const auto n = static_cast<std::size_t>(car.node);
   const std::size_t after = n + static_cast<std::size_t>(car.rollers);
   if (n == 0 || after >= nodes.size()) return {};
-  const Vector3 before = machine::in_ground(e.state, nodes[n - 1].at);
-  Vector3 way = machine::in_ground(e.state, nodes[after].at) - before;
+  const Vector3 before = machine::in_ground(state, nodes[n - 1].at);
+  Vector3 way = machine::in_ground(state, nodes[after].at) - before;
   way.z() = 0;
-  const Vector3& place = e.state.bodies[car.body].position;
+  const Vector3& place = state.bodies[car.body].position;
   const double passed = (place - before).dot(way);
   if (way.norm() == 0 || (passed >= 0 && passed <= way.squaredNorm())) return {};
   return fmt::format("carriage {} stands at x = {:.6g} m, not between '{}' and '{}', where its rope's path has it",
@@ -169,25 +169,45 @@ void Judge::take_contacts(const machine::Model& m, const solve::EquilibriumResul
     if (c.state == solve::ContactState::lifted) {
       warn(node.name + " lifted", fmt::format("{}: the rope has lifted off '{}'", words, node.name), !node.may_lift);
     }
-    if (c.state != solve::ContactState::pulled) continue;
-    if (node.support == Vector3::Zero()) {  // held down, or an axis that stands upright
-      warn(
-          node.name + " pulled",
-          fmt::format("{}: the rope presses away from '{}' on the side that it is given with {:.4g} kN; give the other "
-                      "'side', or none",
-                      words, node.name, c.force.norm() / 1e3),
-          true);
-      continue;
-    }
-    warn(node.name + " pulled",
-         node.at.body != machine::ground
-             ? fmt::format("{}: the rope presses '{}' downwards with {:.4g} kN: it would lift off its rope. Load the "
-                           "carriage more, hang the load lower or between the rollers, or slacken the rope",
-                           words, node.name, c.force.norm() / 1e3)
-             : fmt::format("{}: the rope pulls '{}' upwards with {:.4g} kN; it would lift off. Set the support higher, "
-                           "slacken the rope, or say 'uplift: hold' where a guard holds it",
-                           words, node.name, c.force.z() / 1e3),
-         true);
+    if (c.state == solve::ContactState::pulled) warn_of_pulled(m, node, c.force, words);
+  }
+}
+
+void Judge::warn_of_pulled(const machine::Model& m, const machine::Node& node, const Vector3& force,
+                           const std::string& words) {
+  const bool rides = std::any_of(m.carriages.begin(), m.carriages.end(),
+                                 [&](const machine::Carriage& car) { return car.body == node.at.body; });
+  std::string text;
+  if (node.support == Vector3::Zero()) {  // held down, or an axis that stands upright
+    text = fmt::format(
+        "{}: the rope presses away from '{}' on the side that it is given with {:.4g} kN; give the other 'side', or "
+        "none",
+        words, node.name, force.norm() / 1e3);
+  } else if (rides) {
+    text = fmt::format(
+        "{}: the rope presses '{}' downwards with {:.4g} kN: it would lift off its rope. Load the carriage more, hang "
+        "the load lower or between the rollers, or slacken the rope",
+        words, node.name, force.norm() / 1e3);
+  } else {
+    text = fmt::format(
+        "{}: the rope pulls '{}' upwards with {:.4g} kN; it would lift off. Set the support higher, slacken the rope, "
+        "or say 'uplift: hold' where a guard holds it",
+        words, node.name, force.z() / 1e3);
+  }
+  warn(node.name + " pulled", text, true);
+}
+
+/// A motion holds a rope on its rounds, whatever their `uplift` says.
+void Judge::take_uplift(const machine::Model& m, const solve::TransientFrame& moment, const std::string& words) {
+  constexpr double rounding = 1e-9;
+  for (const auto& c : moment.contacts) {
+    const machine::Reeving& rope = m.reevings[c.reeving];
+    const machine::Node& node = rope.nodes[c.node];
+    if (node.kind != machine::NodeKind::contact || broken_.contains(rope.name)) continue;
+    if (!(std::max(c.T_in, c.T_out) > 0)) continue;
+    const bool pulled =
+        node.radius > 0 ? c.wrap < -rounding : c.force.dot(node.support) > rounding * std::max(c.T_in, c.T_out);
+    if (pulled) warn_of_pulled(m, node, c.force, words);
   }
 }
 
@@ -216,10 +236,22 @@ void Judge::take_places(const machine::Model& m, const solve::EquilibriumResult&
                      words, m.bodies[b].name, angle * 180 / std::numbers::pi),
          true);
   }
+  take_spans(m, e.state, words);
+}
+
+void Judge::take_spans(const machine::Model& m, const machine::State& state, const std::string& words) {
   for (const machine::Carriage& car : m.carriages) {
-    const std::string where = beside_its_span(m, e, car);
+    if (broken_.contains(m.reevings[car.reeving].name)) continue;
+    const std::string where = beside_its_span(m, state, car);
     if (!where.empty()) warn(car.name + " beside", fmt::format("{}: {}", words, where), true);
   }
+}
+
+void Judge::take_empty(const machine::Model& m, const solve::EquilibriumResult& e, const std::string& words) {
+  take_ropes(m, e, words);
+  take_heights(m, e, words);
+  take_contacts(m, e, words);
+  take_slack(m, e, words);
 }
 
 void Judge::take_ropes(const machine::Model& m, const solve::EquilibriumResult& e, const std::string& words) {
@@ -264,7 +296,7 @@ void Judge::take(const machine::Model& m, const solve::EquilibriumResult& e, con
   take_slack(m, e, words);
   take_places(m, e, words);
   off_groove_.take(m, e, words);
-  two_blocked_.take(m, e.state, words);
+  two_blocked_.take(m, e.state, {}, words);
 }
 
 void Judge::take(const machine::Model& m, const solve::TransientResult& motion, const std::string& words) {
@@ -293,25 +325,30 @@ void Judge::take_moment(const machine::Model& m, const solve::TransientResult& s
                         const std::string& words) {
   if (so_far.frames.size() == 1) {
     events_seen_ = 0;
-    broken_ = false;
+    broken_.clear();
   }
   for (; events_seen_ < so_far.events.size(); ++events_seen_) {
-    broken_ = broken_ || so_far.events[events_seen_].what == "break";
+    const solve::TransientEvent& event = so_far.events[events_seen_];
+    if (event.what == "break") broken_.insert(m.reevings[*event.reeving].name);
   }
-  if (broken_) return;
   const std::string when = fmt::format("{}, t = {:.4g} s", words, moment.t);
-  off_groove_.take(m, moment, when);
-  two_blocked_.take(m, places_of(moment), when);
+  const machine::State places = places_of(moment);
+  off_groove_.take(m, moment, broken_, when);
+  two_blocked_.take(m, places, broken_, when);
+  take_uplift(m, moment, when);
+  take_spans(m, places, when);
   if (m.terrain.empty()) return;
   for (const machine::Carriage& car : m.carriages) {
+    if (broken_.contains(m.reevings[car.reeving].name)) continue;
     const Vector3& p = moment.bodies[car.body].position;
     const double x = terrain_x(m, p);
     take_height(car.name, "carriage " + car.name, p.z() - study::ground_height(m.terrain, x), x, when, carriages_);
   }
   if (moment.t <= so_far.frames.front().t) warn_of_buried(m, words);
   for (const FreeRope& one : free) {
-    const study::RopeClearance own = clearance_of(m, one);
     const machine::Reeving& rope = m.reevings[one.reeving];
+    if (broken_.contains(rope.name)) continue;
+    const study::RopeClearance own = clearance_of(m, one);
     const std::string part =
         fmt::format("{} between {} and {}", rope.name, rope.nodes[one.from].name, rope.nodes[one.to].name);
     take_height(rope.name, part, own.height, terrain_x(m, own.place), when, rope_heights_);

@@ -50,10 +50,13 @@ class Judge {
   /// `words`: which state it is, "sweep, loads[0].mass = 40 t". The model may be another one of the same machine, with
   /// the same ropes or some of them, known by their names.
   void take(const machine::Model& model, const solve::EquilibriumResult& state, const std::string& words);
+  /// A line in a model of its own: its tension, height, slack, and supports.
+  void take_empty(const machine::Model& model, const solve::EquilibriumResult& state, const std::string& words);
   /// Ropes alone: a line as it is put up, whose bodies and supports are not the machine's.
   void take_ropes(const machine::Model& model, const solve::EquilibriumResult& state, const std::string& words);
-  /// A moment of a motion, up to the first break: heights of carriages and ropes, ropes out of their grooves, blocks
-  /// that run into each other. `free`: its free ropes, of a machine over terrain.
+  /// A moment of a motion: heights of carriages and ropes, ropes out of their grooves or off their supports, blocks
+  /// that run into each other, carriages beside their spans. Of a rope that the deck breaks, up to its break. `free`:
+  /// its free ropes, of a machine over terrain.
   void take_moment(const machine::Model& model, const solve::TransientResult& so_far,
                    const solve::TransientFrame& moment, const std::vector<FreeRope>& free, const std::string& words);
   /// The place of rest about which a machine vibrates, as a motion of one moment: its tensions.
@@ -106,6 +109,10 @@ class Judge {
   void take_beams(const solve::EquilibriumResult& state, const std::string& words);
   void warn(const std::string& once, const std::string& text, bool unsafe);
   void take_contacts(const machine::Model& model, const solve::EquilibriumResult& state, const std::string& words);
+  void warn_of_pulled(const machine::Model& model, const machine::Node& node, const Vector3& force,
+                      const std::string& words);
+  void take_uplift(const machine::Model& model, const solve::TransientFrame& moment, const std::string& words);
+  void take_spans(const machine::Model& model, const machine::State& state, const std::string& words);
   void take_slack(const machine::Model& model, const solve::EquilibriumResult& state, const std::string& words);
   void take_places(const machine::Model& model, const solve::EquilibriumResult& state, const std::string& words);
   std::string strength_trust(std::size_t reeving) const;
@@ -125,8 +132,8 @@ class Judge {
   std::vector<Warned> warned_;
   std::set<std::string> known_;  ///< what was warned of already
   std::string preface_;
-  std::size_t events_seen_ = 0;  ///< of the motion that is shown now
-  bool broken_ = false;          ///< something in it
+  std::size_t events_seen_ = 0;   ///< of the motion that is shown now
+  std::set<std::string> broken_;  ///< its ropes that the deck has broken so far
 };
 
 }  // namespace taut::checks

@@ -41,10 +41,11 @@ void OffGroove::take(const machine::Model& m, const solve::EquilibriumResult& e,
   }
 }
 
-void OffGroove::take(const machine::Model& m, const solve::TransientFrame& frame, const std::string& words) {
+void OffGroove::take(const machine::Model& m, const solve::TransientFrame& frame, const std::set<std::string>& broken,
+                     const std::string& words) {
   for (std::size_t i = 0; i < frame.branches.size(); ++i) {
     const solve::TransientFrame::Branch& s = frame.branches[i];
-    if (!s.whole || !(std::max(s.T_from, s.T_to) > 0)) continue;
+    if (!s.whole || !(std::max(s.T_from, s.T_to) > 0) || broken.contains(m.reevings[s.reeving].name)) continue;
     // of a rope in segments the first and the last piece touch the rounds
     const auto of_same = [&](const solve::TransientFrame::Branch& other) {
       return other.reeving == s.reeving && other.from == s.from && other.to == s.to;

@@ -1,5 +1,6 @@
 #pragma once
 #include <map>
+#include <set>
 #include <string>
 #include <utility>
 
@@ -15,8 +16,9 @@ namespace taut::checks {
 class OffGroove {
  public:
   void take(const machine::Model& model, const solve::EquilibriumResult& state, const std::string& words);
-  /// `words`: of the moment too, "transient lift, t = 2 s".
-  void take(const machine::Model& model, const solve::TransientFrame& frame, const std::string& words);
+  /// `broken`: ropes that do not count; `words`: of the moment too, "transient lift, t = 2 s".
+  void take(const machine::Model& model, const solve::TransientFrame& frame, const std::set<std::string>& broken,
+            const std::string& words);
   /// One unsafe warning for each rope and round, with the state in which it is worst.
   void add_warnings(Result& r) const;
 

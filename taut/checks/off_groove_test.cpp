@@ -74,9 +74,14 @@ std::string said(const OffGroove& off) {
 }
 
 template <class State>
-std::string said_of(const State& state, const machine::Model& m = over_a_sheave()) {
+std::string said_of(const State& state, const machine::Model& m = over_a_sheave(),
+                    const std::set<std::string>& broken = {}) {
   OffGroove off;
-  off.take(m, state, "there");
+  if constexpr (std::is_same_v<State, solve::TransientFrame>) {
+    off.take(m, state, broken, "there");
+  } else {
+    off.take(m, state, "there");
+  }
   return said(off);
 }
 
@@ -143,7 +148,7 @@ TEST(OffGroove, TheWorstStateIsTold) {
   const machine::Model m = over_a_sheave();
   off.take(m, at_rest(40), "first");
   off.take(m, at_rest(55), "second");
-  off.take(m, in_motion(50), "third");
+  off.take(m, in_motion(50), {}, "third");
   EXPECT_EQ(said(off).rfind("second: line runs 55 deg", 0), 0U) << said(off);
 }
 

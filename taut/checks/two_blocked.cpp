@@ -21,8 +21,10 @@ bool is_wheel(const machine::Model& m, const machine::Node& node) {
 
 }  // namespace
 
-void TwoBlocked::take(const machine::Model& m, const machine::State& state, const std::string& words) {
+void TwoBlocked::take(const machine::Model& m, const machine::State& state, const std::set<std::string>& broken,
+                      const std::string& words) {
   for (const machine::Reeving& rope : m.reevings) {
+    if (broken.contains(rope.name)) continue;
     const std::size_t count = rope.nodes.size();
     for (std::size_t k = 0; k + (rope.closed ? 0 : 1) < count; ++k) {
       const machine::Node &one = rope.nodes[k], &next = rope.nodes[(k + 1) % count];

@@ -1,5 +1,6 @@
 #pragma once
 #include <map>
+#include <set>
 #include <string>
 #include <utility>
 
@@ -13,8 +14,9 @@ namespace taut::checks {
 /// nearer to each other than the sum of their radii. Carriages pass supports, so these do not count.
 class TwoBlocked {
  public:
-  /// `words`: which state it is, "sweep, loads[0].mass = 40 t".
-  void take(const machine::Model& model, const machine::State& state, const std::string& words);
+  /// `words`: which state it is, "sweep, loads[0].mass = 40 t". `broken`: ropes that do not count.
+  void take(const machine::Model& model, const machine::State& state, const std::set<std::string>& broken,
+            const std::string& words);
 
   /// Each pair at its worst, as an unsafe warning.
   void add_warnings(Result& r) const;

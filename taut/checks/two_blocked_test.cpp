@@ -32,7 +32,7 @@ std::string said(const TwoBlocked& blocks) {
 
 std::string at_rest(const machine::Model& m) {
   TwoBlocked blocks;
-  blocks.take(m, machine::initial_state(m), "there");
+  blocks.take(m, machine::initial_state(m), {}, "there");
   return said(blocks);
 }
 
@@ -48,7 +48,7 @@ TEST(TwoBlocked, TheWorstStateCounts) {
   TwoBlocked blocks;
   for (const double below : {5.0, 0.45, 0.2, 0.3}) {
     state.bodies[0].position.z() = -below;
-    blocks.take(m, state, std::to_string(below));
+    blocks.take(m, state, {}, std::to_string(below));
   }
   EXPECT_NE(said(blocks).find("0.200000: 'head' and 'hook'"), std::string::npos) << said(blocks);
 }

@@ -48,6 +48,7 @@ SizingTrial trial_of(const Result& r, const std::map<std::string, std::size_t>& 
     return {.passes = false, .utilisation = std::nan(""), .governs = "no limit is given for " + r.unjudged.front()};
   SizingTrial trial{.passes = true, .utilisation = 0, .governs = "no check"};
   for (const Check& c : r.checks) {
+    if (std::isnan(c.utilisation) && c.passes) continue;
     double u = std::isnan(c.utilisation) ? HUGE_VAL : c.utilisation;
     if (!c.passes) trial.passes = false;
     if (!c.passes && u <= 1) u = 1 + over_of(c);

@@ -111,6 +111,10 @@ struct Node {
   /// with a given length and a given torque of its drive needs an open load. A contact with it helps the drive.
   std::optional<double> tension_drop;
 };
+/// Whether a rope slides over it: it does not turn, or has no friction at all.
+inline bool is_saddle(const Node& node) {
+  return node.kind == NodeKind::contact && (node.law.efficiency == 0 || node.law.friction == 0);
+}
 
 /// The given quantity of a rope.
 enum class Given {

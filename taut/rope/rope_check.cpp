@@ -9,6 +9,7 @@
 #include <string_view>
 #include <utility>
 
+#include "taut/calc/verdict.hpp"
 #include "taut/rope/strength.hpp"
 
 namespace taut::rope {
@@ -52,7 +53,7 @@ class RopeChecker {
   bool has_strength() const { return use_.rope.breaking_force > 0; }
   bool has_diameter() const { return use_.rope.diameter > 0; }
 
-  void leave_out(const std::string& what, const char* why) {
+  void leave_out(const std::string& what, const std::string& why) {
     out_.left_out.push_back(fmt::format("{}: {} is not checked: {}", use_.name, what, why));
   }
 
@@ -69,7 +70,7 @@ class RopeChecker {
     const auto before =
         std::find_if(all.begin(), all.end() - 1, [&](const Check& c) { return c.name == all.back().name; });
     if (before == all.end() - 1) return;
-    if (!(all.back().utilisation <= before->utilisation)) *before = std::move(all.back());
+    if (worse_state(all.back(), *before)) *before = std::move(all.back());
     all.pop_back();
   }
 
@@ -156,6 +157,7 @@ class RopeChecker {
       return;
     }
     if (!has_strength()) return;
+    if (rules_.safety_factors.empty()) leave_out("its termination", "no rule gives a safety factor");
     for (const RopeEnd& end : use_.ends) {
       for (const Limit& limit : rules_.safety_factors) {
         if (!(end.tension > 0)) continue;
@@ -191,8 +193,12 @@ class RopeChecker {
   void resistance() {
     if (!rules_.resistance || !has_strength()) return;
     if (!has_diameter()) return leave_out("EN 13001-3-2", "the diameter is not known");
+    unmeasured("EN 13001-3-2");
+    const auto counts = [](const Bend& bend) { return bend.kind != BendKind::saddle && bend.tension > 0; };
+    if (use_.unmeasured.empty() && std::none_of(use_.bends.begin(), use_.bends.end(), counts))
+      leave_out("EN 13001-3-2", "no sheave or drum bends it under tension");
     for (const Bend& bend : use_.bends) {
-      if (bend.kind == BendKind::saddle || !(bend.tension > 0)) continue;
+      if (!counts(bend)) continue;
       const double ratio = ratio_of(bend, use_);
       // out of the formula's range no factor is enough
       const double gamma = ratio > least_ratio_en13001 ? resistance_factor(ratio) : HUGE_VAL;
@@ -260,7 +266,14 @@ class RopeChecker {
          .trust = rules_.hottest->trust});
   }
 
+  /// Where it runs over sheaves that the deck gives no diameter of.
+  void unmeasured(const char* what) {
+    if (use_.unmeasured.empty()) return;
+    leave_out(what, fmt::format("the diameter of '{}' is not known", use_.unmeasured.front()));
+  }
+
   void ratios() {
+    if (rules_.ratio_asked) unmeasured("D/d");
     const auto check = [&](BendKind kind, const std::vector<Limit>& limits, const char* key) {
       if (limits.empty()) return;
       for (const Bend& bend : use_.bends) {
@@ -291,6 +304,7 @@ class RopeChecker {
   void groove() {
     if (!rules_.groove_pressure) return;
     if (!has_diameter()) return leave_out("groove pressure", "the diameter is not known");
+    unmeasured("groove pressure");
     for (const Bend& bend : use_.bends) {
       if (!(bend.tension > 0)) continue;
       keep_worst("groove_pressure", groove_pressure(bend.tension, use_.rope.diameter, bend.diameter), si::Pa,
@@ -342,21 +356,25 @@ class RopeChecker {
   void last_layer() {
     for (const DrumEnd& drum : use_.drums) {
       if (!rules_.rated_pull || !drum.first_radius || !drum.last_radius || !(drum.tension > 0)) continue;
-      keep_worst("last_layer_pull", drum.tension, si::N,
+      keep_worst("last_layer_pull", use_.copies * drum.tension, si::N,
                  {.sense = Sense::at_most,
                   .limit = *rules_.rated_pull * *drum.first_radius / *drum.last_radius,
-                  .rule = fmt::format("pull of '{}' in its last layer: {} in the first one x {:.4g} m/{:.4g} m",
-                                      drum.name, kilonewton(*rules_.rated_pull), *drum.first_radius, *drum.last_radius),
+                  .rule = fmt::format("pull of '{}' in its last layer{}: {} in the first one x {:.4g} m/{:.4g} m",
+                                      drum.name, use_.copies > 1 ? fmt::format(", {} ropes", use_.copies) : "",
+                                      kilonewton(*rules_.rated_pull), *drum.first_radius, *drum.last_radius),
                   .trust = "user"});
     }
   }
 
-  /// What the deck asks of drums and none of them has the data for.
+  /// What the deck asks of drums that have not the data for it.
   void drums_left_out() {
     const auto tell = [&](bool asked, const char* what, const auto& known) {
-      if (!asked || std::any_of(use_.drums.begin(), use_.drums.end(), known)) return;
-      leave_out(what, use_.drums.empty() ? "it ends on no drum"
-                                         : "its drum has no 'face_width', or for layers no 'length_on_drum'");
+      if (!asked) return;
+      if (use_.drums.empty()) return leave_out(what, "it ends on no drum");
+      for (const DrumEnd& drum : use_.drums) {
+        if (known(drum)) continue;
+        leave_out(what, fmt::format("the drum '{}' has no 'face_width', or for layers no 'length_on_drum'", drum.name));
+      }
     };
     tell(rules_.fleet_angle.has_value(), "its fleet angle", [](const DrumEnd& d) { return d.fleet_angle.has_value(); });
     const auto layered = [](const DrumEnd& d) { return d.layers.has_value(); };

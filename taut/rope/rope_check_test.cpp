@@ -254,4 +254,51 @@ TEST(RopeCheck, what_has_no_tension_in_it_is_judged_at_any) {
   EXPECT_FALSE(find(all, "hoist.termination")->passes);
 }
 
+TEST(RopeCheck, what_sheaves_without_a_diameter_leave_open) {
+  RopeUse use = hoist_rope();
+  use.bends.clear();
+  use.unmeasured = {"head"};
+  RopeRules rules;
+  rules.sheave_ratios = {{.value = 20, .rule = "a rule", .trust = "verified"}};
+  EXPECT_TRUE(check_rope(use, rules).left_out.empty()) << "nobody has asked";
+  rules.ratio_asked = true;
+  rules.groove_pressure = Limit{.value = 5e6, .rule = "own", .trust = "user"};
+  rules.resistance = Limit{.value = 0, .rule = "EN", .trust = "verified"};
+  const auto left = check_rope(use, rules).left_out;
+  ASSERT_EQ(left.size(), 3U);
+  for (const std::string& words : left) EXPECT_NE(words.find("'head' is not known"), std::string::npos) << words;
+  use.unmeasured.clear();
+  const auto over_nothing = check_rope(use, rules).left_out;
+  ASSERT_EQ(over_nothing.size(), 1U);
+  EXPECT_EQ(over_nothing[0], "hoist: EN 13001-3-2 is not checked: no sheave or drum bends it under tension");
+}
+
+TEST(RopeCheck, a_termination_needs_a_factor) {
+  RopeRules rules;
+  rules.termination = Limit{.value = 0.4, .rule = "own", .trust = "user"};
+  rules.dynamic_safety = Limit{.value = 2.2, .rule = "own", .trust = "user"};
+  const RopeChecks all = check_rope(hoist_rope(), rules);
+  EXPECT_EQ(find(all, "hoist.termination"), nullptr);
+  ASSERT_EQ(all.left_out.size(), 1U);
+  EXPECT_NE(all.left_out[0].find("its termination is not checked"), std::string::npos);
+}
+
+TEST(RopeCheck, each_drum_needs_its_data_and_bears_all_copies) {
+  RopeUse use = hoist_rope();
+  use.copies = 2;
+  DrumEnd first{
+      .name = "d1", .tension = 20e3, .fleet_angle = 0.01, .layers = 1, .first_radius = 0.2, .last_radius = 0.2};
+  DrumEnd second = first;
+  second.name = "d2";
+  second.fleet_angle.reset();
+  use.drums = {first, second};
+  RopeRules rules;
+  rules.fleet_angle = Limit{.value = 0.035, .rule = "own", .trust = "user"};
+  rules.rated_pull = 25e3;
+  const RopeChecks all = check_rope(use, rules);
+  EXPECT_EQ(value_of(all, "hoist.last_layer_pull"), 40e3);
+  ASSERT_EQ(all.left_out.size(), 1U);
+  EXPECT_NE(all.left_out[0].find("'d2'"), std::string::npos) << all.left_out[0];
+}
+
 }  // namespace taut::rope::rope_check_test

@@ -44,9 +44,11 @@ struct RopeUse {
   std::string where;        ///< "load path, in, x = 130 m"
   double peak = 0;          ///< the largest of calculated motions, N; 0: none
   std::string peak_where;
-  std::vector<Bend> bends;  ///< along its path
+  std::vector<Bend> bends;              ///< along its path
+  std::vector<std::string> unmeasured;  ///< sheaves that it runs over, of no known diameter
   std::vector<RopeEnd> ends;
   std::vector<DrumEnd> drums;
+  int copies = 1;       ///< equal ropes side by side; all tensions are of one of them
   bool closed = false;  ///< endless: the last bend stands before the first
 };
 

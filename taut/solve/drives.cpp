@@ -188,6 +188,18 @@ void for_each_end_on_drum(const machine::Model& model, const Each& each) {
   }
 }
 
+/// In which sense each end is wound on its drum. `sides`: of the nodes of each reeving, where a state has its own.
+void set_senses(const machine::Model& model, const Array<Array<int>>& sides, Array<DrumResult>& ends) {
+  std::map<int, Vector3> axes;
+  for (DrumResult& d : ends) {
+    const machine::Reeving& rope = model.reevings[d.reeving];
+    const std::size_t k = d.at_end ? rope.nodes.size() - 1 : 0;
+    const int side = sides.empty() ? rope.nodes[k].side : sides[d.reeving][k];
+    const Vector3 axis = (d.at_end ? side : -side) * rope.nodes[k].axis;
+    d.sense = axes.try_emplace(d.drum, axis).first->second.dot(axis) < 0 ? -1 : 1;
+  }
+}
+
 /// Tension of a rope at its start or end.
 template <class Branches>
 double tension_at(const Branches& branches, int reeving, bool at_end) {
@@ -213,6 +225,7 @@ Array<DrumResult> drums(const machine::Model& model, const EquilibriumResult& re
     }
     all.push_back(d);
   });
+  set_senses(model, result.state.sides, all);
   return all;
 }
 
@@ -225,6 +238,7 @@ Array<DrumResult> drums(const machine::Model& model, const TransientFrame& frame
     d.speed = now.speed;
     all.push_back(d);
   });
+  set_senses(model, {}, all);
   return all;
 }
 

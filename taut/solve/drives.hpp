@@ -42,6 +42,7 @@ struct DrumResult {
   int drum = 0;         ///< index in the model
   int reeving = 0;      ///< whose end is on it
   bool at_end = false;  ///< of its path, else its start
+  int sense = 1;        ///< in which it is wound: 1 as the first rope of the drum, -1 the other way
   double pull = 0;      ///< tension of one copy where the rope leaves it, N
   int layer = 1;
   double radius = 0;                      ///< m

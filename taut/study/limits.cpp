@@ -14,9 +14,9 @@ namespace {
 /// Heights by the size of what they are measured against, so that one tolerance serves all limits.
 double length_margin(double left, double height) { return left / std::max(1.0, std::abs(height)); }
 
-/// The largest tension at an end of a rope, the band at rest counted, and its node.
-LimitState pull_at(const solve::EquilibriumResult& r, const EndLimit& end) {
-  LimitState state{.kind = LimitKind::pull, .reeving = end.reeving, .node = 0, .value = 0, .limit = end.tension};
+/// The largest pull at an end of a rope, the band at rest counted, and its node.
+LimitState pull_at(const machine::Model& model, const solve::EquilibriumResult& r, const EndLimit& end) {
+  LimitState state{.kind = LimitKind::pull, .reeving = end.reeving, .node = 0, .value = 0, .limit = end.pull};
   for (const solve::BranchResult& s : r.branches) {
     if (s.reeving != end.reeving) continue;
     if (!end.at_end) {
@@ -27,7 +27,8 @@ LimitState pull_at(const solve::EquilibriumResult& r, const EndLimit& end) {
     state.node = s.to;
     state.value = s.T_to_max;
   }
-  state.margin = 1 - state.value / end.tension;
+  state.value *= model.reevings[end.reeving].copies;
+  state.margin = 1 - state.value / end.pull;
   return state;
 }
 
@@ -36,16 +37,17 @@ void add_supports(const machine::Model& model, const PayloadLimits& limits, cons
   for (const solve::ContactResult& c : r.contacts) {
     const machine::Node& node = model.reevings[c.reeving].nodes[c.node];
     // a carriage bends its rope by carrying; what stands on the ground or on a mast is a support
-    const bool carries = std::any_of(model.carriages.begin(), model.carriages.end(), [&](const machine::Carriage& car) {
-      return car.reeving == c.reeving && car.node == c.node;
-    });
-    if (carries || node.support == Vector3::Zero()) continue;
+    const bool carries = std::any_of(model.carriages.begin(), model.carriages.end(),
+                                     [&](const machine::Carriage& car) { return car.body == node.at.body; });
+    const bool holds = node.support == Vector3::Zero();
+    if (carries || (holds && !machine::is_saddle(node))) continue;
     const auto add = [&](LimitKind kind, double limit, double margin) {
       all.push_back({kind, c.reeving, c.node, c.wrap, limit, margin});
     };
     if (std::isfinite(limits.break_angle)) {
       add(LimitKind::break_angle, limits.break_angle, limits.break_angle - c.wrap);
     }
+    if (holds) continue;
     if (std::isfinite(limits.least_break_angle)) {
       add(LimitKind::least_break_angle, limits.least_break_angle, c.wrap - limits.least_break_angle);
     }
@@ -67,7 +69,7 @@ Array<LimitState> limits_at(const machine::Model& model, int body, const Payload
     const double T = r.ropes[k].T_max;
     all.push_back({LimitKind::tension, static_cast<int>(k), {}, T, limits.tension[k], 1 - T / limits.tension[k]});
   }
-  for (const EndLimit& end : limits.ends) all.push_back(pull_at(r, end));
+  for (const EndLimit& end : limits.ends) all.push_back(pull_at(model, r, end));
   const Vector3& place = r.state.bodies[body].position;
   const double clearance = place.z() - ground_height(model.terrain, terrain_x(model, place));
   if (std::isfinite(limits.clearance) && std::isfinite(clearance)) {

@@ -9,11 +9,11 @@
 
 namespace taut::study {
 
-/// Limit of the tension at one end of a rope: the pull of the winch there.
+/// Limit of the pull of the winch at one end of a rope, of all its copies together.
 struct EndLimit {
   int reeving = 0;
-  bool at_end = false;                                       ///< true: at the end of the path; false: at its start
-  double tension = std::numeric_limits<double>::infinity();  ///< N
+  bool at_end = false;                                    ///< true: at the end of the path; false: at its start
+  double pull = std::numeric_limits<double>::infinity();  ///< N
 };
 
 /// Limits of a payload.
@@ -26,7 +26,8 @@ struct PayloadLimits {
   Array<double> rope_clearance;  ///< [reeving]: least height of the rope above the terrain within rope_between, m;
                                  ///< -infinity: none. Empty: no limits
   RopeWindow rope_between;
-  /// Largest and least angle by which a rope may bend over a support on the ground, rad.
+  /// Largest and least angle by which a rope may bend over a support on the ground, rad. On one that holds it down it
+  /// may bend as little as it will.
   double break_angle = std::numeric_limits<double>::infinity();
   double least_break_angle = -std::numeric_limits<double>::infinity();
   bool lift_off = false;                               ///< true: no rope may pull a support upwards or lift off it

@@ -132,7 +132,7 @@ TEST(Limits, EachIsReachedByItsPayload) {
   options.prescribed = machine::Prescribed{.carriage = 0, .x = 150};
   options.motion = solve::Motion::in;
   PayloadLimits pull;
-  pull.ends = {{.reeving = 1, .at_end = false, .tension = 3e3}};
+  pull.ends = {{.reeving = 1, .at_end = false, .pull = 3e3}};
   PayloadLimits rope;
   rope.rope_clearance = {2.5, -std::numeric_limits<double>::infinity()};
   rope.rope_between = {.along = Vector3::UnitX(), .from = 100, .to = 190};
@@ -177,6 +177,39 @@ TEST(Limits, LiftOffEndsThePayload) {
   EXPECT_LT(solve::equilibrium(m, options).contacts[1].force.z(), 0) << "still presses on it";
   m.bodies[0].mass = 10 + 1.001 * p.mass;
   EXPECT_EQ(solve::equilibrium(m, options).contacts[1].state, solve::ContactState::pulled);
+}
+
+// A saddle that holds its rope down may bend it as little as it will, not as much.
+TEST(Limits, ASaddleThatHoldsBendsItsRopeToo) {
+  machine::Model m;
+  m.reevings.push_back(reeve(
+      "line", {anchor("a", {0, 0, 10}), saddle("jack", {100, 0, 14}, 0.1), anchor("b", {200, 0, 10})}, 201, 15, 500e6));
+  m.bodies.push_back(body("car", {60, 0, 3}, 10, ""));
+  PayloadLimits limits;
+  limits.break_angle = 0.01;
+  limits.least_break_angle = 0.02;
+  for (const bool holds : {false, true}) {
+    m.reevings[0].nodes[1].support = holds ? Vector3(Vector3::Zero()) : Vector3(Vector3::UnitZ());
+    const auto all = limits_at(m, 0, limits, solve::equilibrium(m));
+    ASSERT_EQ(all.size(), holds ? 1U : 2U);
+    EXPECT_EQ(all[0].kind, LimitKind::break_angle);
+    EXPECT_LT(all[0].margin, 0);
+  }
+}
+
+TEST(Limits, AWinchPullsAllCopies) {
+  machine::Model m = with_carriage(true, 0.1, 200);
+  solve::EquilibriumOptions options;
+  options.prescribed = machine::Prescribed{.carriage = 0, .x = 150};
+  options.motion = solve::Motion::in;
+  PayloadLimits limits;
+  limits.ends = {{.reeving = 1, .at_end = false, .pull = 3e3}};
+  const double one = limits_at(m, 0, limits, solve::equilibrium(m, options)).at(0).value;
+  m.reevings[1].copies = 2;
+  const solve::EquilibriumResult e = solve::equilibrium(m, options);
+  const LimitState both = limits_at(m, 0, limits, e).at(0);
+  EXPECT_NEAR(both.value, 2 * e.ropes[1].T_max, 1e-3 * one);
+  EXPECT_NEAR(both.margin, 1 - both.value / 3e3, 1e-12);
 }
 
 }  // namespace limits_test

@@ -389,7 +389,7 @@ void solve(TransientRun& run, const std::optional<solve::DynamicState>& from, co
     if (watchers.anew) watchers.anew();
   };
   o.take = [&](const solve::TransientResult& so_far) {
-    run.record.take(run.model, so_far);
+    run.record.take(so_far);
     if (watchers.so_far) watchers.so_far(so_far);
   };
   o.moment = watchers.moment;

@@ -34,7 +34,7 @@ double time_of_peak(const solve::TransientResult& so_far) {
 
 }  // namespace
 
-void TransientRecord::take(const machine::Model& model, const solve::TransientResult& so_far) {
+void TransientRecord::take(const solve::TransientResult& so_far) {
   const solve::TransientFrame& frame = so_far.frames.back();
   const Array<double> observed = observed_at(so_far, so_far.frames.size() - 1);
   if (count_ == 0) {
@@ -47,27 +47,10 @@ void TransientRecord::take(const machine::Model& model, const solve::TransientRe
   lines_->add(line);
   const solve::EnergyLedger& e = frame.energy;
   energy_->add({e.kinetic, e.elastic, e.potential, e.supplied, e.dissipated(), e.residual});
-  add_slips(model, so_far);
   follow_peak(so_far);
   if (count_ % every_ == 0) shown_.push_back({frame, observed});
   if (shown_.size() > most_) thin();
   ++count_;
-}
-
-void TransientRecord::add_slips(const machine::Model& model, const solve::TransientResult& so_far) {
-  const solve::TransientFrame& now = so_far.frames.back();
-  if (count_ == 0) {
-    slips_.resize(now.contacts.size());
-    return;
-  }
-  const solve::TransientFrame& before = so_far.frames[so_far.frames.size() - 2];
-  const double half = (now.t - before.t) / 2;
-  for (std::size_t c = 0; c < slips_.size(); ++c) {
-    const auto &a = before.contacts[c], &b = now.contacts[c];
-    const machine::Node& node = model.reevings[b.reeving].nodes[b.node];
-    slips_[c].slipped += half * (std::abs(a.slip) + std::abs(b.slip));
-    slips_[c].rim += half * node.radius * (std::abs(a.spin) + std::abs(b.spin));
-  }
 }
 
 void TransientRecord::follow_peak(const solve::TransientResult& so_far) {

@@ -17,7 +17,7 @@ namespace taut::study {
 class TransientRecord {
  public:
   /// After an output step: TransientOptions::take.
-  void take(const machine::Model& model, const solve::TransientResult& so_far);
+  void take(const solve::TransientResult& so_far);
 
   /// Puts the frames and observed values that are shown into the result, in place of its first and last one.
   void show(solve::TransientResult& result) const;
@@ -29,18 +29,11 @@ class TransientRecord {
   /// Kinetic, elastic, potential, supplied, dissipated, residual, J.
   const LongRows& energy() const { return *energy_; }
 
-  /// Ways over all output steps, m: of the rope against a contact's rim, and of the rim.
-  struct Slip {
-    double slipped = 0, rim = 0;
-  };
-  const Array<Slip>& slips() const { return slips_; }  ///< by contact of a frame
-
  private:
   struct Shown {
     solve::TransientFrame frame;
     Array<double> observed;
   };
-  void add_slips(const machine::Model& model, const solve::TransientResult& so_far);
   void follow_peak(const solve::TransientResult& so_far);
   void thin();
 
@@ -49,7 +42,6 @@ class TransientRecord {
   Array<Shown> shown_;
   Shown peak_;  ///< nearest to the largest tension so far
   std::optional<double> t_peak_;
-  Array<Slip> slips_;
 };
 
 }  // namespace taut::study

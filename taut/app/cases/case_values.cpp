@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "taut/base/suggest.hpp"
+#include "taut/study/deck/missing.hpp"
 
 namespace taut::app {
 namespace {
@@ -95,8 +96,8 @@ std::string assignment(const CaseInput& input, double value) {
 }
 
 void add_outputs(const Result& r, const std::vector<WantedValue>& wanted, CaseModel& made, NoCases& wrong) {
-  if (r.status != Status::ok) {
-    wrong.outcome = {.status = r.status, .message = "the deck as it is has no answer: " + r.message};
+  if (const Outcome outcome = study::outcome_of_case(r); !outcome.ok()) {
+    wrong.outcome = {.status = outcome.status, .message = "the deck as it is has no answer: " + outcome.message};
     return;
   }
   const std::vector<std::string> names = names_in(r);
@@ -116,7 +117,7 @@ void add_outputs(const Result& r, const std::vector<WantedValue>& wanted, CaseMo
 }
 
 Outcome take_values(const Result& r, const std::vector<WantedValue>& wanted, std::vector<double>& outputs) {
-  if (r.status != Status::ok) return {.status = r.status, .message = r.message};
+  if (Outcome outcome = study::outcome_of_case(r); !outcome.ok()) return outcome;
   for (const WantedValue& one : wanted) {
     const auto found = find(r, one);
     if (!found || std::isnan(found->value)) return infeasible(fmt::format("the result has no '{}'", one.name));

@@ -85,4 +85,14 @@ TEST(CaseValues, AnAssignmentHasEveryDigit) {
   EXPECT_EQ(assignment(share, 0.25), "parameters.share=0.25");
 }
 
+// A case that lost a state of which its deck asks can't be judged, whatever its other numbers say.
+TEST(CaseValues, ACaseWithoutOneOfItsStatesIsNoAnswer) {
+  Result r;
+  r.missing.push_back({"positions", 1, 3, "x = 40 m", "the roller lifts off"});
+  std::vector<double> outputs;
+  const Outcome outcome = take_values(r, {}, outputs);
+  EXPECT_EQ(outcome.status, Status::infeasible);
+  EXPECT_EQ(outcome.message, "positions, x = 40 m: the roller lifts off");
+}
+
 }  // namespace taut::app::case_values_test

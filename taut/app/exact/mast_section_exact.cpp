@@ -13,6 +13,7 @@
 #include "taut/calc/shown.hpp"
 #include "taut/catalogue/rule.hpp"
 #include "taut/methods/mast_section/run.hpp"
+#include "taut/structure/section_class.hpp"
 
 namespace taut::app {
 namespace {
@@ -137,6 +138,8 @@ void take_position(const LoadedMast& at, MastSectionExact& out) {
 void take_worst(const LoadedMast& at, MastSectionExact& out) {
   const solve::BeamResult& mast = at.mast();
   out.sigma_worst_exact = std::fmax(out.sigma_worst_exact, mast.points[mast.most_stressed].stress);
+  if (std::isfinite(mast.critical_factor))
+    out.buckling_factor_exact = std::fmin(out.buckling_factor_exact, mast.critical_factor);
   out.force_balance_exact = std::fmax(out.force_balance_exact, at.found.closure.balance);
   out.moment_balance_exact = std::fmax(out.moment_balance_exact, moment_balance(at.model, at.found));
   for (std::size_t i = 0; i < at.found.branches.size(); ++i) {
@@ -228,6 +231,47 @@ void add_comparisons(const Input& in, const Output& o, const Section& section, c
   add(("largest stress in the " + section.name).c_str(), "sigma", si::Pa, stress, e.sigma_exact);
 }
 
+/// A wall that buckles before it yields fails: the method's stress limit does not know of it.
+void check_wall(const Input& in, const mast_section::Assessment& a, Result& r) {
+  const double yield = a.allowable * limit_of(in).safety;
+  const structure::WallClass wall = structure::section_class(a.section, yield, {.N = a.worst.N, .M_y = a.worst.M});
+  if (wall.value <= 3) return;
+  Check c = make_check(fmt::format("wall of {}", a.section.name), wall.slenderness, si::one,
+                       {.sense = Sense::at_most,
+                        .limit = wall.limit_3,
+                        .rule = fmt::format("{} of the {}, class {}: up to class 3, EN 1993-1-1, table 5.2",
+                                            wall.wall == "tube" ? "D/t" : "c/t", wall.wall, wall.value),
+                        .trust = "UNVERIFIED: EN 1993-1-1, table 5.2, recalled"});
+  c.part = "mast";
+  c.limits = false;
+  r.checks.push_back(std::move(c));
+}
+
+/// The engine's mast is straight: what a real one, which is not, bends by is far from it only well below its critical
+/// load.
+void check_buckling(const Input& in, const Section& section, const MastSectionExact& e, Result& r) {
+  constexpr double least_without_imperfections = 3;  // EN 1993-1-1, 5.2.2: below it second order with imperfections
+  const double alpha = e.buckling_factor_exact;
+  if (std::isnan(alpha)) return;
+  if (in.safety) {
+    Check buckling = make_check(fmt::format("buckling of {}, exact", section.name), alpha, si::one,
+                                {.sense = Sense::at_least,
+                                 .limit = *in.safety,
+                                 .rule = "factor of the axial force at which the straight mast buckles, held by its "
+                                         "guys, at least the safety of the deck",
+                                 .trust = "user"});
+    buckling.part = "mast";
+    buckling.limits = false;
+    r.checks.push_back(std::move(buckling));
+  }
+  if (alpha >= least_without_imperfections) return;
+  warn_unsafe(r,
+              fmt::format("the mast buckles at {:.3g} times its axial force if it is straight, and a real one is not: "
+                          "below {:g} its bow and sway decide (EN 1993-1-1, 5.2.2); check it as a beam with an "
+                          "'imperfection', or by 'checks: masts'",
+                          alpha, least_without_imperfections));
+}
+
 void add_checks(const Input& in, const Section& section, const MastSectionExact& e, Result& r) {
   if (!asks_for_exact(in)) return;  // the method has checked it by second order
   Check strength =
@@ -239,6 +283,7 @@ void add_checks(const Input& in, const Section& section, const MastSectionExact&
                   .trust = section.trust});
   strength.part = "mast";
   r.checks.push_back(std::move(strength));
+  check_buckling(in, section, e, r);
   const auto rule = catalogue::find_rule("safety.guyline.ch_at");
   if (std::isnan(e.guy_safety_min_exact) || !rule || !rule->low) return;
   const bool unverified = rule->trust == catalogue::Trust::unverified;
@@ -309,6 +354,7 @@ void complete_mast_section(const Input& in, const Solved& method, EngineMasts& m
     // The method's checks are those of another mast: a clamped one without guys.
     std::erase_if(r.checks, [](const Check& c) { return c.name.starts_with("strength of"); });
   }
+  if (method.section) check_wall(in, *method.section, r);
   const Section section = section_of(in, method);
   MastSectionExact e;
   std::vector<ExactPosition> positions;

@@ -23,6 +23,7 @@ struct MastSectionExact {
   double sigma_worst_exact = mast_section::not_computed;       ///< Pa
   double guy_tension_max_exact = mast_section::not_computed;   ///< N, worst
   double guy_safety_min_exact = mast_section::not_computed;    ///< worst
+  double buckling_factor_exact = mast_section::not_computed;   ///< worst
   double slack_guys_exact = mast_section::not_computed;        ///< how many
   double force_balance_exact = mast_section::not_computed;     ///< N, worst
   double moment_balance_exact = mast_section::not_computed;    ///< N m, worst

@@ -28,6 +28,8 @@ void describe_worst(Describe<Exact>& d) {
           "largest tension of any guy at any carriage position");
   d.field(&Exact::guy_safety_min_exact, "guy_safety_min_exact", "S_guy", si::one,
           "smallest safety factor of any guy at any carriage position");
+  d.field(&Exact::buckling_factor_exact, "buckling_factor_exact", "alpha_cr", si::one,
+          "least factor of the axial force at which the mast, held by its guys, buckles, at any carriage position");
   d.field(&Exact::slack_guys_exact, "slack_guys_exact", "", si::one, "number of slack guys");
   d.field(&Exact::force_balance_exact, "force_balance_exact", "", si::N,
           "resultant of all forces on the mast (0 in equilibrium), worst position")

@@ -34,7 +34,7 @@ const Quantities<AnchorStates>& anchor_quantities() {
   using Row = AnchorStates;
   static const Quantities<Row> all = {
       {"name", "", si::one, "the anchor, or the point where ropes end", [](const Row& s) { return s.request->name; }},
-      {"force", "F", si::N, "largest pull of all ropes that end there together, without factors",
+      {"force", "F", si::N, "largest pull of all ropes together that end there or run over it, without factors",
        [](const Row& s) { return s.pull.norm(); }},
       {"horizontal", "", si::N, "its horizontal part", [](const Row& s) { return std::hypot(s.pull.x(), s.pull.y()); }},
       {"upwards", "", si::N, "its vertical part, uplift positive", [](const Row& s) { return s.pull.z(); }},
@@ -87,7 +87,7 @@ std::vector<AnchorStates> anchor_states(const std::vector<AnchorCheckRequest>& a
 void take(const CheckState& state, AnchorStates& anchor) {
   const double factor = state.moves ? 1 : anchor.request->dynamic_factor;
   Vector3 F = Vector3::Zero();
-  each_end_at(state, anchor.request->name, [&](const machine::Reeving& rope, const Vector3& pull) {
+  each_pull_at(state, anchor.request->name, [&](const machine::Reeving& rope, const Vector3& pull) {
     F += pull;
     anchor.strongest_rope = std::max(anchor.strongest_rope, rope.breaking_force * rope.copies);
     anchor.strength_unknown |= rope.breaking_force == 0;

@@ -119,4 +119,20 @@ TEST(AnchorChecks, MistakesHaveTheirPlace) {
   expect_mistake(run_text(guyed("  anchors: {a1: {fastening: {spikes: 8, staples: 6}}}\n")), "either");
 }
 
+// Six falls of a block of 6 t, and the lead line beside them, all hang on the sheave that the dead end is fixed to.
+TEST(AnchorChecks, AtASheaveItsRopesPullToo) {
+  const Result r = run_text(R"(taut: 1
+machine:
+  ropes: {hoist: {mass: 0 kg/m, stiffness: 13 MN, breaking_force: 178 kN}}
+  bodies: {hook: {mass: 6 t, at: [0 m, 0 m, 3 m], free: [x, z]}}
+  sheaves: {head: {at: [0 m, 0 m, 10 m], diameter: 400 mm}, block: {body: hook, at: [0 m, 0 m, 0 m], diameter: 400 mm}}
+  drums: {winch: {at: [-6 m, 0 m, 1 m], core_diameter: 400 mm}}
+  reevings: [{rope: hoist, path: [{drum: winch}, {over: head, parts: 6, between: [head, block]}, {anchor: head}], length: 52 m}]
+checks: {ropes: {hoist: {safety_factor: 5}}, anchors: {head: {strength: 20 kN}}}
+)");
+  const double T = 1e3 * 9.80665, slant = std::atan2(9.0, 6.0);  // the drum is as large as the sheave
+  const double force = std::hypot(6 * T + T * std::sin(slant), T * std::cos(slant));
+  EXPECT_NEAR(check_of(r, "head.anchor_strength").value, 20e3 / force, 0.01);
+}
+
 }  // namespace taut::checks::anchor_checks_test

@@ -17,4 +17,14 @@ void each_end_at(const CheckState& state, const std::string& name, Take&& take) 
   }
 }
 
+/// The same of all that pulls there: ends, and rope over a round of that name.
+template <class Take>
+void each_pull_at(const CheckState& state, const std::string& name, Take&& take) {
+  each_end_at(state, name, take);
+  for (const CheckContact& c : state.contacts) {
+    const machine::Reeving& rope = state.model->reevings[c.reeving];
+    if (rope.nodes[c.node].name == name) take(rope, Vector3(rope.copies * c.force));
+  }
+}
+
 }  // namespace taut::checks

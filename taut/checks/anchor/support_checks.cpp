@@ -26,7 +26,7 @@ std::vector<std::string> pulled_places(const machine::Model& model, bool ends) {
       const bool is_end = !rope.closed && (i == 0 || i + 1 == rope.nodes.size());
       const bool round = node.kind == machine::NodeKind::contact || node.kind == machine::NodeKind::drive;
       const bool rides = std::any_of(model.carriages.begin(), model.carriages.end(),
-                                     [&](const auto& c) { return node.name.starts_with(c.name); });
+                                     [&](const auto& c) { return node.at.body == c.body; });
       if (rides || (!round && !(ends && is_end))) continue;
       if (std::find(names.begin(), names.end(), node.name) == names.end()) names.push_back(node.name);
     }
@@ -37,11 +37,7 @@ std::vector<std::string> pulled_places(const machine::Model& model, bool ends) {
 /// Force of all ropes on a place: over it, and ending at it.
 Vector3 force_at(const CheckState& state, const std::string& name) {
   Vector3 F = Vector3::Zero();
-  for (const CheckContact& c : state.contacts) {
-    const machine::Reeving& rope = state.model->reevings[c.reeving];
-    if (rope.nodes[c.node].name == name) F += rope.copies * c.force;
-  }
-  each_end_at(state, name, [&](const machine::Reeving&, const Vector3& pull) { F += pull; });
+  each_pull_at(state, name, [&](const machine::Reeving&, const Vector3& pull) { F += pull; });
   return F;
 }
 

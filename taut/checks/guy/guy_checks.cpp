@@ -7,6 +7,7 @@
 
 #include "taut/base/suggest.hpp"
 #include "taut/catalogue/rule.hpp"
+#include "taut/checks/rope/rope_rules.hpp"
 
 namespace taut::checks {
 namespace {
@@ -131,6 +132,8 @@ void complain_of_guys(const std::vector<GuyCheckRequest>& guys, const CheckedDec
     }
     for (const std::string& name : names) {
       const machine::Reeving* rope = reeving_named(model, name);
+      if (rope != nullptr)
+        complain_of_second(one.breaking_force, rope->breaking_force, path + ".breaking_force", complaints);
       if (one.breaking_force || (rope != nullptr && rope->breaking_force > 0)) continue;
       complaints.push_back({path, fmt::format("the breaking force of '{}' is not known: give 'breaking_force'", name)});
     }
@@ -180,7 +183,7 @@ void add_guy_checks(const std::vector<GuyStates>& guys, const CheckedDeck& deck,
                     Result& r) {
   for (const GuyStates& one : guys) {
     const machine::Reeving& rope = model.reevings[one.reeving];
-    const double strength = one.request->breaking_force.value_or(rope.breaking_force);
+    const double strength = rope.breaking_force > 0 ? rope.breaking_force : one.request->breaking_force.value_or(0);
     if (one.T_max > 0) {
       check_safety(one, rope.name, strength, r);
     } else {

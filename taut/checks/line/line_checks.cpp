@@ -5,6 +5,7 @@
 
 #include "taut/base/suggest.hpp"
 #include "taut/checks/guy/guy_checks.hpp"
+#include "taut/checks/rope/rope_rules.hpp"
 #include "taut/study/line/rope_clearance.hpp"
 
 namespace taut::checks {
@@ -22,7 +23,7 @@ std::vector<std::string> supports_of(const machine::Model& model, const machine:
   for (std::size_t i = 1; i + 1 < rope.nodes.size(); ++i) {
     const machine::Node& node = rope.nodes[i];
     const bool rides = std::any_of(model.carriages.begin(), model.carriages.end(),
-                                   [&](const auto& c) { return node.name.starts_with(c.name); });
+                                   [&](const auto& c) { return node.at.body == c.body; });
     if (node.kind == machine::NodeKind::contact && !rides) names.push_back(node.name);
   }
   return names;
@@ -80,7 +81,7 @@ void take_bends(const CheckState& state, LineStates& line) {
       if (nodes[c.node].name != bend.support) continue;
       bend.most.largest(c.wrap, state.words);
       // how little the empty line bends is a rule for lines at rest; in motion it may, but must not lift off
-      if (!state.moves || c.lifts) bend.least.least(c.lifts ? -c.wrap : c.wrap, state.words);
+      if (!state.moves || c.lifts) bend.least.least(c.lifts ? -std::abs(c.wrap) : c.wrap, state.words);
     }
   }
 }
@@ -185,7 +186,8 @@ void check_bends(const LineStates& line, Result& r) {
 }
 
 void check_rating(const LineCheckRequest& request, const machine::Model& model, Result& r) {
-  const double strength = request.breaking_force.value_or(line_named(model, request.name)->breaking_force);
+  const double own = line_named(model, request.name)->breaking_force;
+  const double strength = own > 0 ? own : request.breaking_force.value_or(0);
   const char* trust = "verified";
   if (request.limiter) {
     add_part_check(
@@ -248,6 +250,7 @@ void complain_of_lines(const std::vector<LineCheckRequest>& lines, const machine
     if ((one.clearance || one.least_clearance) && model.terrain.empty()) {
       complaints.push_back({path, "a clearance needs the machine's 'terrain'"});
     }
+    complain_of_second(one.breaking_force, rope->breaking_force, path + ".breaking_force", complaints);
     if (one.limiter && !one.spar_rating) complaints.push_back({path + ".limiter", "needs 'spar_rating'"});
     if (one.spar_rating && !one.breaking_force && rope->breaking_force == 0) {
       complaints.push_back({path, "the rope's breaking force is not known: give 'breaking_force'"});

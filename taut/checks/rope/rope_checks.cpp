@@ -69,7 +69,9 @@ std::vector<AskedRules> resolve_ropes(const ChecksRequest& request, const Checke
           {path, fmt::format("there is no reeving, guy or rope '{}'{}", one.name, did_you_mean(one.name, known))});
       continue;
     }
-    const catalogue::RopeRow rope = with_request(row_in(deck, rope_name_of(deck.machine, reevings.front())), one);
+    const catalogue::RopeRow own = row_in(deck, rope_name_of(deck.machine, reevings.front()));
+    const catalogue::RopeRow rope = with_request(own, one);
+    complain_of_values(one, own, path, complaints);
     const std::vector<std::string> rounds = rounds_of(model);
     const AskedRules& asked = all.emplace_back(asked_rules(one, path, complaints));
     complain_of_limits(one, asked, rope, path, complaints);

@@ -195,8 +195,9 @@ void add_life(const RopeCheckRequest& request, const rope::RopeUse& use, const r
   const auto worst =
       std::max_element(lives.begin(), lives.end(), [](const auto& a, const auto& b) { return a.damage < b.damage; });
   if (worst == lives.end() || worst->lines.empty()) {
-    r.warnings.push_back(
-        fmt::format("{}: its life is not computed: no sheave or drum bends it under tension", use.name));
+    r.unmade.push_back(fmt::format(
+        "{}: its life is not computed: no sheave or drum of known diameter bends it under tension", use.name));
+    r.warnings.push_back(r.unmade.back());
     return;
   }
   add_life_check(*worst, life_rules, trust_of_life(request, *worst, rules), use, r);

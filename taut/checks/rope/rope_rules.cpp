@@ -87,6 +87,9 @@ class RequestReader {
       const auto row = catalogue::find_rope_in_words(*request_.rope);
       if (!row) complain("rope", catalogue::to_text(row.error()));
     }
+    if (request_.core && !catalogue::parse_core(*request_.core)) {
+      complain("core", fmt::format("there is no core '{}': FC of fibre, IWRC or WSC of steel", *request_.core));
+    }
     own_factors();
     dynamics();
     termination();
@@ -219,7 +222,7 @@ class RequestReader {
     rules_.temperature = request_.temperature;
     if (!request_.termination) return;
     for (const RuleRow& row : catalogue::rules_of("temperature.end")) {
-      if (row.group != *request_.termination) continue;
+      if (row.group != (asked_.termination.empty() ? *request_.termination : asked_.termination)) continue;
       const double upto = hottest_of(row);
       rules_.hottest_end = Limit{.value = upto, .rule = words_of(row), .trust = trust_of(row)};
     }
@@ -235,6 +238,7 @@ class RequestReader {
   }
 
   void ratios() {
+    rules_.ratio_asked = !request_.diameter_ratio.empty() || (request_.group && runs());
     if (!request_.diameter_ratio.empty()) {
       if (request_.diameter_ratio.size() > 2) complain("diameter_ratio", "one number, or two: of sheaves and of drums");
       const Limit sheave{.value = request_.diameter_ratio.front(), .rule = "D/d of the deck", .trust = "user"};
@@ -393,11 +397,11 @@ catalogue::RopeRow with_request(catalogue::RopeRow rope, const RopeCheckRequest&
   if (request.rope) {
     if (const auto row = catalogue::find_rope_in_words(*request.rope)) rope = *row;
   }
-  if (request.breaking_force) {
+  if (request.breaking_force && rope.breaking_force == 0) {
     rope.breaking_force = *request.breaking_force;
     rope.trust = catalogue::Trust::verified;
   }
-  if (request.diameter) rope.diameter = *request.diameter;
+  if (rope.diameter == 0) rope.diameter = request.diameter.value_or(0);
   if (request.construction) {
     rope.construction = *request.construction;
     if (const auto parsed = catalogue::parse_construction(*request.construction); parsed && !parsed->core.empty()) {
@@ -405,9 +409,27 @@ catalogue::RopeRow with_request(catalogue::RopeRow rope, const RopeCheckRequest&
     }
   }
   if (request.core) rope.core = catalogue::parse_core(*request.core).value_or(*request.core);
-  if (request.grade) rope.grade = request.grade;
-  if (request.area) rope.area = *request.area;
+  if (!rope.grade) rope.grade = request.grade;
+  if (rope.area == 0) rope.area = request.area.value_or(0);
   return rope;
+}
+
+void complain_of_second(const std::optional<double>& given, double known, const std::string& path,
+                        std::vector<Complaint>& complaints) {
+  constexpr double rounding = 1e-9;
+  if (!given || known == 0 || std::abs(*given - known) <= rounding * known) return;
+  complaints.push_back({path, "the rope has another value already: change it there, or leave this one out"});
+}
+
+void complain_of_values(const RopeCheckRequest& request, catalogue::RopeRow rope, const std::string& path,
+                        std::vector<Complaint>& complaints) {
+  RopeCheckRequest named;
+  named.rope = request.rope;
+  rope = with_request(std::move(rope), named);
+  complain_of_second(request.breaking_force, rope.breaking_force, path + ".breaking_force", complaints);
+  complain_of_second(request.diameter, rope.diameter, path + ".diameter", complaints);
+  complain_of_second(request.area, rope.area, path + ".area", complaints);
+  complain_of_second(request.grade, rope.grade.value_or(0), path + ".grade", complaints);
 }
 
 AskedRules asked_rules(const RopeCheckRequest& request, const std::string& path, std::vector<Complaint>& complaints) {

@@ -1,4 +1,5 @@
 #pragma once
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -8,8 +9,16 @@
 
 namespace taut::checks {
 
-/// The rope with what the deck says beside the catalogue: construction, core, grade, area.
+/// The rope with what the deck says beside the catalogue: construction and core; breaking force, diameter, grade and
+/// area where it has none.
 catalogue::RopeRow with_request(catalogue::RopeRow rope, const RopeCheckRequest& request);
+
+/// Complains of a value of `checks:` beside another one of the rope (0: it has none), which would hide that.
+void complain_of_second(const std::optional<double>& given, double known, const std::string& path,
+                        std::vector<Complaint>& complaints);
+/// The same of all values of a rope's check.
+void complain_of_values(const RopeCheckRequest& request, catalogue::RopeRow rope, const std::string& path,
+                        std::vector<Complaint>& complaints);
 
 /// What a deck asks of a rope, with all its names found: good for any rope that a design may put in its place.
 struct AskedRules {

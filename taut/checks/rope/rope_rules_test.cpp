@@ -96,16 +96,56 @@ TEST(RopeRules, one_dynamic_factor) {
   EXPECT_NEAR(rules_for(request, six_strand("IWRC")).dynamic_factor, 1.15 + 0.51 * 0.5, 1e-12);
 }
 
-TEST(RopeRules, the_request_goes_before_the_catalogue) {
+TEST(RopeRules, a_request_adds_what_the_rope_has_not) {
   RopeCheckRequest request;
   request.construction = "8x36WS-IWRC";
   request.breaking_force = 1e5;
   request.grade = 1770e6;
-  const auto rope = with_request(six_strand("FC"), request);
+  catalogue::RopeRow unknown = six_strand("FC");
+  unknown.breaking_force = 0;
+  unknown.grade.reset();
+  const auto rope = with_request(unknown, request);
   EXPECT_EQ(rope.core, "IWRC");
   EXPECT_EQ(rope.breaking_force, 1e5);
   EXPECT_EQ(rope.trust, catalogue::Trust::verified);  // its user answers for it
   EXPECT_EQ(rope.diameter, 16e-3);
+}
+
+// Another value of `checks:` would hide the rope's own one, and relax the check.
+TEST(RopeRules, a_second_value_of_the_rope_is_refused) {
+  RopeCheckRequest request;
+  request.breaking_force = 3e5;
+  catalogue::RopeRow row = six_strand("FC");
+  row.breaking_force = 1e5;
+  EXPECT_EQ(with_request(row, request).breaking_force, 1e5);
+  std::vector<Complaint> complaints;
+  complain_of_values(request, row, "checks.ropes.a", complaints);
+  ASSERT_EQ(complaints.size(), 1U);
+  EXPECT_EQ(complaints[0].path, "checks.ropes.a.breaking_force");
+  request.breaking_force = 1e5;
+  complain_of_values(request, row, "checks.ropes.a", complaints);
+  row.breaking_force = 0;
+  request.breaking_force = 3e5;
+  complain_of_values(request, row, "checks.ropes.a", complaints);
+  EXPECT_EQ(complaints.size(), 1U);
+}
+
+TEST(RopeRules, an_unknown_core_is_no_steel) {
+  RopeCheckRequest request;
+  request.core = "sisal";
+  EXPECT_NE(complaint_for(request, six_strand("IWRC")).find("there is no core 'sisal'"), std::string::npos);
+}
+
+// "ferrule" means the one termination whose name begins so, for its strength and for its temperature.
+TEST(RopeRules, an_abbreviated_termination_has_its_temperature) {
+  RopeCheckRequest request;
+  request.temperature = 400;
+  for (const char* name : {"ferrule", "ferrule_eye"}) {
+    request.termination = name;
+    const auto rules = rules_for(request, six_strand("IWRC"));
+    ASSERT_TRUE(rules.hottest_end && rules.termination) << name;
+    EXPECT_NEAR(rules.hottest_end->value, 150 + 273.15, 1e-9) << name;
+  }
 }
 
 }  // namespace taut::checks::rope_rules_test

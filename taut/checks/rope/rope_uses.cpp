@@ -89,40 +89,81 @@ RopeUses::RopeUses(const CheckedDeck& deck, const machine::Model& model)
   for (std::size_t i = 0; i < uses_.size(); ++i) {
     uses_[i].name = model.reevings[i].name;
     uses_[i].closed = model.reevings[i].closed;
+    uses_[i].copies = model.reevings[i].copies;
     uses_[i].rope = row_in(deck, rope_name_of(deck.machine, i));
     std::map<std::string, int> met;
     for (const machine::Node& node : model.reevings[i].nodes) {
-      if (!(node.radius > 0) || node.drum || node.kind == machine::NodeKind::anchor) continue;
-      bend_at(i, node, met[node.name]++);
+      const bool turns = node.kind == machine::NodeKind::contact || node.kind == machine::NodeKind::drive;
+      if (node.drum || node.kind == machine::NodeKind::anchor) continue;
+      if (node.radius > 0) {
+        bend_at(i, node, met[node.name]++);
+      } else if (turns && !machine::is_saddle(node)) {
+        uses_[i].unmeasured.push_back(node.name);
+      }
     }
     if (model.reevings[i].closed) continue;
-    for (const machine::Node* end : {&model.reevings[i].nodes.front(), &model.reevings[i].nodes.back()}) {
-      if (!end->drum) uses_[i].ends.push_back({end->name, 0});
-    }
+    add_end(i, model, false);
+    add_end(i, model, true);
   }
+}
+
+void RopeUses::add_end(std::size_t reeving, const machine::Model& model, bool at_end) {
+  const machine::Reeving& rope = model.reevings[reeving];
+  const machine::Node& node = at_end ? rope.nodes.back() : rope.nodes.front();
+  if (!node.drum) {
+    uses_[reeving].ends.push_back({node.name, 0});
+    return;
+  }
+  bends_[reeving].try_emplace("drum " + node.name,
+                              Met{.bend = {.name = node.name,
+                                           .kind = rope::BendKind::drum,
+                                           .diameter = 2 * model.drums[*node.drum].core_radius + rope.diameter,
+                                           .tension = 0,
+                                           .wrap = whole_turn,
+                                           .side = sense_in(reeving, node)},
+                                  .order = at_end ? std::numeric_limits<int>::max() : -1});
+  uses_[reeving].drums.push_back(
+      {.name = node.name, .tension = 0, .fleet_angle = {}, .layers = {}, .first_radius = {}, .last_radius = {}});
 }
 
 void RopeUses::take(const machine::Model& model, const solve::EquilibriumResult& state, const std::string& words) {
-  for (std::size_t i = 0; i < uses_.size(); ++i) {
-    const double T = state.ropes[i].T_max;
-    if (T > uses_[i].tension) {
-      uses_[i].tension = T;
-      uses_[i].where = words;
-    }
-  }
-  shown_ = true;
-  take_contacts(model, state);
-  take_ends(model, state);
+  take_forces(model, state, words);
+  for (const solve::DrumResult& d : solve::drums(model, state)) take_drum(model, state.state, d);
 }
 
-void RopeUses::take_tensions(const machine::Model& model, const solve::EquilibriumResult& state,
-                             const std::string& words) {
+void RopeUses::take_empty(const machine::Model& model, const solve::EquilibriumResult& state,
+                          const std::string& words) {
+  take_forces(model, state, words);
+}
+
+void RopeUses::take_forces(const machine::Model& model, const solve::EquilibriumResult& state,
+                           const std::string& words) {
+  Array<int> own(model.reevings.size(), -1);
   for (std::size_t i = 0; i < model.reevings.size(); ++i) {
-    const auto own =
-        std::find_if(uses_.begin(), uses_.end(), [&](const auto& use) { return use.name == model.reevings[i].name; });
-    if (own == uses_.end() || state.ropes[i].T_max <= own->tension) continue;
-    own->tension = state.ropes[i].T_max;
-    own->where = words;
+    const auto use =
+        std::find_if(uses_.begin(), uses_.end(), [&](const auto& one) { return one.name == model.reevings[i].name; });
+    if (use == uses_.end()) continue;
+    own[i] = static_cast<int>(use - uses_.begin());
+    if (state.ropes[i].T_max <= use->tension) continue;
+    use->tension = state.ropes[i].T_max;
+    use->where = words;
+  }
+  Array<std::map<std::string, int>> met(model.reevings.size());
+  for (const solve::ContactResult& c : state.contacts) {
+    machine::Node node = model.reevings[c.reeving].nodes[c.node];
+    if (own[c.reeving] < 0 || !(node.radius > 0)) continue;
+    if (!state.state.sides.empty()) node.side = state.state.sides[c.reeving][c.node];
+    rope::Bend& bend = bend_at(as_size(own[c.reeving]), node, met[c.reeving][node.name]++);
+    if (c.state == solve::ContactState::lifted) continue;
+    bend.tension = std::max(bend.tension, largest(c));
+    bend.wrap = std::max(bend.wrap, c.wrap);
+  }
+  for (const solve::BranchResult& s : state.branches) {
+    const machine::Reeving& rope = model.reevings[s.reeving];
+    if (own[s.reeving] < 0 || rope.closed) continue;
+    if (s.from == 0) raise_end(as_size(own[s.reeving]), rope.nodes.front(), std::max(s.T_from, s.T_from_max));
+    if (as_size(s.to) + 1 == rope.nodes.size())
+      raise_end(as_size(own[s.reeving]), rope.nodes.back(), std::max(s.T_to, s.T_to_max));
   }
 }
 
@@ -163,53 +204,27 @@ rope::Bend& RopeUses::bend_at(std::size_t reeving, const machine::Node& node, in
   return known.try_emplace(fmt::format("{} {}", node.name, times), fresh).first->second.bend;
 }
 
-void RopeUses::take_contacts(const machine::Model& model, const solve::EquilibriumResult& state) {
-  Array<std::map<std::string, int>> met(uses_.size());
-  for (const solve::ContactResult& c : state.contacts) {
-    machine::Node node = model.reevings[c.reeving].nodes[c.node];
-    if (!(node.radius > 0)) continue;
-    if (!state.state.sides.empty()) node.side = state.state.sides[c.reeving][c.node];
-    rope::Bend& bend = bend_at(as_size(c.reeving), node, met[c.reeving][node.name]++);
-    if (c.state == solve::ContactState::lifted) continue;
-    bend.tension = std::max(bend.tension, largest(c));
-    bend.wrap = std::max(bend.wrap, c.wrap);
-  }
-}
-
-rope::DrumEnd& RopeUses::take_drum(const machine::Model& model, const machine::State& state,
-                                   const solve::DrumResult& d) {
+void RopeUses::take_drum(const machine::Model& model, const machine::State& state, const solve::DrumResult& d) {
   const machine::Reeving& rope = model.reevings[d.reeving];
   const machine::Node& node = d.at_end ? rope.nodes.back() : rope.nodes.front();
   const machine::Node& next = d.at_end ? rope.nodes[rope.nodes.size() - 2] : rope.nodes[1];
   const machine::Drum& drum = model.drums[d.drum];
-  bends_[d.reeving].try_emplace("drum " + node.name, Met{.bend = {.name = node.name,
-                                                                  .kind = rope::BendKind::drum,
-                                                                  .diameter = 2 * drum.core_radius + rope.diameter,
-                                                                  .tension = 0,
-                                                                  .wrap = whole_turn,
-                                                                  .side = sense_in(as_size(d.reeving), node)},
-                                                         .order = d.at_end ? std::numeric_limits<int>::max() : -1});
+  const auto of_drum = [&](const rope::DrumEnd& one) { return one.name == node.name; };
   auto& drums = uses_[d.reeving].drums;
-  auto known = std::find_if(drums.begin(), drums.end(), [&](const auto& one) { return one.name == node.name; });
-  if (known == drums.end())
-    known = drums.insert(
-        drums.end(),
-        rope::DrumEnd{
-            .name = node.name, .tension = 0, .fleet_angle = {}, .layers = {}, .first_radius = {}, .last_radius = {}});
+  const auto known = std::find_if(drums.begin(), drums.end(), of_drum);
   if (drum.width > 0) {
     const double angle = fleet_angle_of(state, node, next, drum.width - rope.diameter);
     known->fleet_angle = std::max(known->fleet_angle.value_or(0), angle);
   }
   const rope::DrumLayers measures = machine::measures_of(drum, rope.diameter);
-  if (!(measures.width > 0) || !d.length) return *known;
+  if (!(measures.width > 0) || !d.length) return;
   const int layers = std::max(rope::on_drum(measures, std::max(*d.length, 0.0)).layer, known->layers.value_or(1));
   known->layers = layers;
   known->first_radius = rope::layer_radius(measures, 1);
   known->last_radius = rope::layer_radius(measures, layers);
-  return *known;
 }
 
-void RopeUses::take_moment(const machine::Model& model, const solve::TransientFrame& frame, long steps) {
+void RopeUses::take_moment(const machine::Model& model, const solve::TransientFrame& frame, long steps, bool at_rest) {
   Array<double> largest(uses_.size(), 0.0);
   for (const auto& s : frame.branches) largest[s.reeving] = std::max({largest[s.reeving], s.T_from, s.T_to});
   for (std::size_t i = 0; i < largest.size(); ++i) lasting_[i].take(frame.t, largest[i], steps);
@@ -218,43 +233,31 @@ void RopeUses::take_moment(const machine::Model& model, const solve::TransientFr
     const machine::Node& node = model.reevings[c.reeving].nodes[c.node];
     if (!(node.radius > 0)) continue;
     rope::Bend& bend = bend_at(as_size(c.reeving), node, met[{c.reeving, node.name}]++);
-    if (c.state != solve::ContactState::lifted) bend.wrap = std::max(bend.wrap, c.wrap);
+    if (c.state == solve::ContactState::lifted) continue;
+    bend.wrap = std::max(bend.wrap, c.wrap);
+    if (at_rest) bend.tension = std::max({bend.tension, c.T_in, c.T_out});
   }
   const machine::State state = places_of(frame);
   for (const solve::DrumResult& d : solve::drums(model, frame)) take_drum(model, state, d);
+  for (const auto& s : frame.branches) {
+    const machine::Reeving& rope = model.reevings[s.reeving];
+    if (!at_rest || rope.closed) continue;
+    if (s.from == 0) raise_end(as_size(s.reeving), rope.nodes.front(), s.T_from);
+    if (as_size(s.to) + 1 == rope.nodes.size()) raise_end(as_size(s.reeving), rope.nodes.back(), s.T_to);
+  }
 }
 
-void RopeUses::take_ends(const machine::Model& model, const solve::EquilibriumResult& state) {
-  const auto drums = solve::drums(model, state);
-  for (std::size_t i = 0; i < uses_.size(); ++i) {
-    const machine::Reeving& rope = model.reevings[i];
-    if (rope.closed) continue;
-    const auto own = [&](const auto& s) { return s.reeving == static_cast<int>(i); };
-    const auto first = std::find_if(state.branches.begin(), state.branches.end(), own);
-    const auto last = std::find_if(state.branches.rbegin(), state.branches.rend(), own);
-    if (first == state.branches.end()) continue;
-    for (const bool at_end : {false, true}) {
-      const machine::Node& node = at_end ? rope.nodes.back() : rope.nodes.front();
-      const double T = at_end ? std::max(last->T_to, last->T_to_max) : std::max(first->T_from, first->T_from_max);
-      if (node.drum) {
-        const auto own_drum = [&](const auto& d) { return d.reeving == static_cast<int>(i) && d.at_end == at_end; };
-        const auto d = std::find_if(drums.begin(), drums.end(), own_drum);
-        if (d == drums.end()) continue;
-        rope::DrumEnd& end = take_drum(model, state.state, *d);
-        end.tension = std::max(end.tension, T);
-        rope::Bend& bend = bends_[i].at("drum " + node.name).bend;
-        bend.tension = std::max(bend.tension, T);
-        continue;
-      }
-      auto& ends = uses_[i].ends;
-      const auto known = std::find_if(ends.begin(), ends.end(), [&](const auto& e) { return e.name == node.name; });
-      if (known == ends.end()) {
-        ends.push_back({node.name, T});
-      } else {
-        known->tension = std::max(known->tension, T);
-      }
+void RopeUses::raise_end(std::size_t reeving, const machine::Node& node, double T) {
+  const auto raise = [&](auto& all) {
+    for (auto& end : all) {
+      if (end.name == node.name) end.tension = std::max(end.tension, T);
     }
-  }
+  };
+  raise(uses_[reeving].ends);
+  if (!node.drum) return;
+  raise(uses_[reeving].drums);
+  rope::Bend& bend = bends_[reeving].at("drum " + node.name).bend;
+  bend.tension = std::max(bend.tension, T);
 }
 
 std::vector<rope::RopeUse> RopeUses::all() const {
@@ -264,7 +267,7 @@ std::vector<rope::RopeUse> RopeUses::all() const {
     met.reserve(bends_[i].size());
     for (const auto& [key, one] : bends_[i]) met.push_back(one);
     std::stable_sort(met.begin(), met.end(), [](const Met& a, const Met& b) { return a.order < b.order; });
-    const double least = shown_ ? lasting_[i].largest() : all[i].tension;
+    const double least = lasting_[i].largest();
     for (Met& one : met) {
       // a round that the rope comes to in a motion alone has the tension of the whole rope
       const double own = one.bend.tension > 0 ? least : all[i].tension;

@@ -20,16 +20,15 @@ class RopeUses {
 
   /// `words`: which state it is, "load path, in, x = 130 m".
   void take(const machine::Model& model, const solve::EquilibriumResult& state, const std::string& words);
-  /// Of a model that has some of the ropes, known by their names: their largest tensions alone.
-  void take_tensions(const machine::Model& model, const solve::EquilibriumResult& state, const std::string& words);
+  /// Of a model of some of the ropes, known by their names: forces and bends, not what lies on drums.
+  void take_empty(const machine::Model& model, const solve::EquilibriumResult& state, const std::string& words);
   /// A moment of a calculated motion after so many steps: how far ropes go round what bends them, what lies on drums,
-  /// and tensions that last.
-  void take_moment(const machine::Model& model, const solve::TransientFrame& frame, long steps);
+  /// and tensions that last. `at_rest`: it counts as a state at rest, with the tensions of all ends and rounds.
+  void take_moment(const machine::Model& model, const solve::TransientFrame& frame, long steps, bool at_rest);
   /// Of a calculated motion as a whole: its tension at rest and its peak. `slowly`: all its steps are at rest.
   void take_motion(int reeving, const solve::RopeExtreme& extreme, bool slowly, const std::string& words);
 
-  /// As in the model. Where no state was shown, but a motion, each round and end has the largest tension of its rope at
-  /// rest. It has no less than a tension that lasts in a motion.
+  /// As in the model. Each round and end has no less than a tension of its rope that lasts in a motion.
   std::vector<rope::RopeUse> all() const;
 
  private:
@@ -39,11 +38,11 @@ class RopeUses {
   };
   int sense_in(std::size_t reeving, const machine::Node& node);
   rope::Bend& bend_at(std::size_t reeving, const machine::Node& node, int times);
-  void take_contacts(const machine::Model& model, const solve::EquilibriumResult& state);
-  void take_ends(const machine::Model& model, const solve::EquilibriumResult& state);
-  rope::DrumEnd& take_drum(const machine::Model& model, const machine::State& state, const solve::DrumResult& d);
+  void add_end(std::size_t reeving, const machine::Model& model, bool at_end);
+  void take_forces(const machine::Model& model, const solve::EquilibriumResult& state, const std::string& words);
+  void raise_end(std::size_t reeving, const machine::Node& node, double T);
+  void take_drum(const machine::Model& model, const machine::State& state, const solve::DrumResult& d);
 
-  bool shown_ = false;
   Array<rope::RopeUse> uses_;                // without bends
   Array<LastingTension> lasting_;            // of motions
   Array<std::map<std::string, Met>> bends_;  // [reeving], by name and occurrence

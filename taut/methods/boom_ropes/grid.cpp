@@ -20,11 +20,6 @@ std::optional<std::size_t> governing(const std::vector<SlidingPoint>& grid) {
   return best;
 }
 
-std::string place(const SlidingPoint& p) {
-  return fmt::format("{:.6g} m, {:.6g} deg, {:.6g} kN", p.boom_length, p.luffing_angle * 180 / std::numbers::pi,
-                     p.suspended_weight / 1e3);
-}
-
 struct Extremes {
   double& high;
   double& low;
@@ -75,6 +70,11 @@ void check_taut(const Sliding& q, Sheet<T>& s, const Output& out) {
 }
 
 }  // namespace
+
+std::string place(const SlidingPoint& p) {
+  return fmt::format("{:.6g} m, {:.6g} deg, {:.6g} kN", p.boom_length, p.luffing_angle * 180 / std::numbers::pi,
+                     p.suspended_weight / 1e3);
+}
 
 template <class T>
 Outcome compute_sliding(const Input& in, const Sliding& q, Sheet<T>& s, Output& out) {

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "taut/calc/shown.hpp"
@@ -150,6 +151,13 @@ Result run(const Input& in) {
   if (!outcome.ok()) r.figures.insert(r.figures.begin(), boom_without_answer(in));
   s.move_to(r);
   add_assumptions(in, out, r);
+  const auto lost = [](const SlidingPoint& p) { return !p.ok(); };
+  const auto first = std::find_if(out.grid.begin(), out.grid.end(), lost);
+  if (outcome.ok() && first != out.grid.end()) {
+    const auto count = std::count_if(out.grid.begin(), out.grid.end(), lost);
+    r.missing.push_back(
+        {"sliding", static_cast<int>(count), static_cast<int>(out.grid.size()), place(*first), first->reason});
+  }
   r.unjudged = {"extension", "retraction"};  // their strength: the input names no ropes, checks may
   return r;
 }

@@ -1,4 +1,5 @@
 #pragma once
+#include <string>
 #include <vector>
 
 #include "taut/calc/sheet.hpp"
@@ -33,5 +34,8 @@ Outcome slide(const Input& in, const Sliding& q, const Position& at, Sheet<T>& s
 /// slide() in double over the whole grid, then once more over `T` where |F_h| is largest.
 template <class T>
 Outcome compute_sliding(const Input& in, const Sliding& q, Sheet<T>& s, Output& out);
+
+/// "21 m, 30 deg, 12 kN": length and angle of the boom, and what hangs on it.
+std::string place(const SlidingPoint& p);
 
 }  // namespace taut::boom_ropes

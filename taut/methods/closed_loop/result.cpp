@@ -32,10 +32,9 @@ Check rope_check(const char* role, const catalogue::RopeRow& rope, const Peak& p
 /// `found`: the positions, with the peaks where a search for ropes has them already.
 void add_checks(const Input& in, const Engine& engine, const Solved& found, Result& r) {
   const auto& [ropes, rows, known] = found;
-  const bool named = ropes.return_rope || ropes.traction_rope;
-  const Peaks peaks = known ? *known : named ? peaks_of_both_hauls(in, ropes, engine, rows) : Peaks{};
+  const Peaks peaks = known ? *known : peaks_of_both_hauls(in, ropes, engine, rows);
   const bool any = peaks.return_rope.tension > 0;
-  if (any && named) r.tables.push_back(ropes_table(ropes, peaks));
+  if (any) r.tables.push_back(ropes_table(ropes, peaks));
   if (any && in.safety_factor && ropes.return_rope) {
     r.checks.push_back(rope_check("return", *ropes.return_rope, peaks.return_rope, *in.safety_factor));
   }
@@ -46,7 +45,10 @@ void add_checks(const Input& in, const Engine& engine, const Solved& found, Resu
   if (!in.safety_factor || !ropes.traction_rope) r.unjudged.emplace_back("traction rope");
   if (!in.clearance) return;
   double deepest = none;
-  for (const Row& row : rows) deepest = std::fmax(deepest, row.out.f);
+  for (const Row& row : rows) {
+    // of a carriage in two sections each has its own
+    for (const double sag : {row.out.f, row.out.f_1, row.out.f_2}) deepest = std::fmax(deepest, sag);
+  }
   if (std::isnan(deepest)) return;
   r.checks.push_back(make_check("sag at the carriage", deepest, si::m,
                                 {.sense = Sense::at_most,

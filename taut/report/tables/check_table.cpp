@@ -21,7 +21,7 @@ constexpr int check_digits = 4;
 constexpr int longest_part = 24, longest_name = 52;  ///< on page 1
 
 std::string bar_html(const Check& c) {
-  const double part = std::isnan(c.utilisation) ? 1 : std::clamp(c.utilisation, 0.0, 1.25) / 1.25;
+  const double part = std::isnan(c.utilisation) ? (c.passes ? 0 : 1) : std::clamp(c.utilisation, 0.0, 1.25) / 1.25;
   return fmt::format(
       "<svg class=\"bar\" width=\"60\" height=\"9\" viewBox=\"0 0 60 9\" aria-hidden=\"true\"><rect class=\"track\" "
       "width=\"60\" height=\"9\"/><rect class=\"{}\" width=\"{:.1f}\" height=\"9\"/><path d=\"M48 0V9\"/></svg>",

@@ -38,13 +38,13 @@ void solve(study::TransientRun& run, MachineRun& machine) {
   watchers.progress = machine.progress;
   watchers.anew = [&] { checked = before; };
   watchers.moment = [&](const solve::TransientResult& so_far, const solve::TransientFrame& moment) {
-    checked.take_moment(run.model, so_far, moment, words, name);
+    checked.take_moment(run.model, so_far, moment, words, name, run.request.quasi_static);
   };
   watchers.so_far = [&](const solve::TransientResult& so_far) {
-    checked.take_moment(run.model, so_far, so_far.frames.back(), words, name);
+    checked.take_moment(run.model, so_far, so_far.frames.back(), words, name, run.request.quasi_static);
   };
   watchers.as_whole = [&](const solve::TransientResult& motion) {
-    checked.take(run.model, motion, run.record.slips(), words, run.request.quasi_static);
+    checked.take(run.model, motion, words, run.request.quasi_static);
   };
   study::solve(run, from, watchers);
 }

@@ -185,14 +185,14 @@ void add_ropes(const study::TransientRun& run, const std::vector<std::string>& s
                                                fmt::format("{} ({}; {})", largest.about.words, where, words_of(run))));
 }
 
-/// How much of the way of each driven rim its rope did not go along with, over all that was written down.
+/// How much of the way of each driven rim its rope did not go along with, over all steps.
 void add_slip_shares(const study::TransientRun& run, Result& r) {
-  const std::vector<study::TransientRecord::Slip>& slips = run.record.slips();
-  for (std::size_t c = 0; c < slips.size(); ++c) {
+  const Array<solve::ContactWays>& ways = run.result.ways;
+  for (std::size_t c = 0; c < ways.size(); ++c) {
     const auto& first = run.result.frames.front().contacts[c];
     const machine::Node& node = run.model.reevings[first.reeving].nodes[first.node];
     if (!node.motor) continue;
-    const auto [slipped, rim] = slips[c];
+    const auto [slipped, rim] = ways[c];
     if (!(rim > 0)) continue;
     const std::string words = fmt::format("way that the rope slips on {}, as a share of the way of its rim", node.name);
     r.values.push_back(make_value(named(value_kinds(), "SHEAVE.slip_share"), node.name, run.ending, slipped / rim,

@@ -201,7 +201,7 @@ struct TransientEvent {
   std::string what;
   std::string where;                             ///< the rope, sheave, contact by name
   Array<std::pair<std::string, double>> values;  ///< with their symbols, SI
-  std::optional<int> reeving = {};               ///< of "slack" and "taut": the rope
+  std::optional<int> reeving = {};               ///< of "slack", "taut" and "break": the rope
 };
 
 struct Extreme {
@@ -216,6 +216,17 @@ struct RopeExtreme {
   double T_static = 0;  ///< largest tension at the start, N
 };
 
+/// Ways over the whole run, at every step of the integrator, m: of the rope against a contact's rim, and of the rim.
+struct ContactWays {
+  double slipped = 0, rim = 0;
+};
+
+/// What a drum has let through its brake, which acts in full, after it had stood in it.
+struct BrakeWay {
+  bool stood = false;
+  double way = 0, since = 0;  ///< of the rope, m; when it began, s
+};
+
 /// `outcome` not ok: the frames up to `t_end` are a result, the message says what happened there.
 struct TransientResult {
   Outcome outcome;
@@ -225,6 +236,8 @@ struct TransientResult {
   Array<Array<double>> observed;  ///< [model.observed][frame]
   Array<Extreme> extremes;        ///< [model.observed]
   Array<RopeExtreme> ropes;       ///< by reeving
+  Array<ContactWays> ways;        ///< by contact of a frame, those of chains left out
+  Array<BrakeWay> brake_ways;     ///< by drum
   Array<TransientEvent> events;
   DynamicState state;  ///< at t_end: go on from there
   long steps = 0, rejected = 0, iterations = 0;

@@ -31,6 +31,13 @@ void Missing::note(Result& r, const std::string& analysis, bool judged) const {
                                    first_, why_.message));
 }
 
+Outcome outcome_of_case(const Result& r) {
+  if (r.status != Status::ok) return {.status = r.status, .message = r.message};
+  if (r.missing.empty()) return {};
+  const MissingStates& first = r.missing.front();
+  return infeasible(fmt::format("{}, {}: {}", first.analysis, first.first, first.reason));
+}
+
 void note_failure(Result& r, const Outcome& outcome, const std::string& what) {
   if (outcome.ok() || r.status != Status::ok) return;
   r.status = outcome.status;

@@ -26,6 +26,9 @@ class Missing {
   std::string first_;
 };
 
+/// Whether a result, one of many cases, is an answer: not where a state is missing of which its deck asks.
+Outcome outcome_of_case(const Result& r);
+
 /// Notes the first failure of a calculation in the result: its status, and `what` before its message.
 void note_failure(Result& r, const Outcome& outcome, const std::string& what);
 

@@ -12,11 +12,7 @@ namespace {
 
 constexpr double near = 1e-9;        ///< of a span's length
 constexpr double buried_anchor = 3;  ///< m; what is fixed deeper below the ground is a mistake
-
-bool moves(const machine::Model& model, const solve::BranchResult& branch, int node) {
-  const machine::Place& place = model.reevings[branch.reeving].nodes[node].at;
-  return place.body != machine::ground && !model.bodies[place.body].free.empty();
-}
+constexpr double buried_rope = 6;    ///< m in plan from a fixed end; farther on a rope is out of the ground
 
 /// A coordinate under a span, seen from its start: at the horizontal distance h from there it is from + rate h.
 struct Under {
@@ -47,8 +43,8 @@ class ClearanceSearch {
 
   /// Of the free rope.
   RopeClearance least() {
-    take_end(branch_.from, under_.from, branch_.start);
-    take_end(branch_.to, x_at(length_), branch_.end);
+    take_end(branch_.from, 0, branch_.start);
+    take_end(branch_.to, length_, branch_.end);
     // at a fixed end, but for rounding
     between({.first = near * length_, .last = (1 - near) * length_});
     return found_;
@@ -81,11 +77,17 @@ class ClearanceSearch {
     found_ = {.height = height, .place = place};
   }
 
-  /// An end of the branch: one that moves, or is fixed deeper than an anchor is buried.
-  void take_end(int node, double x, const Vector3& place) {
+  /// An end of the branch, at the distance h: one that may not be on the ground; else one that is fixed deeper than an
+  /// anchor is buried, or whose rope stays in the ground.
+  void take_end(int node, double h, const Vector3& place) {
     const RopeClearance above = found_;
-    take(x, place);
-    if (!moves(model_, branch_, node) && found_.height >= -buried_anchor) found_ = above;
+    take(x_at(h), place);
+    if (!may_be_on_ground(model_, branch_.reeving, node)) return;
+    if (found_.height >= -buried_anchor) found_ = above;
+    const RopeClearance end = found_;
+    const double out = std::min(buried_rope, length_ / 2);
+    take_at(h == 0 ? out : length_ - out);
+    if (found_.height >= 0) found_ = end;
   }
 
   /// The rope at the distance h: by its sag under the chord.
@@ -159,12 +161,19 @@ RopeClearance lower(const RopeClearance& a, const RopeClearance& b) {
 
 }  // namespace
 
+bool may_be_on_ground(const machine::Model& model, int reeving, int node) {
+  const machine::Node& at = model.reevings[reeving].nodes[node];
+  if (at.at.body != machine::ground && !model.bodies[at.at.body].free.empty()) return false;
+  return !machine::is_saddle(at);
+}
+
 RopeClearance rope_clearance(const machine::Model& model, const solve::BranchResult& branch) {
   if (model.terrain.empty() || branch.slack) return {};
   return lower({}, ClearanceSearch(model, branch).least());
 }
 
-RopeClearance rope_clearance(const machine::Model& model, const Array<Vector3>& rope, bool begins, bool ends) {
+RopeClearance rope_clearance(const machine::Model& model, const Array<Vector3>& rope, int reeving, int from, int to) {
+  const bool begins = !may_be_on_ground(model, reeving, from), ends = !may_be_on_ground(model, reeving, to);
   RopeClearance least;
   const auto take = [&](const Vector3& place) {
     least = lower(least, {.height = place.z() - ground_height(model.terrain, terrain_x(model, place)), .place = place});

@@ -20,13 +20,17 @@ struct RopeClearance {
 /// only rises from a fixed end, is slack, or has no terrain below it.
 RopeClearance rope_clearance(const machine::Model& model, const solve::BranchResult& branch);
 
+/// Whether a rope may lie on the ground at a node: where it is fixed or winds, and at sheaves that do not move; not on
+/// supports.
+bool may_be_on_ground(const machine::Model& model, int reeving, int node);
+
 /// The least clearance of all branches.
 RopeClearance rope_clearance(const machine::Model& model, const solve::EquilibriumResult& result);
 
 /// Clearance of a rope that is given as a polyline, m. The chords of a sagging rope lie above it: n equal pieces of a
-/// rope with the sag f give up to f/n^2 too much (a branch in motion has 17 pieces: 0.4 % of its sag). `begins`,
-/// `ends`: whether the first and the last point count, as where they move with a body.
-RopeClearance rope_clearance(const machine::Model& model, const Array<Vector3>& rope, bool begins, bool ends);
+/// rope with the sag f give up to f/n^2 too much (a branch in motion has 17 pieces: 0.4 % of its sag). `from`,
+/// `to`: the nodes of its ends.
+RopeClearance rope_clearance(const machine::Model& model, const Array<Vector3>& rope, int reeving, int from, int to);
 
 /// A window: the places with a coordinate along `along` between `from` and `to`, m, in either order.
 struct RopeWindow {

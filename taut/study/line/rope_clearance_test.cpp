@@ -41,17 +41,25 @@ TEST(RopeClearance, OfAPolylineIsThatOfTheRopeUpToTheSagOfItsPieces) {
         const double x = span * i / pieces;
         places.emplace_back(x, 0, rope_height(x));
       }
-      const double found = taut::study::rope_clearance(line.machine, places, false, false).height;
+      const double found = taut::study::rope_clearance(line.machine, places, 0, 0, 1).height;
       const double sag = support - rope_height(span / 2);
       EXPECT_GE(found, exact - 1e-6);
       EXPECT_LE(found, exact + 1.1 * sag / (pieces * pieces) + 1e-6);
     }
   }
-  const Line line = line_over({{.x = -10, .z = 15}, {.x = 110, .z = 15}});
   const std::vector<Vector3> rising = {{0, 0, 15}, {50, 0, 18}, {100, 0, 14}};
-  EXPECT_DOUBLE_EQ(taut::study::rope_clearance(line.machine, rising, true, false).height, 0);
-  EXPECT_DOUBLE_EQ(taut::study::rope_clearance(line.machine, rising, false, true).height, -1);
-  EXPECT_DOUBLE_EQ(taut::study::rope_clearance(line.machine, rising, false, false).height, 3);
+  // on a support an end counts
+  const auto with_support = [&](std::size_t end) {
+    Line line = line_over({{.x = -10, .z = 15}, {.x = 110, .z = 15}});
+    if (end < 2) {
+      line.machine.reevings[0].nodes[end].kind = machine::NodeKind::contact;
+      line.machine.reevings[0].nodes[end].law = {.friction = 0.1, .efficiency = 0};
+    }
+    return taut::study::rope_clearance(line.machine, rising, 0, 0, 1).height;
+  };
+  EXPECT_DOUBLE_EQ(with_support(0), 0);
+  EXPECT_DOUBLE_EQ(with_support(1), -1);
+  EXPECT_DOUBLE_EQ(with_support(2), 3);
 }
 
 TEST(RopeClearance, IsWhereTheRopeIsParallelToTheGroundOrOverAHilltop) {
@@ -81,7 +89,7 @@ TEST(RopeClearance, AFixedEndCountsWhereItIsDeeperThanAnAnchorIsBuried) {
     const double exact = taut::study::rope_clearance(line.machine, line.rope).height;
     std::vector<Vector3> places;
     for (int i = 0; i <= 100; ++i) places.emplace_back(i, 0, rope_height(i));
-    const double polyline = taut::study::rope_clearance(line.machine, places, false, false).height;
+    const double polyline = taut::study::rope_clearance(line.machine, places, 0, 0, 1).height;
     EXPECT_TRUE(exact > 0 || std::abs(polyline - exact) < 1e-6) << depth;
     return exact;
   };
@@ -102,4 +110,16 @@ TEST(RopeClearance, CountsEndsThatMove) {
 }
 
 }  // namespace
+// An anchor 2.9 m deep at a slope of 4 %: 60 m of rope would run in the ground. Its rope has to be out of it at 6 m.
+TEST(RopeClearance, ARopeLeavesTheGroundSoonBehindABuriedAnchor) {
+  const auto least = [](double slope) {
+    // the ground passes 2.5 m above the right end, and is below the rope at the other one
+    const Line line = line_over(
+        {{.x = -10, .z = 0}, {.x = 95, .z = support + 2.5 - 5 * slope}, {.x = 110, .z = support + 2.5 + 10 * slope}});
+    return taut::study::rope_clearance(line.machine, line.rope).height;
+  };
+  EXPECT_GT(least(1), 0) << "2.5 m higher, and 6 m lower after 6 m";
+  EXPECT_LT(least(0.2), -1);
+}
+
 }  // namespace taut_test::rope_clearance_test

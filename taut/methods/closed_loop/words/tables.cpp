@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "taut/base/gravity.hpp"
 #include "taut/catalogue/trust.hpp"
 
 namespace taut::closed_loop {
@@ -64,22 +65,26 @@ struct RopeRow {
   const Peak& peak;
 };
 
+/// 0: not known.
+double known(double value) { return value > 0 ? value : Output::none; }
+
 const Quantities<RopeRow>& rope_quantities() {
   using R = RopeRow;
   static const Quantities<R> all = {
       {"role", "", si::one, "return or traction", [](const R& r) { return std::string(r.role); }},
-      {"designation", "", si::one, "the rope of the catalogue, by its id", [](const R& r) { return r.rope.id; }},
-      {"diameter", "d", si::m.in("mm"), "its nominal diameter", [](const R& r) { return r.rope.diameter; }},
-      {"area", "A", si::m2, "its metallic cross-sectional area", [](const R& r) { return r.rope.area; }},
+      {"designation", "", si::one, "the rope of the catalogue, by its id; else that the deck has its weight",
+       [](const R& r) { return r.rope.id; }},
+      {"diameter", "d", si::m.in("mm"), "its nominal diameter", [](const R& r) { return known(r.rope.diameter); }},
+      {"area", "A", si::m2, "its metallic cross-sectional area", [](const R& r) { return known(r.rope.area); }},
       {"mass_per_metre", "m", si::kg_per_m, "its mass per metre", [](const R& r) { return r.rope.mass_per_length; }},
       {"breaking_force", "F_min", si::N, "its minimum breaking force",
-       [](const R& r) { return r.rope.breaking_force; }},
+       [](const R& r) { return known(r.rope.breaking_force); }},
       {"largest_tension", "T_max", si::N, "largest tension of the rope over all positions and both hauls",
        [](const R& r) { return r.peak.tension; }},
       {"where", "", si::one, "branch, support and carriage position of that tension",
        [](const R& r) { return fmt::format("{}, carriage at {:.4g} m", r.peak.where, r.peak.x); }},
       {"safety_factor", "n", si::one, "minimum breaking force over that tension",
-       [](const R& r) { return r.rope.breaking_force / r.peak.tension; }},
+       [](const R& r) { return known(r.rope.breaking_force) / r.peak.tension; }},
       {"trust", "", si::one, "trust in its row of the catalogue",
        [](const R& r) { return std::string(catalogue::to_text(r.rope.trust)); }}};
   return all;
@@ -100,20 +105,25 @@ Table positions_table(const std::vector<Row>& rows) {
 }
 
 Table ropes_table(const Ropes& ropes, const Peaks& peaks) {
-  std::vector<RopeRow> rows;
-  if (ropes.return_rope) rows.push_back({.role = "return", .rope = *ropes.return_rope, .peak = peaks.return_rope});
-  if (ropes.traction_rope) {
-    rows.push_back({.role = "traction", .rope = *ropes.traction_rope, .peak = peaks.traction_rope});
-  }
-  return make_table("ropes", "Ropes with their own weight", rope_quantities(), rows);
+  const auto row_of = [](const std::optional<catalogue::RopeRow>& rope, double weight) {
+    if (rope) return *rope;
+    catalogue::RopeRow row;
+    row.id = "by its weight";
+    row.mass_per_length = weight / standard_gravity;
+    row.trust = catalogue::Trust::verified;  // the deck's own
+    return row;
+  };
+  const catalogue::RopeRow back = row_of(ropes.return_rope, ropes.q_b), pull = row_of(ropes.traction_rope, ropes.q_T);
+  const std::vector<RopeRow> rows = {{.role = "return", .rope = back, .peak = peaks.return_rope},
+                                     {.role = "traction", .rope = pull, .peak = peaks.traction_rope}};
+  return make_table("ropes", "Ropes with their own weight, and their largest tensions", rope_quantities(), rows);
 }
 
 std::vector<TableWords> table_words() {
-  return {
-      {.name = "positions",
-       .rows = "every carriage position, where there are several",
-       .columns = words_of(position_quantities(true))},
-      {.name = "ropes", .rows = "both ropes, where they are of the catalogue", .columns = words_of(rope_quantities())}};
+  return {{.name = "positions",
+           .rows = "every carriage position, where there are several",
+           .columns = words_of(position_quantities(true))},
+          {.name = "ropes", .rows = "both ropes", .columns = words_of(rope_quantities())}};
 }
 
 }  // namespace taut::closed_loop

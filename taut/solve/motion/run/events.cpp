@@ -56,7 +56,7 @@ void break_rope(Run& run, Values& v, const machine::Event& event) {
   const int line = breaking_line(run, v, event);
   if (line < 0) return;
   run.breaking.push_back({line, v.t, event.over});
-  note(run, v.t, "break", line_name(run, run.m.lines[line]), {{"T", v.lines[line].T}});
+  note(run, v.t, "break", line_name(run, run.m.lines[line]), {{"T", v.lines[line].T}}, event.index);
 }
 
 /// A drum that has pulled its rope goes on with a torque: it turns as its rope goes, and its drive has seen to that.

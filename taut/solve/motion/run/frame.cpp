@@ -382,6 +382,50 @@ void record_extremes(Run& run, const Values& v) {
   }
 }
 
+namespace {
+
+void add_brake_ways(Run& run) {
+  run.result.brake_ways.resize(run.model.drums.size());
+  for (std::size_t i = 0; i < run.m.spins.size(); ++i) {
+    const Spin& spin = run.m.spins[i];
+    if (spin.drum < 0) continue;
+    BrakeWay& of = run.result.brake_ways[spin.drum];
+    const machine::Drive& drive = run.now.drum_drive[spin.drum];
+    const auto& brake = run.model.drums[spin.drum].brake;
+    if (!drive.brake || !brake || run.before.t < drive.brake_since + brake->delay + brake->rise) {
+      of.stood = false;
+      continue;
+    }
+    const SpinValues& is = run.now.spins[i];
+    of.stood = of.stood || is.turns == 0;
+    if (!of.stood || is.turns == 0) continue;
+    if (of.way == 0) of.since = run.before.t;
+    of.way +=
+        run.scheme.h * std::abs(is.omega) * working_radius(run.m, run.m.contacts[spin.contacts.front().first], run.now);
+  }
+}
+
+}  // namespace
+
+void add_ways(Run& run) {
+  add_brake_ways(run);
+  const double half = run.scheme.h / 2;
+  std::size_t k = 0;
+  for (std::size_t i = 0; i < run.m.contacts.size(); ++i) {
+    const Contact& contact = run.m.contacts[i];
+    if (contact.in < 0 || contact.out < 0) continue;
+    if (k == run.result.ways.size()) run.result.ways.emplace_back();
+    ContactWays& ways = run.result.ways[k++];
+    const bool light = contact.spin < 0 && contact.efficiency > 0;
+    if (light && !contact.load) continue;  // it goes with the rope
+    for (const Values* v : {&run.before, &run.now}) {
+      const ContactValues& is = v->contacts[i];
+      ways.slipped += half * is.lambda * std::abs(is.flow - is.roll_rate);
+      if (contact.spin >= 0) ways.rim += half * contact.radius * std::abs(v->spins[contact.spin].omega);
+    }
+  }
+}
+
 void show_moment(Run& run, const Values& before, const Values& now) {
   if (!run.options.moment) return;
   bool peak = false;

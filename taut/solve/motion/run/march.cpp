@@ -153,6 +153,7 @@ void accept(Run& run, bool rough = false) {
   if (implicit) keep_history(run);
   if (run.options.method == TimeMethod::verlet) note_tension_errors(run);
   note_changes(run);
+  add_ways(run);
   ++run.result.steps;
   note_impatience(run);
   const double h = run.scheme.h;

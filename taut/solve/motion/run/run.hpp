@@ -83,6 +83,8 @@ void extend(Extreme& e, double value, double t, bool first);
 /// Writes down one output step; extremes at every step.
 void record_frame(Run& run, const Values& v);
 void record_extremes(Run& run, const Values& v);
+/// Adds the step to the ways of rope and rims.
+void add_ways(Run& run);
 /// Shows a moment between output steps: the start of the last step, where a rope had a peak there, or its end.
 void show_moment(Run& run, const Values& before, const Values& now);
 /// Of the observed quantities alone.
