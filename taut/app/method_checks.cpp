@@ -100,7 +100,7 @@ std::vector<rope::RopeUse> ropes_of_drive(const friction_drive::Input& in, const
   if (in.sheave_radius) {
     use.bends.push_back({"driving sheave", rope::BendKind::sheave, 2 * *in.sheave_radius, use.tension, in.wrap, 1});
   } else {
-    use.unmeasured = {"driving sheave"};
+    use.unmeasured = {"its driving sheave"};
   }
   return {use};
 }

@@ -75,6 +75,7 @@ struct TerrainColumns {
   std::optional<TerrainColumn> x, y, z;
 
   bool known() const { return x && z; }
+  std::size_t last() const { return std::max({x->cell, z->cell, y ? y->cell : 0}); }
 };
 
 TerrainColumns named_columns(const std::vector<std::string_view>& head) {
@@ -140,7 +141,9 @@ class TerrainReader {
   }
 
   void take_row(const std::vector<std::string_view>& cells) {
-    if (cells.size() != width_)
+    const auto more = cells.begin() + static_cast<std::ptrdiff_t>(std::min(width_, cells.size()));
+    const bool too_many = std::any_of(more, cells.end(), [](std::string_view c) { return !c.empty(); });
+    if (too_many || cells.size() <= columns_.last())
       return wrong(fmt::format("the line has {} cells, the first one has {}", cells.size(), width_));
     const auto x = number(cells, columns_.x, "x");
     const auto y = number(cells, columns_.y, "y");

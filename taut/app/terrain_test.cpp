@@ -106,6 +106,13 @@ TEST(Terrain, OfASurveyIsThatOfItsProfile) {
 
 // As a spreadsheet of a country with decimal commas writes it: "170,00;33,00" are two numbers.
 TEST(Terrain, ADecimalCommaIsNoSeparator) {
+  for (const char* text : {"x,z,note\n0,1,start\n50,2\n100,3,end\n", "x,z\n0,1,\n50,2,\n100,3,\n"}) {
+    machine::description::Terrain terrain;
+    Diagnostics mistakes;
+    read_terrain(text, "p.csv", terrain, mistakes);
+    EXPECT_TRUE(mistakes.empty()) << to_text(mistakes);
+    EXPECT_EQ(terrain.z, (std::vector<double>{1, 2, 3})) << text;
+  }
   const auto mistakes_in = [](const char* text) {
     machine::description::Terrain terrain;
     Diagnostics mistakes;

@@ -197,7 +197,8 @@ void Judge::warn_of_pulled(const machine::Model& m, const machine::Node& node, c
   warn(node.name + " pulled", text, true);
 }
 
-/// A motion holds a rope on its rounds, whatever their `uplift` says.
+/// A motion holds a rope on its rounds, also where their `uplift` does not. Where one is held down, or may pass on
+/// either side, there is nothing to tell.
 void Judge::take_uplift(const machine::Model& m, const solve::TransientFrame& moment, const std::string& words) {
   constexpr double rounding = 1e-9;
   for (const auto& c : moment.contacts) {
@@ -205,6 +206,7 @@ void Judge::take_uplift(const machine::Model& m, const solve::TransientFrame& mo
     const machine::Node& node = rope.nodes[c.node];
     if (node.kind != machine::NodeKind::contact || broken_.contains(rope.name)) continue;
     if (!(std::max(c.T_in, c.T_out) > 0)) continue;
+    if (node.support == Vector3::Zero() && (node.side_open || machine::is_saddle(node))) continue;
     const bool pulled =
         node.radius > 0 ? c.wrap < -rounding : c.force.dot(node.support) > rounding * std::max(c.T_in, c.T_out);
     if (pulled) warn_of_pulled(m, node, c.force, words);
@@ -236,12 +238,13 @@ void Judge::take_places(const machine::Model& m, const solve::EquilibriumResult&
                      words, m.bodies[b].name, angle * 180 / std::numbers::pi),
          true);
   }
-  take_spans(m, e.state, words);
+  take_spans(m, e.state, {}, words);
 }
 
-void Judge::take_spans(const machine::Model& m, const machine::State& state, const std::string& words) {
+void Judge::take_spans(const machine::Model& m, const machine::State& state, const std::set<std::string>& broken,
+                       const std::string& words) {
   for (const machine::Carriage& car : m.carriages) {
-    if (broken_.contains(m.reevings[car.reeving].name)) continue;
+    if (broken.contains(m.reevings[car.reeving].name)) continue;
     const std::string where = beside_its_span(m, state, car);
     if (!where.empty()) warn(car.name + " beside", fmt::format("{}: {}", words, where), true);
   }
@@ -336,7 +339,7 @@ void Judge::take_moment(const machine::Model& m, const solve::TransientResult& s
   off_groove_.take(m, moment, broken_, when);
   two_blocked_.take(m, places, broken_, when);
   take_uplift(m, moment, when);
-  take_spans(m, places, when);
+  take_spans(m, places, broken_, when);
   if (m.terrain.empty()) return;
   for (const machine::Carriage& car : m.carriages) {
     if (broken_.contains(m.reevings[car.reeving].name)) continue;

@@ -112,7 +112,8 @@ class Judge {
   void warn_of_pulled(const machine::Model& model, const machine::Node& node, const Vector3& force,
                       const std::string& words);
   void take_uplift(const machine::Model& model, const solve::TransientFrame& moment, const std::string& words);
-  void take_spans(const machine::Model& model, const machine::State& state, const std::string& words);
+  void take_spans(const machine::Model& model, const machine::State& state, const std::set<std::string>& broken,
+                  const std::string& words);
   void take_slack(const machine::Model& model, const solve::EquilibriumResult& state, const std::string& words);
   void take_places(const machine::Model& model, const solve::EquilibriumResult& state, const std::string& words);
   std::string strength_trust(std::size_t reeving) const;

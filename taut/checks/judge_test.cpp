@@ -50,14 +50,44 @@ TEST(Judge, AfterABreakTheOtherRopesAreJudgedOn) {
   EXPECT_FALSE(has_check(above, "strap.ground"));
 }
 
-// A carriage of a rope that is cut itself is thrown about: its height says nothing.
+// The carriage of a rope that is cut itself falls: its height says nothing. Another one in that place counts.
 TEST(Judge, WhatTheDeckBreaksIsJudgedUpToItsBreak) {
-  std::string deck = strap_is_cut("2 m");
+  std::string deck = strap_is_cut("-5 m");
   deck.replace(deck.find("break: strap"), 12, "break: skyline");
+  deck.replace(deck.find("length: 11.9 m"), 14, "length: 40 m, may_slack: true");
+  deck.replace(deck.find("  events:"), 9, "  observe: [car.z]\n  events:");
   const Result r = run_text(deck);
   ASSERT_TRUE(verdict_of(r)) << to_text(r.errors);
+  ASSERT_NE(r.find_value("car.z_min"), nullptr) << r.message;
+  EXPECT_LT(r.find_value("car.z_min")->value, -6);
   EXPECT_FALSE(has_check(r, "car.ground"));
   EXPECT_FALSE(has_check(r, "skyline.ground"));
+}
+
+// What a motion has broken is whole in the states at rest behind it.
+TEST(Judge, ABreakIsOfItsMotionAlone) {
+  const auto beside = [](const std::string& analyses) {
+    return run_text(R"(taut: 1
+machine:
+  points: {head: [0 m, 0 m, 10 m], tail: [200 m, 0 m, 40 m], far: [230 m, 0 m, 44 m]}
+  ropes:
+    skyline: {mass: 1.7 kg/m, stiffness: 26 MN, breaking_force: 900 kN, damping_ratio: 0.05}
+    main: {mass: 0.5 kg/m, stiffness: 10 MN, breaking_force: 200 kN, damping_ratio: 0.05}
+  carriages: {car: {mass: 800 kg, rides: skyline, mainline: main, at: [190 m, 0 m, 36 m]}}
+  reevings:
+    - {rope: skyline, path: [{anchor: head}, {through: car}, {anchor: tail}], length: 210 m}
+    - {rope: main, path: [{anchor: far}, {anchor: car}], length: 40 m}
+  events: [{at: 0.1 s, break: skyline}]
+checks: {ropes: {skyline: {safety_factor: 2}, main: {safety_factor: 2}}}
+analyses:
+)" + analyses + "  - sweep: {parameter: 'machine.reevings[1].length', from: 38 m, to: 25 m, steps: 4}\n");
+  };
+  const std::string motion = "  - transient: {duration: 0.3 s, output_step: 0.1 s, tolerance: 1e-2}\n";
+  for (const std::string& analyses : {std::string(), motion}) {
+    const Result r = beside(analyses);
+    EXPECT_THAT(r.unsafe, Contains(HasSubstr("sweep"))) << r.message << to_text(r.errors);
+    EXPECT_THAT(r.unsafe, Contains(HasSubstr("carriage car stands at x = 20")));
+  }
 }
 
 TEST(Judge, ACarriageBesideItsSpanIsToldInMotion) {
@@ -106,5 +136,8 @@ TEST(Judge, ARopeThatLeavesItsSaddleInMotionIsUnsafe) {
   EXPECT_THAT(run_text(raised(", uplift: lift", "8 m")).unsafe,
               ElementsAre(HasSubstr("the rope pulls 'jack' upwards")));
 }
+
+// A rope that a guard holds down may press on it.
+TEST(Judge, AnUpliftThatIsHeldIsNoNews) { EXPECT_THAT(run_text(raised(", uplift: hold", "8 m")).unsafe, IsEmpty()); }
 
 }  // namespace taut::checks::judge_test

@@ -269,7 +269,7 @@ class RopeChecker {
   /// Where it runs over sheaves that the deck gives no diameter of.
   void unmeasured(const char* what) {
     if (use_.unmeasured.empty()) return;
-    leave_out(what, fmt::format("the diameter of '{}' is not known", use_.unmeasured.front()));
+    leave_out(what, "no diameter is known of " + use_.unmeasured.front());
   }
 
   void ratios() {
@@ -368,18 +368,19 @@ class RopeChecker {
 
   /// What the deck asks of drums that have not the data for it.
   void drums_left_out() {
-    const auto tell = [&](bool asked, const char* what, const auto& known) {
+    const auto tell = [&](bool asked, const char* what, const char* needs, const auto& known) {
       if (!asked) return;
       if (use_.drums.empty()) return leave_out(what, "it ends on no drum");
       for (const DrumEnd& drum : use_.drums) {
-        if (known(drum)) continue;
-        leave_out(what, fmt::format("the drum '{}' has no 'face_width', or for layers no 'length_on_drum'", drum.name));
+        if (!known(drum)) leave_out(what, fmt::format("the drum '{}' needs {}", drum.name, needs));
       }
     };
-    tell(rules_.fleet_angle.has_value(), "its fleet angle", [](const DrumEnd& d) { return d.fleet_angle.has_value(); });
+    tell(rules_.fleet_angle.has_value(), "its fleet angle", "'face_width'",
+         [](const DrumEnd& d) { return d.fleet_angle.has_value(); });
     const auto layered = [](const DrumEnd& d) { return d.layers.has_value(); };
-    tell(rules_.layers.has_value(), "the number of its layers", layered);
-    tell(rules_.rated_pull.has_value(), "the pull in the last layer", layered);
+    const char* const of_layers = "'face_width' and 'length_on_drum'";
+    tell(rules_.layers.has_value(), "the number of its layers", of_layers, layered);
+    tell(rules_.rated_pull.has_value(), "the pull in the last layer", of_layers, layered);
   }
 
   const RopeUse& use_;

@@ -257,7 +257,7 @@ TEST(RopeCheck, what_has_no_tension_in_it_is_judged_at_any) {
 TEST(RopeCheck, what_sheaves_without_a_diameter_leave_open) {
   RopeUse use = hoist_rope();
   use.bends.clear();
-  use.unmeasured = {"head"};
+  use.unmeasured = {"'head'"};
   RopeRules rules;
   rules.sheave_ratios = {{.value = 20, .rule = "a rule", .trust = "verified"}};
   EXPECT_TRUE(check_rope(use, rules).left_out.empty()) << "nobody has asked";
@@ -266,7 +266,8 @@ TEST(RopeCheck, what_sheaves_without_a_diameter_leave_open) {
   rules.resistance = Limit{.value = 0, .rule = "EN", .trust = "verified"};
   const auto left = check_rope(use, rules).left_out;
   ASSERT_EQ(left.size(), 3U);
-  for (const std::string& words : left) EXPECT_NE(words.find("'head' is not known"), std::string::npos) << words;
+  for (const std::string& words : left)
+    EXPECT_NE(words.find("no diameter is known of 'head'"), std::string::npos) << words;
   use.unmeasured.clear();
   const auto over_nothing = check_rope(use, rules).left_out;
   ASSERT_EQ(over_nothing.size(), 1U);

@@ -45,7 +45,7 @@ struct RopeUse {
   double peak = 0;          ///< the largest of calculated motions, N; 0: none
   std::string peak_where;
   std::vector<Bend> bends;              ///< along its path
-  std::vector<std::string> unmeasured;  ///< sheaves that it runs over, of no known diameter
+  std::vector<std::string> unmeasured;  ///< sheaves that it runs over, of no known diameter, in words
   std::vector<RopeEnd> ends;
   std::vector<DrumEnd> drums;
   int copies = 1;       ///< equal ropes side by side; all tensions are of one of them

@@ -239,8 +239,9 @@ void check_wall(const Input& in, const mast_section::Assessment& a, Result& r) {
   Check c = make_check(fmt::format("wall of {}", a.section.name), wall.slenderness, si::one,
                        {.sense = Sense::at_most,
                         .limit = wall.limit_3,
-                        .rule = fmt::format("{} of the {}, class {}: up to class 3, EN 1993-1-1, table 5.2",
-                                            wall.wall == "tube" ? "D/t" : "c/t", wall.wall, wall.value),
+                        .rule = fmt::format("{} of the {}, class {}: up to class 3, EN 1993-1-1, table 5.2{}",
+                                            wall.wall == "tube" ? "D/t" : "c/t", wall.wall, wall.value,
+                                            in.choose_section ? "; give a smaller 'largest_slenderness'" : ""),
                         .trust = "UNVERIFIED: EN 1993-1-1, table 5.2, recalled"});
   c.part = "mast";
   c.limits = false;

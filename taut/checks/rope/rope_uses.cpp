@@ -92,13 +92,17 @@ RopeUses::RopeUses(const CheckedDeck& deck, const machine::Model& model)
     uses_[i].copies = model.reevings[i].copies;
     uses_[i].rope = row_in(deck, rope_name_of(deck.machine, i));
     std::map<std::string, int> met;
+    const auto rides = [&](const machine::Node& node) {
+      return std::any_of(model.carriages.begin(), model.carriages.end(),
+                         [&](const machine::Carriage& car) { return car.body == node.at.body; });
+    };
     for (const machine::Node& node : model.reevings[i].nodes) {
       const bool turns = node.kind == machine::NodeKind::contact || node.kind == machine::NodeKind::drive;
       if (node.drum || node.kind == machine::NodeKind::anchor) continue;
       if (node.radius > 0) {
         bend_at(i, node, met[node.name]++);
-      } else if (turns && !machine::is_saddle(node)) {
-        uses_[i].unmeasured.push_back(node.name);
+      } else if (turns && !machine::is_saddle(node) && !rides(node)) {
+        uses_[i].unmeasured.push_back(fmt::format("'{}'", node.name));
       }
     }
     if (model.reevings[i].closed) continue;
@@ -122,7 +126,10 @@ void RopeUses::add_end(std::size_t reeving, const machine::Model& model, bool at
                                            .wrap = whole_turn,
                                            .side = sense_in(reeving, node)},
                                   .order = at_end ? std::numeric_limits<int>::max() : -1});
-  uses_[reeving].drums.push_back(
+  auto& drums = uses_[reeving].drums;
+  const auto same = [&](const rope::DrumEnd& one) { return one.name == node.name; };
+  if (std::any_of(drums.begin(), drums.end(), same)) return;
+  drums.push_back(
       {.name = node.name, .tension = 0, .fleet_angle = {}, .layers = {}, .first_radius = {}, .last_radius = {}});
 }
 

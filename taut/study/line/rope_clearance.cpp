@@ -84,9 +84,9 @@ class ClearanceSearch {
     take(x_at(h), place);
     if (!may_be_on_ground(model_, branch_.reeving, node)) return;
     if (found_.height >= -buried_anchor) found_ = above;
+    if (!(length_ > buried_rope)) return;
     const RopeClearance end = found_;
-    const double out = std::min(buried_rope, length_ / 2);
-    take_at(h == 0 ? out : length_ - out);
+    take_at(h == 0 ? buried_rope : length_ - buried_rope);
     if (found_.height >= 0) found_ = end;
   }
 
@@ -174,20 +174,40 @@ RopeClearance rope_clearance(const machine::Model& model, const solve::BranchRes
 
 RopeClearance rope_clearance(const machine::Model& model, const Array<Vector3>& rope, int reeving, int from, int to) {
   const bool begins = !may_be_on_ground(model, reeving, from), ends = !may_be_on_ground(model, reeving, to);
-  RopeClearance least;
-  const auto take = [&](const Vector3& place) {
-    least = lower(least, {.height = place.z() - ground_height(model.terrain, terrain_x(model, place)), .place = place});
+  const auto height = [&](const Vector3& place) {
+    return place.z() - ground_height(model.terrain, terrain_x(model, place));
   };
+  // its points, those over the corners of the ground, and those that end what may be buried
+  Array<Vector3> places;
+  Array<double> heights;
+  const auto apart = [](const Vector3& a, const Vector3& b) { return std::hypot(b.x() - a.x(), b.y() - a.y()); };
   for (std::size_t i = 0; i < rope.size(); ++i) {
-    const bool fixed = (i == 0 && !begins) || (i + 1 == rope.size() && !ends);
-    const double height = rope[i].z() - ground_height(model.terrain, terrain_x(model, rope[i]));
-    if (!fixed || height < -buried_anchor) take(rope[i]);
-    if (i == 0) continue;
-    const double a = terrain_x(model, rope[i - 1]), b = terrain_x(model, rope[i]);
-    for (const machine::GroundPoint& top : model.terrain) {
-      if (top.x <= std::min(a, b) || top.x >= std::max(a, b)) continue;
-      take(rope[i - 1] + (top.x - a) / (b - a) * (rope[i] - rope[i - 1]));
+    if (i > 0) {
+      Array<double> shares;
+      const double a = terrain_x(model, rope[i - 1]), b = terrain_x(model, rope[i]);
+      for (const machine::GroundPoint& top : model.terrain) {
+        if (top.x > std::min(a, b) && top.x < std::max(a, b)) shares.push_back((top.x - a) / (b - a));
+      }
+      for (const Vector3& end : {rope.front(), rope.back()}) {
+        const double r = apart(end, rope[i - 1]), q = apart(end, rope[i]);
+        if ((r - buried_rope) * (q - buried_rope) < 0) shares.push_back((buried_rope - r) / (q - r));
+      }
+      std::sort(shares.begin(), shares.end());
+      for (const double share : shares) places.push_back(rope[i - 1] + share * (rope[i] - rope[i - 1]));
     }
+    places.push_back(rope[i]);
+  }
+  for (const Vector3& place : places) heights.push_back(height(place));
+  RopeClearance least;
+  const std::size_t last = places.size() - 1;
+  for (std::size_t i = 0; i <= last; ++i) {
+    const bool end = i == 0 || i == last;
+    const bool counts = end && (i == 0 ? begins : ends);
+    const bool lowest = !end && !(heights[i - 1] < heights[i]) && !(heights[i + 1] < heights[i]);
+    const bool buried = (!begins && apart(rope.front(), places[i]) < buried_rope) ||
+                        (!ends && apart(rope.back(), places[i]) < buried_rope);
+    if (counts || lowest || heights[i] < (buried ? -buried_anchor : 0))
+      least = lower(least, {.height = heights[i], .place = places[i]});
   }
   return least;
 }
