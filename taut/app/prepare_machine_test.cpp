@@ -283,4 +283,23 @@ TEST(MachineRun, TheExamplesRunAndClose) {
   EXPECT_EQ(count, 16);
 }
 
+/// A spar that is fixed and carries a rope to an anchor: its place is where the sweep has it, not where it was first.
+TEST(MachineRun, ASweepOfAFixedBodyMovesIt) {
+  const auto at = [](const std::string& place, const std::string& analyses) {
+    return taut_test::run_text(R"(taut: 1
+machine:
+  ropes: {g: {mass: 1 kg/m, stiffness: 20 MN, breaking_force: 900 kN}}
+  points: {stump: [-30 m, 0 m, 0 m], top: {body: spar, at: [0 m, 0 m, 20 m]}}
+  bodies: {spar: {mass: 100 kg, at: [)" +
+                               place + R"(, 0 m, 0 m], free: []}}
+  reevings: [{rope: g, path: [{anchor: stump}, {anchor: top}], length: 36.1 m}]
+checks: {ropes: {g: {safety_factor: 3}}}
+analyses: [)" + analyses + "]\n");
+  };
+  const Result swept = at("0 m", "{sweep: {parameter: 'bodies.spar.at[0]', from: 0 m, to: 0.4 m, steps: 2}}");
+  ASSERT_EQ(swept.status, Status::ok) << swept.message << to_text(swept.errors);
+  const double alone = at("0.4 m", "{equilibrium: {motion: at_rest}}").find_value("g.T_max")->value;
+  EXPECT_NEAR(swept.find_value("g.T_max")->value, alone, 1e-6 * alone);
+}
+
 }  // namespace taut::app::machine_run_test

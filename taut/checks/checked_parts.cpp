@@ -17,6 +17,7 @@ constexpr double unseen_share = 0.02;  ///< by which a peak may be larger than w
 
 CheckedParts::CheckedParts(const CheckedDeck& given, const machine::Model& model)
     : deck(std::make_shared<const CheckedDeck>(given)), judge(given, model), ropes(given, model) {
+  for (const machine::Reeving& one : model.reevings) reevings.push_back(one.name);
   carriages = carriage_states(given, model);
   if (!given.checks) return;
   guys = guy_states(given.checks->guys, given, model);
@@ -58,20 +59,23 @@ void CheckedParts::take_empty(const machine::Model& model, const solve::Equilibr
   if (!judged) return;
   put_up ? judge.take_ropes(model, state, words) : judge.take_empty(model, state, words);
   ropes.take_empty(model, state, words);
-  const auto rope = std::find_if(model.reevings.begin(), model.reevings.end(),
-                                 [&](const machine::Reeving& one) { return one.name == line; });
-  if (rope == model.reevings.end()) return;
+  const auto show_as = [&](auto& one, const CheckState& seen) {  // by its place among the ropes of that model
+    const int own = one.reeving;
+    const auto rope = std::find_if(model.reevings.begin(), model.reevings.end(),
+                                   [&](const machine::Reeving& each) { return each.name == reevings[own]; });
+    if (rope == model.reevings.end()) return;
+    one.reeving = static_cast<int>(rope - model.reevings.begin());
+    checks::take(seen, one);
+    one.reeving = own;
+  };
   const CheckState seen = state_of(model, state, words, "installation");
   for (AnchorStates& one : anchors) checks::take(seen, one);
   for (SupportStates& one : supports) checks::take(seen, one);
   for (YarderLineStates& one : yarders) take_empty_line(seen, line, put_up, one);
   for (LineStates& one : lines) {
-    if (one.request->name != line) continue;
-    const int own = one.reeving;
-    one.reeving = static_cast<int>(rope - model.reevings.begin());
-    checks::take(seen, one);
-    one.reeving = own;
+    if (one.request->name == line) show_as(one, seen);
   }
+  for (GuyStates& one : guys) show_as(one, seen);
 }
 
 void CheckedParts::take_moment(const machine::Model& model, const solve::TransientResult& so_far,

@@ -26,6 +26,19 @@ bool same_ropes(const machine::Model& a, const machine::Model& b) {
              [](const machine::Reeving& x, const machine::Reeving& y) { return x.nodes.size() == y.nodes.size(); });
 }
 
+/// Whether bodies that are held in some directions are held at the same places there: a state keeps them.
+bool same_guides(const machine::Model& a, const machine::Model& b) {
+  constexpr std::size_t all_ways = 6;
+  for (std::size_t i = 0; i < a.bodies.size(); ++i) {
+    const machine::Body &one = a.bodies[i], &other = b.bodies[i];
+    const bool rides = std::any_of(a.carriages.begin(), a.carriages.end(),
+                                   [&](const machine::Carriage& car) { return as_size(car.body) == i; });
+    if (one.beam || rides || one.free.size() == all_ways) continue;
+    if (one.position != other.position || one.orientation != other.orientation) return false;
+  }
+  return true;
+}
+
 /// The machine's size, m.
 double size_of(const EquilibriumResult& r) {
   double size = 1e-3;
@@ -69,7 +82,8 @@ class Follow {
     }
     point.value = value;
     point.model = std::move(*model);
-    const bool follows = near != nullptr && same_ropes(near->model, point.model);
+    const bool follows =
+        near != nullptr && same_ropes(near->model, point.model) && same_guides(near->model, point.model);
     point.at = equilibrium(point.model, options_.equilibrium, follows ? std::optional(near->at.state) : std::nullopt);
     if (!point.at.outcome.ok()) sweep_.outcome = point.at.outcome;
     return point.at.outcome.ok();

@@ -37,12 +37,13 @@ WinchPull pull_of(const machine::Model& m, const solve::EquilibriumResult& e, co
     const auto drive = std::find_if(e.contacts.begin(), e.contacts.end(),
                                     [&](const auto& c) { return c.reeving == w.reeving && c.node == 0; });
     const double mean = (drive->T_in + drive->T_out) / 2;
-    return {.tension = drive->T_in - drive->T_out, .paid = passed(e, m, w.reeving) * (1 + mean / rope.stiffness)};
+    return {.tension = rope.copies * (drive->T_in - drive->T_out),
+            .paid = passed(e, m, w.reeving) * (1 + mean / rope.stiffness)};
   }
   const auto own = [&](const auto& s) { return s.reeving == w.reeving; };
   const double T = w.at_end ? std::find_if(e.branches.rbegin(), e.branches.rend(), own)->T_to
                             : std::find_if(e.branches.begin(), e.branches.end(), own)->T_from;
-  return {.tension = T, .paid = e.ropes[w.reeving].unstretched * (1 + rope.thermal_strain)};
+  return {.tension = rope.copies * T, .paid = e.ropes[w.reeving].unstretched * (1 + rope.thermal_strain)};
 }
 
 /// A part of the way with the carriage in one span, solved; without points where it is on a support.
@@ -66,7 +67,6 @@ std::vector<Stretch> stretches_of(const machine::Model& model, const CycleRun& r
     if (part.support != nullptr) continue;
     LoadPathOptions options = path_over(phase.way, part);
     options.equilibrium = motion.options(part.model);
-    options.equilibrium.band = false;
     options.equilibrium.held = run.held;
     options.go_on = [&watch](double x) { return watch.go_on_at(x); };
     one.points = load_path(part.model, options).points;
@@ -151,6 +151,7 @@ void add_positions(const CycleRun& run, const Phase& phase, const std::vector<St
       answer.missing.take(point.at.outcome, point.x);
       if (!p.known) continue;
       p.z = point.z;
+      p.place = point.at.state.bodies[part.model.carriages[run.carriage].body].position;
       seen(part.model, point, phase);
       for (const Winch& w : run.winches) p.pulls.push_back(pull_of(part.model, point.at, w));
     }
@@ -158,7 +159,7 @@ void add_positions(const CycleRun& run, const Phase& phase, const std::vector<St
   const CyclePosition* before = nullptr;
   for (CyclePosition& p : all) {
     if (!p.known) continue;
-    if (before != nullptr) answer.way += std::hypot(p.x - before->x, p.z - before->z);
+    if (before != nullptr) answer.way += (p.place - before->place).norm();
     p.way = answer.way;
     before = &p;
   }
@@ -171,7 +172,7 @@ void add_positions(const CycleRun& run, const Phase& phase, const std::vector<St
 WinchWork work_of(const machine::Model& m, const CycleRun& run, std::size_t winch, const CyclePosition* turn,
                   const std::vector<CyclePosition>& all, double speed) {
   const Winch& w = run.winches[winch];
-  const double EA = m.reevings[w.reeving].stiffness;
+  const double EA = m.reevings[w.reeving].copies * m.reevings[w.reeving].stiffness;
   const auto stretch = [&](double T) { return w.drive ? 1.0 : 1 + T / EA; };
   WinchWork work;
   const CyclePosition* before = turn;

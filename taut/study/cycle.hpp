@@ -58,7 +58,8 @@ struct WinchPull {
 /// One place of the carriage in a phase.
 struct CyclePosition {
   double x = 0, z = none;
-  double way = 0;  ///< of the carriage since the phase began, m
+  Vector3 place = Vector3::Zero();  ///< of the carriage, m
+  double way = 0;                   ///< of the carriage since the phase began, m
   std::vector<WinchPull> pulls;
   bool known = false;
 };

@@ -64,8 +64,10 @@ void add_ropes(Envelope& envelope, const machine::Model& m, const solve::Equilib
                const EnvelopeState& where) {
   for (const auto& s : e.branches) {
     const machine::Reeving& rope = m.reevings[s.reeving];
-    envelope.add(rope.name, "tension", si::N, std::min(s.T_from, s.T_to), where);
-    envelope.add(rope.name, "tension", si::N, std::max(s.T_from, s.T_to), where);
+    // the lowest point of a branch that has one has the least tension, H
+    const double lowest = s.V_from < 0 && s.V_to > 0 ? s.H : s.T_from;
+    envelope.add(rope.name, "tension", si::N, std::min({s.T_from_min, s.T_to_min, lowest}), where);
+    envelope.add(rope.name, "tension", si::N, std::max(s.T_from_max, s.T_to_max), where);
   }
   for (std::size_t r = 0; r < m.reevings.size(); ++r) {
     envelope.add(m.reevings[r].name, "unstretched length", si::m, e.ropes[r].unstretched, where);
@@ -175,7 +177,6 @@ class Combination {
  private:
   solve::EquilibriumOptions options_for(const RopeMotion& motion, const machine::Model& model) const {
     solve::EquilibriumOptions options = motion.options(model);
-    options.band = false;
     options.held = run_.held;
     return options;
   }

@@ -170,7 +170,6 @@ void solve(const machine::Model& model, LoadPathRun& run, Watch& watch) {
     } else {
       LoadPathOptions options = path_over(run.way, place);
       options.equilibrium = run.motion.options(place.model);
-      options.equilibrium.band = false;
       options.equilibrium.held = run.held;
       options.condition = run.given;
       options.go_on = [&](double x) { return watch.go_on_at(x); };

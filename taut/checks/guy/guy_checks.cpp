@@ -203,8 +203,13 @@ void add_guy_checks(const std::vector<GuyStates>& guys, const CheckedDeck& deck,
     }
     const auto guy = std::find_if(deck.machine.guys.begin(), deck.machine.guys.end(),
                                   [&](const auto& g) { return g.name == rope.name; });
-    if (one.request->check_pretension && guy->install) {
+    if (!one.request->check_pretension) continue;
+    if (guy->install) {
       check_pretension(*one.request, rope.name, guy->install->tension, strength, r);
+    } else if (!one.request->pretension.empty()) {
+      r.unmade.push_back(fmt::format(
+          "{}: its pretension is not checked: it has a length; give 'install' with the tension", rope.name));
+      r.warnings.push_back(r.unmade.back());
     }
   }
 }

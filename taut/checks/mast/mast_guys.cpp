@@ -46,7 +46,9 @@ std::optional<double> guy_stiffness(const CheckedDeck& deck, const CheckState& s
     for (const CheckBranch& span : state.branches) {
       const machine::Reeving& rope = state.model->reevings[span.reeving];
       const double length = span.unstretched * (1 + rope.thermal_strain);
-      if (rope.name != guy.name || length >= span.chord) continue;  // slack ones give nothing
+      if (rope.name != guy.name) continue;
+      any = true;
+      if (length >= span.chord) continue;  // slack ones give nothing
       const Vector3 d = span.end - span.start;
       rope::GuyLine line;
       line.length = span.chord;
@@ -56,7 +58,6 @@ std::optional<double> guy_stiffness(const CheckedDeck& deck, const CheckState& s
       line.tension = span.mean;
       rope::RingStiffness one = rope::in_ring(rope::horizontal_stiffness(line), std::atan2(d.y(), d.x()));
       for (int copy = 0; copy < rope.copies; ++copy) ring = ring + one;
-      any = true;
     }
   }
   if (!any) return std::nullopt;

@@ -33,21 +33,22 @@ double tension_at_yarder(const CheckState& state, int reeving) {
     if (b.from == 0 && (starts || !ends)) T = std::fmax(T, b.on_start.norm());
     if (b.to == last && (ends || !starts)) T = std::fmax(T, b.on_end.norm());
   }
-  return T;
+  return rope.copies * T;
 }
 
 double length_in_use(const CheckState& state, int reeving) {
-  if (state.rest != nullptr) return state.rest->ropes[as_size(reeving)].unstretched;
+  const int copies = state.model->reevings[reeving].copies;
+  if (state.rest != nullptr) return copies * state.rest->ropes[as_size(reeving)].unstretched;
   double sum = 0;
   for (const CheckBranch& b : state.branches) {
-    if (b.reeving == reeving) sum += b.unstretched;
+    if (b.reeving == reeving) sum += copies * b.unstretched;
   }
   return sum;
 }
 
 double needed_length(const YarderLineStates& s) {
   const double lateral = s.line.line == "mainline" ? s.request->lateral : 0;
-  return s.in_use.value + s.request->spare + lateral;
+  return s.in_use.value + s.copies * (s.request->spare + lateral);
 }
 
 double working_limit(const catalogue::YarderDrum& drum) { return drum.hold.value_or(drum.pull); }
@@ -169,6 +170,7 @@ std::vector<YarderLineStates> yarder_states(const std::vector<YarderCheckRequest
       s.line = std::move(line);
       s.reeving = static_cast<int>(rope - model.reevings.data());
       s.diameter = rope->diameter;
+      s.copies = rope->copies;
     }
   }
   return all;

@@ -90,4 +90,21 @@ TEST(YarderChecks, MistakesHaveTheirPlace) {
   expect_mistake(run_text(with_yarder("yarder: class 600 m, skyline: skyline")), "give its rope a 'diameter'");
 }
 
+// Two mainlines on one drum pull and need twice as much.
+TEST(YarderChecks, AllCopiesOfALineAreOnItsDrum) {
+  auto set = diameters;
+  set.push_back("machine.reevings[1].copies=2");
+  const Result r =
+      run_text(with_yarder("yarder: class 600 m, skyline: skyline, mainline: mainline, spare: 12 m, lateral: 30 m",
+                           "  - load_path: {carriage: car, from: 135 m, to: 230 m, steps: 2, motion: in}"),
+               set);
+  ASSERT_EQ(r.status, Status::ok) << r.message << to_text(r.errors);
+  const auto& path = table_of(r, "load_path");
+  double longest = 0;
+  for (std::size_t i = 0; i < path.rows.size(); ++i) longest = std::max(longest, cell(path, i, "mainline.unstretched"));
+  EXPECT_NEAR(check_of(r, "tower.mainline_length").value, 2 * (longest + 42), 1e-9);
+  EXPECT_NEAR(check_of(r, "tower.mainline_pull").value, 2 * value_of(r, "mainline.T_max"),
+              0.04 * value_of(r, "mainline.T_max"));
+}
+
 }  // namespace taut::checks::yarder_checks_test

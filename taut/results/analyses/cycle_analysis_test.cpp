@@ -218,4 +218,39 @@ TEST(CycleAnalysis, CountsOneMotorForEachEndlessRope) {
   EXPECT_NE(to_text(r.errors).find("a cycle counts one motor"), std::string::npos) << to_text(r.errors) << r.message;
 }
 
+/// One rope, or two of half the mass and stiffness; along x, or turned in plan: the winch does the same work on the
+/// same way in the same time.
+TEST(CycleAnalysis, TheWorkOfAllCopiesAndTheWayInSpace) {
+  const auto cycle =
+      [](const std::string& line, const std::string& rope, const std::string& copies, const std::string& ways) {
+        return taut_test::run_text(R"(taut: 1
+machine:
+  points: {tail: [0 m, 0 m, 20 m], tower: [)" +
+                                   line + R"(, 80 m]}
+  ropes: {sky: {mass: 2 kg/m, stiffness: 20 MN, breaking_force: 500 kN}, main: {breaking_force: 100 kN, )" +
+                                   rope + R"(}}
+  carriages: {car: {mass: 2000 kg, rides: sky, mainline: main}}
+  drums: {win: {at: [)" + line + R"(, 79 m], core_diameter: 0 mm}}
+  reevings:
+    - {rope: sky, path: [{anchor: tail}, {through: car}, {anchor: tower}], tension_at_start: 120 kN}
+    - {rope: main, path: [{drum: win}, {anchor: car}], length: 200 m)" +
+                                   copies + R"(}
+analyses: [{cycle: {carriage: car, )" +
+                                   ways + R"(, steps: 8, speed: 2 m/s, phases: [{name: in, motion: in, load: 1 t}]}}]
+)");
+      };
+  const std::string one = "mass: 1 kg/m, stiffness: 8 MN", half = "mass: 0.5 kg/m, stiffness: 4 MN";
+  const Result alone = cycle("300 m, 0 m", one, "", "from: 60 m, to: 240 m");
+  const Result two = cycle("300 m, 0 m", half, ", copies: 2", "from: 60 m, to: 240 m");
+  const Result turned = cycle("180 m, 240 m", one, "", "from: 36 m, to: 144 m");  // by x
+  ASSERT_EQ(alone.status, Status::ok) << alone.message << to_text(alone.errors);
+  for (const Result& r : {two, turned}) {
+    ASSERT_EQ(r.status, Status::ok) << r.message << to_text(r.errors);
+    for (const char* name : {"cycle_time", "cycle_energy", "win.power_max"}) {
+      const double x = taut_test::value_of(alone, name);
+      EXPECT_NEAR(taut_test::value_of(r, name), x, 1e-6 * std::abs(x)) << name;
+    }
+  }
+}
+
 }  // namespace cycle_analysis_test
