@@ -196,7 +196,8 @@ class Check(NamedTuple):
     """A value against its limit, SI. `sense`: at_most or at_least.
 
     `refused`: the limit is unverified, and the deck refuses such limits: nothing is judged by it, and `passes` is
-    False. Else `passes` is True exactly where utilisation <= 1. `outcome` is what the report says.
+    False. Else `passes` is True exactly where utilisation <= 1; that is nan where limit or value are no measure of each
+    other (a limit of 0). `outcome` is what the report says.
     """
 
     name: str

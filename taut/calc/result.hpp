@@ -32,8 +32,8 @@ struct Step {
 
 enum class Sense { at_most, at_least };
 
-/// A value compared with a limit. utilisation: value/limit (at_most) or limit/value (at_least). utilisation <= 1
-/// exactly when the check passes.
+/// A value compared with a limit. utilisation: value/limit (at_most) or limit/value (at_least), <= 1 exactly when the
+/// check passes; NaN where that is no measure (make_check).
 struct Check {
   std::string name;
   double value = 0;

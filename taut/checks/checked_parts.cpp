@@ -62,7 +62,7 @@ void CheckedParts::take_empty(const machine::Model& model, const solve::Equilibr
   const auto show_as = [&](auto& one, const CheckState& seen) {  // by its place among the ropes of that model
     const int own = one.reeving;
     const auto rope = std::find_if(model.reevings.begin(), model.reevings.end(),
-                                   [&](const machine::Reeving& each) { return each.name == reevings[own]; });
+                                   [&](const machine::Reeving& each) { return each.name == reevings[as_size(own)]; });
     if (rope == model.reevings.end()) return;
     one.reeving = static_cast<int>(rope - model.reevings.begin());
     checks::take(seen, one);
