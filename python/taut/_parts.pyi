@@ -1,6 +1,6 @@
 """Made from the descriptions by python/tools/make_stub.py; do not edit. `./dev python stub` makes it again.
 
-schema: 954a37716dfdeb55262d8e63396b86f9eb61399efc0a519c2339a9b3f3b5d07d
+schema: a6e143b4ab7f9eb62ffaa2c0e5f56617e04d2d4af5d28fca06ac027c1a4bab3e
 """
 
 from collections.abc import Mapping, Sequence
@@ -199,7 +199,8 @@ class Parts:
         layer: the layer from which the rope leaves; default: the first (at least 1).
         drive: drive; without it the drum does not turn.
         layers: the layer follows from the length on the drum: `auto`.
-        length_on_drum: m. unstretched rope on the drum (at least 0 m and at most 1000000 m).
+        length_on_drum: m. unstretched rope on the drum, of each rope and copy that winds on it (at least 0 m and at most
+            1000000 m).
         wound_at: N. winding tension of the rope on the drum; default: 0, in motion the tension at the start (at least 0 kN
             and at most 1e9 kN).
         face_width: m. width between the flanges (above 0 mm and at most 1e9 mm).

@@ -1,6 +1,6 @@
 """Made from the descriptions by python/tools/make_stub.py; do not edit. `./dev python stub` makes it again.
 
-schema: 954a37716dfdeb55262d8e63396b86f9eb61399efc0a519c2339a9b3f3b5d07d
+schema: a6e143b4ab7f9eb62ffaa2c0e5f56617e04d2d4af5d28fca06ac027c1a4bab3e
 """
 
 from collections.abc import Mapping, Sequence

@@ -82,13 +82,35 @@ void check_brake(const machine::Drum& drum, const DrumLoad& d, std::vector<Check
       {.sense = Sense::at_most, .limit = drum.brake->torque, .rule = "what its brake holds", .trust = "user"}));
 }
 
-void check_capacity(const machine::Model& m, const solve::DrumResult& d, std::vector<Check>& made) {
-  if (!d.length || !d.capacity) return;
-  made.push_back(make_check(m.drums[d.drum].name + ".capacity", *d.length, si::m,
-                            {.sense = Sense::at_most,
-                             .limit = *d.capacity,
-                             .rule = "rope that the drum takes within its flanges",
-                             .trust = "derived"}));
+/// All ropes of a drum, against what it takes of each alone.
+void check_capacities(const machine::Model& m, const Array<solve::DrumResult>& ends, std::vector<Check>& made) {
+  std::map<int, double> used;  // of the drum, as a share
+  for (const solve::DrumResult& d : ends) {
+    if (d.length && d.capacity) used[d.drum] += m.reevings[d.reeving].copies * *d.length / *d.capacity;
+  }
+  for (const solve::DrumResult& d : ends) {
+    if (!d.length || !d.capacity) continue;
+    const bool shared = m.reevings[d.reeving].copies > 1 || used[d.drum] * *d.capacity != *d.length;
+    made.push_back(make_check(
+        m.drums[d.drum].name + ".capacity", used[d.drum] * *d.capacity, si::m,
+        {.sense = Sense::at_most,
+         .limit = *d.capacity,
+         .rule = fmt::format("rope that the drum takes within its flanges{}", shared ? ", all its ropes together" : ""),
+         .trust = "derived"}));
+  }
+}
+
+/// A cylinder at its force limit no longer does what its speed asks of it.
+void check_cylinders(const machine::Model& m, const solve::TransientFrame& frame, const std::string& when,
+                     std::map<std::string, std::string>& told) {
+  constexpr double rounding = 1e-9;
+  for (std::size_t i = 0; i < frame.actuators.size(); ++i) {
+    const machine::Actuator& law = m.actuators[i];
+    if (law.kind != machine::ActuatorKind::speed || !std::isfinite(law.force_limit)) continue;
+    if (std::abs(std::abs(frame.actuators[i].F) - law.force_limit) > rounding * law.force_limit) continue;
+    told.try_emplace(law.name, fmt::format("{}: '{}' is at its force limit of {:.4g} kN: it gives way to its load",
+                                           when, law.name, law.force_limit / 1e3));
+  }
 }
 
 /// A motion ends where a drum has no rope left.
@@ -129,8 +151,8 @@ void DriveUses::take(const machine::Model& m, const solve::EquilibriumResult& st
     check_torque(m.drums[drum], load, made);
     check_brake(m.drums[drum], load, made);
   }
+  check_capacities(m, ends, made);
   for (const auto& d : ends) {
-    check_capacity(m, d, made);
     check_rest_of_rope(m, d, made);
     keep_turns(m, d, words);
   }
@@ -138,14 +160,13 @@ void DriveUses::take(const machine::Model& m, const solve::EquilibriumResult& st
 }
 
 void DriveUses::take_moment(const machine::Model& m, const solve::TransientFrame& frame, const std::string& words) {
+  const std::string when = fmt::format("{}, t = {:.4g} s", words, frame.t);
+  check_cylinders(m, frame, when, yielding_);
   const auto drums = solve::drums(m, frame);
   if (drums.empty()) return;
-  const std::string when = fmt::format("{}, t = {:.4g} s", words, frame.t);
   std::vector<Check> made;
-  for (const auto& d : drums) {
-    check_capacity(m, d, made);
-    keep_turns(m, d, when);
-  }
+  check_capacities(m, drums, made);
+  for (const auto& d : drums) keep_turns(m, d, when);
   keep(std::move(made), when);
 }
 
@@ -185,6 +206,7 @@ void DriveUses::add_checks(Result& r) const {
   for (const auto& [name, check] : worst_) r.checks.push_back(check);
   for (const auto& [name, slip] : slips_) warn_unsafe(r, slip.words);
   for (const auto& [drum, words] : unbraked_) warn_unsafe(r, words);
+  for (const auto& [cylinder, words] : yielding_) warn_unsafe(r, words);
   const RuleLimit least = rule_limit("layout.turns_left", false);
   for (const auto& [drum, turns] : turns_) {
     if (turns.left >= least.value) continue;

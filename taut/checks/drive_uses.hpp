@@ -16,14 +16,14 @@ class DriveUses {
  public:
   /// `words`: which state it is, "sweep, drive.friction = 0.2".
   void take(const machine::Model& model, const solve::EquilibriumResult& state, const std::string& words);
-  /// A moment of a motion: what lies on its drums.
+  /// A moment of a motion: what lies on its drums, cylinders at their limits.
   void take_moment(const machine::Model& model, const solve::TransientFrame& frame, const std::string& words);
   /// A motion as a whole, with at least one frame: how far the rope slips on each contact, whether brakes hold and have
   /// stopped their drums.
   void take(const machine::Model& model, const solve::TransientResult& motion, const std::string& words);
 
-  /// Each check at its worst; a rope that slips in a motion, a brake that does not hold, and too few turns on a drum
-  /// are unsafe warnings.
+  /// Each check at its worst; a rope that slips in a motion, a brake that does not hold, a cylinder that gives way,
+  /// and too few turns on a drum are unsafe warnings.
   void add_checks(Result& r) const;
 
  private:
@@ -37,6 +37,7 @@ class DriveUses {
   };
   std::map<std::string, Slip> slips_;            // the largest of each sheave
   std::map<std::string, std::string> unbraked_;  // drums whose brake slips, or that turn on when a motion ends
+  std::map<std::string, std::string> yielding_;  // cylinders at their force limit
   struct Turns {
     double left = 0;
     std::string words;

@@ -160,6 +160,7 @@ void Judge::take_beams(const solve::EquilibriumResult& e, const std::string& wor
     worst.top_displacement.take(b.top_displacement, words);
     worst.N_cr.take(buckles && b.compression > 0 ? b.critical_factor * b.compression : none, words, true);
     worst.alpha_cr.take(buckles ? b.critical_factor : none, words, true);
+    worst.together.take(buckles ? std::min(b.critical_factor, b.critical_together) : none, words, true);
   }
 }
 
@@ -175,15 +176,13 @@ void Judge::take_contacts(const machine::Model& m, const solve::EquilibriumResul
 
 void Judge::warn_of_pulled(const machine::Model& m, const machine::Node& node, const Vector3& force,
                            const std::string& words) {
-  const bool rides = std::any_of(m.carriages.begin(), m.carriages.end(),
-                                 [&](const machine::Carriage& car) { return car.body == node.at.body; });
   std::string text;
   if (node.support == Vector3::Zero()) {  // held down, or an axis that stands upright
     text = fmt::format(
         "{}: the rope presses away from '{}' on the side that it is given with {:.4g} kN; give the other 'side', or "
         "none",
         words, node.name, force.norm() / 1e3);
-  } else if (rides) {
+  } else if (machine::rides(m, node)) {
     text = fmt::format(
         "{}: the rope presses '{}' downwards with {:.4g} kN: it would lift off its rope. Load the carriage more, hang "
         "the load lower or between the rollers, or slacken the rope",

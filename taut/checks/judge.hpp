@@ -30,6 +30,7 @@ struct BeamWorst {
   WorstOf M, N, stress;      ///< largest, N m, N, Pa
   WorstOf top_displacement;  ///< m
   WorstOf N_cr, alpha_cr;    ///< least, N, 1
+  WorstOf together;          ///< least alpha_cr of all beams that are pressed together with it
 };
 
 /// One rope over all states that are judged.

@@ -7,14 +7,9 @@
 namespace taut::checks {
 namespace {
 
-bool on_carriage(const machine::Model& m, const machine::Node& node) {
-  return std::any_of(m.carriages.begin(), m.carriages.end(),
-                     [&](const machine::Carriage& car) { return car.body == node.at.body; });
-}
-
 /// Whether it turns, and stands in the way of a block: a drum, a driven sheave, or one with an efficiency.
 bool is_wheel(const machine::Model& m, const machine::Node& node) {
-  if (!(node.radius > 0) || on_carriage(m, node)) return false;
+  if (!(node.radius > 0) || machine::rides(m, node)) return false;
   return node.drum || node.kind == machine::NodeKind::drive ||
          (node.kind == machine::NodeKind::contact && node.law.efficiency > 0);
 }

@@ -1,5 +1,7 @@
 #include "taut/machine/model.hpp"
 
+#include <algorithm>
+
 namespace taut::machine {
 
 double terrain_x(const Model& model, const Vector3& place) {
@@ -9,6 +11,11 @@ double terrain_x(const Model& model, const Vector3& place) {
 int branch_count(const Reeving& reeving) {
   const auto nodes = static_cast<int>(reeving.nodes.size());
   return reeving.closed ? nodes : nodes - 1;
+}
+
+bool rides(const Model& model, const Node& node) {
+  return std::any_of(model.carriages.begin(), model.carriages.end(),
+                     [&](const Carriage& car) { return car.body == node.at.body; });
 }
 
 }  // namespace taut::machine

@@ -246,6 +246,9 @@ struct Model {
   Array<NamedPlace> places;  ///< that can be observed
 };
 
+/// Whether it is on a carriage.
+bool rides(const Model& model, const Node& node);
+
 /// Chainage of a place: its x in the terrain, m.
 double terrain_x(const Model& model, const Vector3& place);
 

@@ -77,11 +77,14 @@ void check_buckling(const machine::description::Beam& given, const checks::Worst
   if (given.order == machine::description::Order::first) {
     add_fact(
         given.name, factor.when,
-        make_check(given.name + ".alpha_cr", factor.value, si::one,
-                   {.sense = Sense::at_least,
-                    .limit = first_order_factor,
-                    .rule = "critical over present axial force, for an analysis of first order: EN 1993-1-1, 5.2.1 (3)",
-                    .trust = "verified"}),
+        make_check(
+            given.name + ".alpha_cr", factor.value, si::one,
+            {.sense = Sense::at_least,
+             .limit = first_order_factor,
+             .rule =
+                 "critical over present axial force, that of all beams growing alike, for an analysis of first order: "
+                 "EN 1993-1-1, 5.2.1 (3)",
+             .trust = "verified"}),
         r);
     return;
   }
@@ -112,7 +115,7 @@ void add_worst(const machine::description::Beam& given, const checks::BeamWorst&
   add("N_cr", worst.N_cr);
   add("alpha_cr", worst.alpha_cr);
   check_stress(given, worst.stress, r);
-  check_buckling(given, worst.alpha_cr, r);
+  check_buckling(given, given.order == machine::description::Order::first ? worst.together : worst.alpha_cr, r);
 }
 
 void add_base(const machine::description::Beam& given, const MachineRun& run, std::size_t i, Result& r) {

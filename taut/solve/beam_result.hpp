@@ -37,6 +37,9 @@ struct BeamResult {
   /// else unchanged, at which the tangent stiffness of the machine is no longer positive definite. Infinite: no such
   /// factor (tension), or above 1000.
   double critical_factor = std::numeric_limits<double>::infinity();
+  /// The same with the forces of all beams of the machine growing alike: several legs buckle together before one would
+  /// with the others as they are.
+  double critical_together = std::numeric_limits<double>::infinity();
   double compression = 0;  ///< largest compression, N; 0: none
 };
 

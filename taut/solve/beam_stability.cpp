@@ -375,11 +375,14 @@ std::optional<BeamStability> beam_stability(const mechanics::System& s, const me
   BeamStability result;
   result.stable = machine.definite(every, 1);
   if (!factors) return result;
-  const double together = result.stable ? 0 : critical_factor(machine, every, false);
-  for (int b = 0; b < static_cast<int>(s.model.beams.size()); ++b) {
+  const int beams = static_cast<int>(s.model.beams.size());
+  const bool one = beams == 1 && result.stable;
+  if (!one) result.together = critical_factor(machine, every, result.stable);
+  for (int b = 0; b < beams; ++b) {
     const double own = critical_factor(machine, b, result.stable);
-    result.factors.push_back(own > 0 ? own : together);
+    result.factors.push_back(own > 0 ? own : result.together);
   }
+  if (one) result.together = result.factors.front();
   return result;
 }
 

@@ -11,6 +11,7 @@ struct BeamStability {
   bool stable = true;     ///< the machine's tangent stiffness is positive (neutral ways not counted)
   Array<double> factors;  ///< by beam: see BeamResult::critical_factor; 0: not stable without its forces either; empty
                           ///< where they are not asked for
+  double together = 0;    ///< the same with the forces of all beams growing alike
 };
 
 /// Tangent stiffness of the machine around an equilibrium: ropes and dead forces as in the Jacobian, the unknowns that

@@ -140,7 +140,10 @@ Outcome judge(const mechanics::System& s, const mechanics::Configuration& c, boo
   if (!factors) {
     return infeasible("the equilibrium found is not one to stay in: a beam buckles, or falls over");
   }
-  for (BeamResult& r : results) r.critical_factor = stability->factors[r.beam];
+  for (BeamResult& r : results) {
+    r.critical_factor = stability->factors[r.beam];
+    r.critical_together = stability->together;
+  }
   if (stability->stable) return {};
   const auto worst = std::min_element(results.begin(), results.end(), [](const BeamResult& a, const BeamResult& b) {
     return a.critical_factor < b.critical_factor;

@@ -37,10 +37,8 @@ void add_supports(const machine::Model& model, const PayloadLimits& limits, cons
   for (const solve::ContactResult& c : r.contacts) {
     const machine::Node& node = model.reevings[c.reeving].nodes[c.node];
     // a carriage bends its rope by carrying; what stands on the ground or on a mast is a support
-    const bool carries = std::any_of(model.carriages.begin(), model.carriages.end(),
-                                     [&](const machine::Carriage& car) { return car.body == node.at.body; });
     const bool holds = node.support == Vector3::Zero();
-    if (carries || (holds && !machine::is_saddle(node))) continue;
+    if (machine::rides(model, node) || (holds && !machine::is_saddle(node))) continue;
     const auto add = [&](LimitKind kind, double limit, double margin) {
       all.push_back({kind, c.reeving, c.node, c.wrap, limit, margin});
     };

@@ -232,9 +232,14 @@ void add_comparisons(const Input& in, const Output& o, const Section& section, c
 }
 
 /// A wall that buckles before it yields fails: the method's stress limit does not know of it.
-void check_wall(const Input& in, const mast_section::Assessment& a, Result& r) {
+void check_wall(const Input& in, const Solved& method, Result& r) {
+  const mast_section::Assessment& a = *method.section;
   const double yield = a.allowable * limit_of(in).safety;
-  const structure::WallClass wall = structure::section_class(a.section, yield, {.N = a.worst.N, .M_y = a.worst.M});
+  structure::WallClass wall;
+  for (const ClampForces& f : method.forces) {
+    const structure::WallClass one = structure::section_class(a.section, yield, {.N = f.N, .M_y = f.M});
+    if (wall.limit_3 == 0 || one.slenderness * wall.limit_3 > wall.slenderness * one.limit_3) wall = one;
+  }
   if (wall.value <= 3) return;
   Check c = make_check(fmt::format("wall of {}", a.section.name), wall.slenderness, si::one,
                        {.sense = Sense::at_most,
@@ -355,7 +360,7 @@ void complete_mast_section(const Input& in, const Solved& method, EngineMasts& m
     // The method's checks are those of another mast: a clamped one without guys.
     std::erase_if(r.checks, [](const Check& c) { return c.name.starts_with("strength of"); });
   }
-  if (method.section) check_wall(in, *method.section, r);
+  if (method.section) check_wall(in, method, r);
   const Section section = section_of(in, method);
   MastSectionExact e;
   std::vector<ExactPosition> positions;

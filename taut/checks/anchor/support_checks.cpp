@@ -25,9 +25,7 @@ std::vector<std::string> pulled_places(const machine::Model& model, bool ends) {
       const machine::Node& node = rope.nodes[i];
       const bool is_end = !rope.closed && (i == 0 || i + 1 == rope.nodes.size());
       const bool round = node.kind == machine::NodeKind::contact || node.kind == machine::NodeKind::drive;
-      const bool rides = std::any_of(model.carriages.begin(), model.carriages.end(),
-                                     [&](const auto& c) { return node.at.body == c.body; });
-      if (rides || (!round && !(ends && is_end))) continue;
+      if (machine::rides(model, node) || (!round && !(ends && is_end))) continue;
       if (std::find(names.begin(), names.end(), node.name) == names.end()) names.push_back(node.name);
     }
   }

@@ -22,9 +22,7 @@ std::vector<std::string> supports_of(const machine::Model& model, const machine:
   std::vector<std::string> names;
   for (std::size_t i = 1; i + 1 < rope.nodes.size(); ++i) {
     const machine::Node& node = rope.nodes[i];
-    const bool rides = std::any_of(model.carriages.begin(), model.carriages.end(),
-                                   [&](const auto& c) { return node.at.body == c.body; });
-    if (node.kind == machine::NodeKind::contact && !rides) names.push_back(node.name);
+    if (node.kind == machine::NodeKind::contact && !machine::rides(model, node)) names.push_back(node.name);
   }
   return names;
 }

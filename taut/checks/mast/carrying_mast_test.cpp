@@ -83,4 +83,43 @@ TEST(CarryingMast, mistakes) {
   expect_mistake(mast(", height: 10 m"), "'carries'");
 }
 
+// The machine's gravity weighs the mast too: without load factors, mass times length times g.
+TEST(CarryingMast, its_own_weight_is_that_of_the_machine) {
+  const auto N = [](const std::string& gravity, const std::string& own) {
+    const Result r = run_text(derrick(std::string("    mast: {") + tube + ", carries: [head]" + own + "}\n"),
+                              {"machine.gravity=" + gravity});
+    EXPECT_EQ(r.status, Status::ok) << r.message << to_text(r.errors);
+    return check_of(r, "mast.buckling").value;
+  };
+  const auto share = [&](const std::string& gravity) { return N(gravity, ", own_weight: true") - N(gravity, ""); };
+  EXPECT_NEAR(share("20 m/s^2") / share("10 m/s^2"), 2, 0.02);
+}
+
+/// A spar with a held top: the pull at its middle bends it, that at its head does not. No place of a path is worse than
+/// the path.
+TEST(CarryingMast, no_place_of_a_path_is_worse_than_the_path) {
+  const auto spar = [](const std::string& last, const std::string& steps) {
+    return run_text(R"(taut: 1
+machine:
+  ropes:
+    sky: {mass: 2 kg/m, stiffness: 30 MN, breaking_force: 1500 kN}
+    main: {mass: 0.8 kg/m, stiffness: 12 MN, breaking_force: 600 kN}
+  points: {back: [-0.2 m, 0 m, 0 m], tail: [200 m, 0 m, -30 m], block: [0 m, 0 m, 6 m]}
+  supports: {head: {at: [0 m, 0 m, 12 m], diameter: 400 mm}}
+  carriages: {car: {rides: skyline, mass: 5.6 t, mainline: mainline}}
+  reevings:
+    - {rope: sky, name: skyline, path: [{anchor: back}, {over: head}, {through: car}, {anchor: tail}], length: 217.7 m}
+    - {rope: main, name: mainline, path: [{anchor: block}, {anchor: car}], length: 100 m}
+analyses: [{load_path: {carriage: car, from: 28 m, to: )" +
+                    last + ", steps: " + steps + R"(}}]
+checks:
+  masts:
+    spar: {carries: [head, block], foot: [0 m, 0 m, 0 m], towards: [1, 0], height: 12 m, section: CHS 273x6.3, steel: S355, base: hinge, top_stiffness: .inf, load_factor: 1.35}
+)");
+  };
+  const double path = check_of(spar("178 m", "25"), "spar.member").value;
+  EXPECT_GE(path, check_of(spar("28.01 m", "1"), "spar.member").value - 1e-3);
+  EXPECT_GT(path, 1.05);
+}
+
 }  // namespace taut::checks::carrying_mast_test

@@ -165,7 +165,7 @@ class MachineMast {
       const double alpha = beam.critical_factor;
       if (std::isfinite(alpha) && alpha > 0) sum += 1 / alpha;
     }
-    return sum;
+    return std::max(sum, 1 / state.together);
   }
 
   /// The engine has bent the mast under its forces as they are. Under `factor` times them second order bends it more
@@ -189,7 +189,8 @@ class MachineMast {
     structure::MastCase c;
     c.words = words;
     const double all = factor * request_.dynamic_factor;
-    // each beam's factor is for its own forces alone: together they buckle not before 1/sum(1/alpha) (Dunkerley)
+    // each beam's factor is for its own forces alone: those of one mast buckle not before 1/sum(1/alpha) (Dunkerley),
+    // with beams that press beside it not before the factor of all
     const double together = inverse_critical(state);
     const double bends = magnified(all, together, words);
     double height = 0;
@@ -276,10 +277,24 @@ std::vector<MastStates> mast_states(const std::vector<MastCheckRequest>& masts, 
   return all;
 }
 
+namespace {
+
+/// See BeamState::together.
+double together_in(const solve::EquilibriumResult& state) {
+  constexpr double apart = 0.99;  // of the weakest beam's own factor: from there on it buckles by itself
+  double least = std::numeric_limits<double>::infinity();
+  for (const solve::BeamResult& beam : state.beams) least = std::min(least, beam.critical_factor);
+  const double all = state.beams.empty() ? least : state.beams.front().critical_together;
+  return all > 0 && all < apart * least ? all : std::numeric_limits<double>::infinity();
+}
+
+}  // namespace
+
 void take(const CheckState& state, const CheckedDeck& deck, MastStates& mast) {
   if (!mast.request->carries.empty()) mast.carried.push_back(carried_by(*mast.request, state));
   if (mast.beams.empty() || state.rest == nullptr) return;
-  BeamState& one = mast.states.emplace_back(BeamState{.words = state.words, .analysis = state.analysis, .beams = {}});
+  BeamState& one = mast.states.emplace_back(
+      BeamState{.words = state.words, .analysis = state.analysis, .beams = {}, .together = together_in(*state.rest)});
   for (const std::size_t beam : mast.beams) one.beams.push_back(state.rest->beams[beam]);
   if (!mast.request->top_criterion) return;
   const auto k = guy_stiffness(deck, state, beams_of(*mast.request).back() + ".top");
@@ -328,7 +343,10 @@ void add_machine_masts(const std::vector<MastStates>& masts, const CheckedDeck& 
   for (const MastStates& mast : masts) {
     const MastCheckRequest& one = *mast.request;
     if (mast.beams.empty()) {
-      add_mast_report(one, one.carries.empty() ? own_mast(one, one.loads) : carrying_mast(one, mast.carried), r);
+      add_mast_report(one,
+                      one.carries.empty() ? own_mast(one, one.loads, model.gravity)
+                                          : carrying_mast(one, mast.carried, model.gravity),
+                      r);
       continue;
     }
     const MastReport report = MachineMast(mast, deck, model).report();

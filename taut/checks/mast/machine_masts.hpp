@@ -15,6 +15,9 @@ namespace taut::checks {
 struct BeamState {
   std::string words, analysis;
   std::vector<solve::BeamResult> beams;  ///< of the mast, from its base
+  /// Critical factor of all beams of the machine together, where they buckle before the weakest of them would with the
+  /// others as they are; infinite: they do not press each other.
+  double together = std::numeric_limits<double>::infinity();
 };
 
 /// A mast over all states that were shown.

@@ -4,6 +4,7 @@
 #include <tl/expected.hpp>
 #include <vector>
 
+#include "taut/base/gravity.hpp"
 #include "taut/calc/quantity.hpp"
 #include "taut/calc/sheet.hpp"
 #include "taut/checks/check_state.hpp"
@@ -65,8 +66,9 @@ void complain_of_own_mast(const MastCheckRequest& request, const std::string& pa
 /// Partial factors in two places.
 void refuse_both_factors(const MastCheckRequest& request, const std::string& path, std::vector<Complaint>& complaints);
 
-/// Such a mast, solved. `loads`: in place of those in the request.
-MastReport own_mast(const MastCheckRequest& request, const std::vector<MastLoadRequest>& loads);
+/// Such a mast, solved. `loads`: in place of those in the request; `gravity`: of its own weight, m/s2.
+MastReport own_mast(const MastCheckRequest& request, const std::vector<MastLoadRequest>& loads,
+                    double gravity = standard_gravity);
 
 /// What the ropes of a machine do to a mast that carries their sheaves and anchors, in one state.
 struct CarriedState {
@@ -79,7 +81,7 @@ void complain_of_carried(const MastCheckRequest& request, const std::string& pat
                          const std::vector<std::string>& analyses, std::vector<Complaint>& complaints);
 /// Such a mast under each of the states, with the loads that the deck gives besides. Motions come without the dynamic
 /// factor. Of many states those count that bend or press some piece most, in any direction.
-MastReport carrying_mast(const MastCheckRequest& request, const std::vector<CarriedState>& states);
+MastReport carrying_mast(const MastCheckRequest& request, const std::vector<CarriedState>& states, double gravity);
 
 /// The masts of a deck with a published method: those with loads, and of `mast_section` without loads the method's own
 /// resultants on its blocks.

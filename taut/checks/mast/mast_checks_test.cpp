@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
+#include "taut/calc/verdict.hpp"
+#include "taut/catalogue/section_search.hpp"
 #include "test/paths.hpp"
 #include "test/support/machine_decks.hpp"
 
@@ -213,6 +216,38 @@ TEST(MastChecks, MistakesHaveTheirPlace) {
       "have the partial factors already");
   expect_mistake(run_text(pole, {"checks.masts.other={steel: S355, section: CHS 508x16, height: 8 m}"}),
                  "give its 'loads'");
+}
+
+/// Four clamped legs under one platform that sways: pi^2 E I/(4 L^2) is 153.4 kN a leg, 613 kN of all. One leg alone,
+/// the others as they are, would hold far more.
+TEST(MastChecks, LegsThatBuckleTogether) {
+  const auto legs = [](double load, double across, const std::string& order) {
+    std::string points, beams, masts;
+    for (int i = 1; i <= 4; ++i) {
+      const int x = 2 * i - 5;
+      points += fmt::format("    f{0}: [{1} m, 0 m, 0 m]\n    h{0}: {{body: head, at: [{1} m, 0 m, 0 m]}}\n", i, x);
+      beams += fmt::format(
+          "    leg{0}: {{from: f{0}, to: h{0}, section: CHS 219.1x8, steel: S355, base: clamped, top: hinge, order: "
+          "{1}}}\n",
+          i, order);
+      masts += fmt::format("    leg{}: {{load_factor: 1.35}}\n", i);
+    }
+    return run_text(
+        fmt::format("taut: 1\nmachine:\n  points:\n{}  bodies: {{head: {{at: [0 m, 0 m, 10 m], mass: 0 kg, "
+                    "free: [x, z]}}}}\n  beams:\n{}  loads: [{{at: head, force: [{} kN, 0 kN, {} kN]}}]\n"
+                    "analyses: [{{equilibrium: {{}}}}]\nchecks:\n  masts:\n{}",
+                    points, beams, across, -load, masts));
+  };
+  const catalogue::SectionRow tube = *catalogue::find_section("CHS 219.1x8");
+  const double all = 4 * std::pow(std::numbers::pi, 2) * 210e9 * tube.I_y / (4 * 100);
+  const Result first = legs(178, 30, "first");
+  EXPECT_NEAR(check_of(first, "leg1.alpha_cr").value, all / 178e3, 0.03 * all / 178e3);
+  EXPECT_FALSE(check_of(first, "leg1.alpha_cr").passes);
+  // 1.35 times 520 kN are more than 613 kN
+  const Result second = legs(520, 0.5, "second");
+  EXPECT_EQ(verdict_of(second)->kind, VerdictKind::fails) << verdict_of(second)->reason;
+  EXPECT_NE(verdict_of(second)->reason.find("the mast buckles, its critical factor is 1.1"), std::string::npos)
+      << verdict_of(second)->reason;
 }
 
 }  // namespace taut::checks::mast_checks_test

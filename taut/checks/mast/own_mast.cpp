@@ -64,8 +64,9 @@ std::vector<MastCombination> combinations_of(const MastCheckRequest& request,
   return all;
 }
 
-ColumnMast own_column(const MastCheckRequest& request, const std::vector<MastLoadRequest>& loads) {
+ColumnMast own_column(const MastCheckRequest& request, const std::vector<MastLoadRequest>& loads, double gravity) {
   ColumnMast m;
+  m.gravity = gravity;
   m.clamped_base = request.base == MastBase::clamped;
   m.top_stiffness = request.top_stiffness;
   m.own_weight = request.own_weight;
@@ -180,10 +181,10 @@ void refuse_both_factors(const MastCheckRequest& request, const std::string& pat
   complaints.push_back({path + ".load_factor", "'combinations' have the partial factors already"});
 }
 
-MastReport own_mast(const MastCheckRequest& request, const std::vector<MastLoadRequest>& loads) {
+MastReport own_mast(const MastCheckRequest& request, const std::vector<MastLoadRequest>& loads, double gravity) {
   MastReport report;
   report.name = request.name;
-  ColumnMast column = own_column(request, loads);
+  ColumnMast column = own_column(request, loads, gravity);
   for (const MastPieceRequest& given : pieces_of(request)) {
     FoundPiece found = piece_of(request, given, {}).value();  // complain_of_own_mast has seen them
     report.materials.push_back(std::move(found.material));

@@ -92,16 +92,12 @@ RopeUses::RopeUses(const CheckedDeck& deck, const machine::Model& model)
     uses_[i].copies = model.reevings[i].copies;
     uses_[i].rope = row_in(deck, rope_name_of(deck.machine, i));
     std::map<std::string, int> met;
-    const auto rides = [&](const machine::Node& node) {
-      return std::any_of(model.carriages.begin(), model.carriages.end(),
-                         [&](const machine::Carriage& car) { return car.body == node.at.body; });
-    };
     for (const machine::Node& node : model.reevings[i].nodes) {
       const bool turns = node.kind == machine::NodeKind::contact || node.kind == machine::NodeKind::drive;
       if (node.drum || node.kind == machine::NodeKind::anchor) continue;
       if (node.radius > 0) {
         bend_at(i, node, met[node.name]++);
-      } else if (turns && !machine::is_saddle(node) && !rides(node)) {
+      } else if (turns && !machine::is_saddle(node) && !machine::rides(model, node)) {
         uses_[i].unmeasured.push_back(fmt::format("'{}'", node.name));
       }
     }

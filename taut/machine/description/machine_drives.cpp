@@ -53,7 +53,8 @@ const Description& Drum::describe() {
           .record(&Drum::drive, "drive", "drive; without it the drum does not turn")
           .choice(&Drum::layers, "layers", {{"auto", Layers::automatic}},
                   "the layer follows from the length on the drum")
-          .field(&Drum::length_on_drum, "length_on_drum", "L", si::m, "unstretched rope on the drum")
+          .field(&Drum::length_on_drum, "length_on_drum", "L", si::m,
+                 "unstretched rope on the drum, of each rope and copy that winds on it")
           .at_most(farthest)
           .at_least(0)
           .field(&Drum::wound_at, "wound_at", "T", si::N,

@@ -203,7 +203,7 @@ RopeClearance rope_clearance(const machine::Model& model, const Array<Vector3>& 
   for (std::size_t i = 0; i <= last; ++i) {
     const bool end = i == 0 || i == last;
     const bool counts = end && (i == 0 ? begins : ends);
-    const bool lowest = !end && !(heights[i - 1] < heights[i]) && !(heights[i + 1] < heights[i]);
+    const bool lowest = !end && heights[i - 1] >= heights[i] && heights[i + 1] >= heights[i];
     const bool buried = (!begins && apart(rope.front(), places[i]) < buried_rope) ||
                         (!ends && apart(rope.back(), places[i]) < buried_rope);
     if (counts || lowest || heights[i] < (buried ? -buried_anchor : 0))
