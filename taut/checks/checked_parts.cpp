@@ -76,6 +76,7 @@ void CheckedParts::take_empty(const machine::Model& model, const solve::Equilibr
     if (one.request->name == line) show_as(one, seen);
   }
   for (GuyStates& one : guys) show_as(one, seen);
+  for (MastStates& one : masts) checks::take(seen, *deck, one);
 }
 
 void CheckedParts::take_moment(const machine::Model& model, const solve::TransientResult& so_far,

@@ -23,8 +23,9 @@ struct CheckedParts {
   /// `words`: which state it is; `analysis`: the name of its analysis, for load combinations.
   void take(const machine::Model& model, const solve::EquilibriumResult& state, const std::string& words,
             const std::string& analysis);
-  /// A line that is empty, in a model without what hangs on it: its tension and bends, what holds and carries it, guys,
-  /// its angles and clearance. `put_up`: it is being put up, which its winch has to do; it may lie on the ground yet.
+  /// A line that is empty, in a model without what hangs on it: its tension and bends, what holds and carries it, guys
+  /// and masts, its angles and clearance. `put_up`: it is being put up, which its winch has to do; it may lie on the
+  /// ground yet.
   void take_empty(const machine::Model& model, const solve::EquilibriumResult& state, const std::string& line,
                   const std::string& words, bool put_up = false);
   /// A motion at an output step or where a rope has a peak: forces and places. `slowly`: each is a state at rest.

@@ -252,6 +252,7 @@ void Judge::take_spans(const machine::Model& m, const machine::State& state, con
 void Judge::take_empty(const machine::Model& m, const solve::EquilibriumResult& e, const std::string& words) {
   take_ropes(m, e, words);
   take_heights(m, e, words);
+  take_beams(e, words);
   take_contacts(m, e, words);
   take_slack(m, e, words);
 }

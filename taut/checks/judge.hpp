@@ -51,7 +51,7 @@ class Judge {
   /// `words`: which state it is, "sweep, loads[0].mass = 40 t". The model may be another one of the same machine, with
   /// the same ropes or some of them, known by their names.
   void take(const machine::Model& model, const solve::EquilibriumResult& state, const std::string& words);
-  /// A line in a model of its own: its tension, height, slack, and supports.
+  /// A line in a model of its own, with all beams of the machine: its tension, height, slack, supports, and beams.
   void take_empty(const machine::Model& model, const solve::EquilibriumResult& state, const std::string& words);
   /// Ropes alone: a line as it is put up, whose bodies and supports are not the machine's.
   void take_ropes(const machine::Model& model, const solve::EquilibriumResult& state, const std::string& words);
