@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -29,6 +30,9 @@ inline const taut::Table& table_of(const taut::Result& r, const std::string& nam
   return t == nullptr ? empty : *t;
 }
 
+/// Of a result that ends with the expression: a copy, so that `const Table& t = table_of(run_text(...), ...)` stands.
+inline taut::Table table_of(taut::Result&& r, const std::string& name) { return table_of(std::as_const(r), name); }
+
 inline taut::Cell any_cell(const taut::Table& t, std::size_t row, const std::string& column) {
   for (std::size_t i = 0; i < t.columns.size(); ++i) {
     if (t.columns[i].name == column) return t.rows.at(row).at(i);
@@ -53,6 +57,9 @@ inline const taut::Check& check_of(const taut::Result& r, const std::string& nam
   EXPECT_NE(found, r.checks.end()) << "no check " << name << to_text(r.errors) << r.message;
   return found == r.checks.end() ? none : *found;
 }
+
+/// Of a result that ends with the expression: a copy, as of a table.
+inline taut::Check check_of(taut::Result&& r, const std::string& name) { return check_of(std::as_const(r), name); }
 
 inline bool has_check(const taut::Result& r, const std::string& name) {
   return std::any_of(r.checks.begin(), r.checks.end(), [&](const auto& c) { return c.name == name; });
