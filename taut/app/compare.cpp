@@ -327,6 +327,13 @@ ComparedRow compared_row(const ComparedValue& one, const io::Node& at, const Res
   }
   row.unit = value->unit;
   row.value = value->value;
+  const auto alone = [&](bool tolerance, bool value, const char* key, const char* of) {
+    if (tolerance && !value) {
+      io::place(at, {{key, fmt::format("is of '{}', which the row does not give", of)}}, r.errors);
+    }
+  };
+  alone(one.tolerance.has_value(), one.published.has_value(), "tolerance", "published");
+  alone(one.reference_tolerance.has_value(), one.reference.has_value(), "reference_tolerance", "reference");
   row.published = set_quantity(one.published, row.unit, at, "published", r);
   row.reference = set_quantity(one.reference, row.unit, at, "reference", r);
   row.tolerance = tolerance_of(one.tolerance, row.published, row.unit, at, "tolerance", r);

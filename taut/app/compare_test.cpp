@@ -92,6 +92,9 @@ TEST_F(Compare, MistakesAreToldAtTheirPlace) {
       reported("    - {what: a, deck: hanging.yaml, value: T_max, published: 9 m}\n").find("6:62: error: published: "),
       std::string::npos)
       << reported("    - {what: a, deck: hanging.yaml, value: T_max, published: 9 m}\n");
+  EXPECT_NE(reported("    - {what: a, deck: hanging.yaml, value: T_max, published: 9 kN, reference_tolerance: 1 %}\n")
+                .find("is of 'reference', which the row does not give"),
+            std::string::npos);
   EXPECT_NE(reported("    - {what: a, deck: hanging.yaml}\n").find("lacks 'value'"), std::string::npos);
   EXPECT_NE(reported("    - {what: a, deck: hanging.yaml, value: T_max, set: [machine.gravty=1]}\n").find("gravty"),
             std::string::npos);

@@ -8,6 +8,7 @@
 #include "taut/catalogue/section_search.hpp"
 #include "taut/catalogue/steel.hpp"
 #include "taut/checks/checked_parts.hpp"
+#include "taut/checks/mast/machine_masts.hpp"
 #include "taut/solve/quantities.hpp"
 
 namespace taut::results {
@@ -133,24 +134,16 @@ void warn_of_sense(const machine::description::Beam& given, const MachineRun& ru
   if (!given.imperfection) return;
   for (const study::EquilibriumRun& one : run.equilibria) {
     if (!one.result.outcome.ok()) continue;
-    const auto& pieces = run.model.beams[i].pieces;
     const solve::BeamResult& b = one.result.beams[i];
-    const bool sways = given.imperfection->sway.value_or(0) != 0;
-    Vector3 sense;
-    if (given.imperfection->towards) {
-      const auto& t = *given.imperfection->towards;
-      sense = {t[0], t[1], t[2]};
-    } else {
-      sense = pieces.front().reference_axes.col(0);
-    }
-    sense *= sways ? *given.imperfection->sway : given.imperfection->bow.value_or(0);
-    const Vector3 moved = sways ? b.points.back().deflection
-                                : Vector3(b.points[b.points.size() / 2].deflection -
-                                          (b.points.front().deflection + b.points.back().deflection) / 2);
-    if (moved.dot(sense) >= 0) continue;
+    const Vector3 sense = checks::imperfection_sense(given, run.model.beams[i]);
+    const Vector3 bent =
+        b.points[b.points.size() / 2].deflection - (b.points.front().deflection + b.points.back().deflection) / 2;
+    const double leans = given.imperfection->sway.value_or(0) * b.points.back().deflection.dot(sense);
+    const double bows = given.imperfection->bow.value_or(0) * bent.dot(sense);
+    if (leans >= 0 && bows >= 0) continue;
     r.warnings.push_back(
-        fmt::format("{}: the imperfection of '{}' is against its deflection and helps it: turn 'towards' round",
-                    one.words, given.name));
+        fmt::format("{}: the {} of '{}' is against its deflection and helps it: turn its sign or 'towards' round",
+                    one.words, leans < 0 ? "sway" : "bow", given.name));
     return;
   }
 }

@@ -40,7 +40,8 @@ struct MachineRun {
   bool several = false;  ///< the deck has several analyses: each has its heading
   /// Whether values are wanted whose names begin so, "sky", "sky.T_start"; empty: all are.
   std::function<bool(std::string_view name)> wants;
-  bool judges = true;  ///< whether equilibria and load paths are shown to the verdict
+  std::optional<double> least_carried;  ///< kg, of the judged payloads: the one in the headline
+  bool judges = true;                   ///< whether equilibria and load paths are shown to the verdict
 };
 
 /// An equilibrium that was found.

@@ -33,9 +33,9 @@ struct BeamResult {
   double top_displacement = 0;  ///< magnitude of the deflection of the last point, m
   double lean = 0;  ///< inclination of the chord against its direction as built, of a beam with a free top, rad
   double bend = 0;  ///< largest rotation of a section against the first one, less that as built, rad
-  /// Critical load factor alpha_cr of EN 1993-1-1, 5.2.1: the factor on all internal forces of this beam, everything
-  /// else unchanged, at which the tangent stiffness of the machine is no longer positive definite. Infinite: no such
-  /// factor (tension), or above 1000.
+  /// Critical load factor alpha_cr of EN 1993-1-1, 5.2.1: the factor on all internal forces of this beam, and
+  /// on what acts on the bodies at its ends, at which the tangent stiffness of the machine is no longer positive
+  /// definite; the stiffness of ropes and other beams unchanged. Infinite: no such factor (tension), or above 1000.
   double critical_factor = std::numeric_limits<double>::infinity();
   /// The same with the forces of all beams of the machine growing alike: several legs buckle together before one would
   /// with the others as they are.

@@ -41,12 +41,20 @@ struct Element {
   Matrix12 elastic, geometric;
 };
 
-/// A force with an arm on a body: turning the body turns the arm.
-struct Arm {
-  int beam = 0;
-  SectionMotion body;
-  Vector3 arm, force;
+/// The forces on a body at which beams end, with their arms about its origin: turning the body turns the arms. Each sum
+/// is of arm force^T, N m. All of them grow with the beams' forces, as they are in balance with them: then it does not
+/// matter where on the body its origin is.
+struct BodyArms {
+  int body = machine::ground;
+  Array<int> beams;  ///< that end there
+  Matrix3 of_beams = Matrix3::Zero(), of_others = Matrix3::Zero();
 };
+
+/// The stiffness against the turns a and b of such a sum S, of (a x arm) x force: (a.b) tr S - a S b, its symmetric
+/// part.
+double against_turns(const Vector3& a, const Vector3& b, const Matrix3& S) {
+  return a.dot(b) * S.trace() - (a.dot(S * b) + b.dot(S * a)) / 2;
+}
 
 /// Bending in one plane: displacement along the local axis a, slope sign * turn about the axis r.
 void add_plane(Matrix12& K, int a, int r, double sign, const Eigen::Matrix4d& plane) {
@@ -104,11 +112,13 @@ void fill_matrices(Element& e, const structure::BeamSection& b, const structure:
 /// The machine in pieces: coordinates of the sections within the beams first, then those of the bodies.
 class StiffnessAssembly {
  public:
-  StiffnessAssembly(const mechanics::System& s, const mechanics::Configuration& c, const Eigen::MatrixXd& rest,
-                    Array<std::optional<int>> coordinates)
+  StiffnessAssembly(const mechanics::System& s, const mechanics::Configuration& c, const mechanics::Evaluation& e,
+                    const Eigen::MatrixXd& rest, Array<std::optional<int>> coordinates)
       : s_(s), c_(c), rest_(rest), coordinates_(std::move(coordinates)) {
     // coordinates of the bodies are negative until the number of the others is known
     for (std::size_t k = 0; k < s.layout.pieces.size(); ++k) add_piece(k);
+    add_dead_forces();
+    add_ropes(e);
     collect();
   }
 
@@ -138,21 +148,26 @@ class StiffnessAssembly {
   /// What an entry of the stiffness is made of.
   struct Term {
     int row = 0, column = 0;
-    std::optional<int> beam;
     double elastic = 0, geometric = 0;
+    std::optional<int> beam = std::nullopt;
+    std::optional<std::size_t> arms = std::nullopt;
   };
 
-  static bool scales(const Term& t, std::optional<int> beam) { return t.beam && (!beam || beam == t.beam); }
+  bool scales(const Term& t, std::optional<int> beam) const {
+    if (!beam) return t.beam || t.arms;
+    if (!t.arms) return t.beam == beam;
+    const Array<int>& beams = arms_[*t.arms].beams;
+    return std::find(beams.begin(), beams.end(), *beam) != beams.end();
+  }
 
   int index(int i) const { return i < 0 ? inner_ - 1 - i : i; }
 
   void collect() {
     for (int i = 0; i < rest_.rows(); ++i) {
-      for (int j = 0; j <= i; ++j)
-        terms_.push_back({inner_ + i, inner_ + j, std::nullopt, (rest_(i, j) + rest_(j, i)) / 2, 0});
+      for (int j = 0; j <= i; ++j) terms_.push_back({inner_ + i, inner_ + j, (rest_(i, j) + rest_(j, i)) / 2, 0});
     }
     for (const Element& e : elements_) add_terms(e);
-    for (const Arm& arm : arms_) add_terms(arm);
+    for (std::size_t k = 0; k < arms_.size(); ++k) add_arm_terms(k);
     first_.resize(as_size(inner_ + static_cast<int>(rest_.rows())));
     std::iota(first_.begin(), first_.end(), 0);
     for (const Term& t : terms_) {
@@ -168,19 +183,21 @@ class StiffnessAssembly {
     for (const auto& [i, a] : all) {
       const Vector12 elastic = e.elastic * a, geometric = e.geometric * a;
       for (const auto& [j, b] : all) {
-        if (j <= i) terms_.push_back({i, j, e.beam, b.dot(elastic), b.dot(geometric)});
+        if (j <= i) terms_.push_back({i, j, b.dot(elastic), b.dot(geometric), e.beam});
       }
     }
   }
 
-  void add_terms(const Arm& arm) {
-    for (const auto& [i, a] : arm.body) {
-      for (const auto& [j, b] : arm.body) {
+  /// The stiffness of the rest has the arms of the other forces once, whatever the factor.
+  void add_arm_terms(std::size_t k) {
+    const BodyArms& arms = arms_[k];
+    const SectionMotion body = body_motion(arms.body, Vector3::Zero());
+    for (const auto& [i, a] : body) {
+      for (const auto& [j, b] : body) {
         if (index(j) > index(i)) continue;
-        const Vector3 ta = a.tail<3>(), tb = b.tail<3>();
-        const double value =
-            -(ta.dot(tb.cross(arm.arm).cross(arm.force)) + tb.dot(ta.cross(arm.arm).cross(arm.force))) / 2;
-        terms_.push_back({index(i), index(j), arm.beam, 0, value});
+        const double beams = against_turns(a.tail<3>(), b.tail<3>(), arms.of_beams);
+        const double others = against_turns(a.tail<3>(), b.tail<3>(), arms.of_others);
+        terms_.push_back({index(i), index(j), -others, beams + others, std::nullopt, k});
       }
     }
   }
@@ -257,8 +274,44 @@ class StiffnessAssembly {
   }
 
   void add_arm(int beam, const machine::Place& place, const Vector3& force) {
-    if (place.body == machine::ground || place.at == Vector3::Zero()) return;
-    arms_.push_back({beam, body_motion(place.body, Vector3::Zero()), arm_of(place), force});
+    if (place.body == machine::ground) return;
+    BodyArms* arms = arms_of(place.body);
+    if (arms == nullptr) arms = &arms_.emplace_back(BodyArms{.body = place.body, .beams = {}});
+    arms->beams.push_back(beam);
+    arms->of_beams += arm_of(place) * force.transpose();
+  }
+
+  BodyArms* arms_of(int body) {
+    const auto found = std::find_if(arms_.begin(), arms_.end(), [&](const BodyArms& a) { return a.body == body; });
+    return found == arms_.end() ? nullptr : &*found;
+  }
+
+  void add_dead_forces() {
+    for (BodyArms& arms : arms_) {
+      const machine::Body& body = s_.model.bodies[arms.body];
+      const Vector3 centre = c_.bodies[arms.body].orientation * body.centre;
+      arms.of_others -= body.mass * s_.model.gravity * centre * Vector3::UnitZ().transpose();
+    }
+    for (const machine::Load& load : s_.model.loads) {
+      if (BodyArms* arms = arms_of(load.at.body)) arms->of_others += arm_of(load.at) * load.force.transpose();
+    }
+  }
+
+  void add_ropes(const mechanics::Evaluation& e) {
+    for (std::size_t k = 0; k < e.branches.size(); ++k) {
+      const mechanics::Branch& b = e.branches[k];
+      if (b.slack) continue;
+      const mechanics::Layout::Branch& laid = s_.layout.branches[k];
+      const machine::Reeving& rope = s_.model.reevings[laid.reeving];
+      const auto add = [&](const machine::Node& node, const Vector3& offset, const Vector3& pull) {
+        BodyArms* arms = arms_of(node.at.body);
+        if (arms == nullptr) return;
+        const Vector3 arm = mechanics::end_at(node, c_.bodies).centre + offset - c_.bodies[node.at.body].position;
+        arms->of_others += rope.copies * arm * pull.transpose();
+      };
+      add(rope.nodes[laid.from], b.offset_from, b.pull_from);
+      add(rope.nodes[laid.to], b.offset_to, -b.pull_to);
+    }
   }
 
   const mechanics::System& s_;
@@ -266,7 +319,7 @@ class StiffnessAssembly {
   const Eigen::MatrixXd& rest_;
   Array<std::optional<int>> coordinates_;  ///< by freedom: its index among those left, empty: prescribed
   Array<Element> elements_;
-  Array<Arm> arms_;
+  Array<BodyArms> arms_;
   Array<Term> terms_;
   Array<int> first_;  ///< by row of the stiffness: the first column with something in it
   int inner_ = 0;
@@ -371,7 +424,7 @@ std::optional<BeamStability> beam_stability(const mechanics::System& s, const me
   const std::optional<Eigen::MatrixXd> condensed = condense(J.dense(), order, eliminated);
   if (!condensed) return std::nullopt;
   const Eigen::MatrixXd stiffness = -*condensed;
-  const StiffnessAssembly machine(s, c, stiffness, coordinates);
+  const StiffnessAssembly machine(s, c, e, stiffness, coordinates);
   BeamStability result;
   result.stable = machine.definite(every, 1);
   if (!factors) return result;

@@ -170,8 +170,9 @@ std::string_view words(Kind kind) {
 }  // namespace
 
 double sag_at_middle(const BranchResult& branch) {
-  if (branch.slack || branch.shape.rope.weight <= 0) return 0;
-  return rope::sag_at(branch.shape, std::hypot(branch.shape.chord.x(), branch.shape.chord.y()) / 2);
+  const double half = std::hypot(branch.shape.chord.x(), branch.shape.chord.y()) / 2;
+  if (branch.slack || branch.shape.rope.weight <= 0 || half == 0) return 0;  // on a plumb line there is no sag
+  return rope::sag_at(branch.shape, half);
 }
 
 double sag_of_carriage(const machine::Model& model, const EquilibriumResult& r, int carriage) {

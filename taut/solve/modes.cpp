@@ -22,7 +22,7 @@ using Eigen::MatrixXd;
 using Complex = std::complex<double>;
 
 constexpr double eigen_shift = 0.1;       ///< 1/s, near which eigenvalues are looked for
-constexpr double no_frequency = 1e-3;     ///< of the shift: no frequency
+constexpr double no_frequency = 1e-3;     ///< of the shift: below it a mode has none
 constexpr double imaginary_share = 1e-6;  ///< imaginary part that counts, of |lambda|
 constexpr double drawn_share = 1.0 / 12;  ///< of the machine's size: displacement that is drawn
 constexpr int most_halved = 20;           ///< times that it is halved until it can be drawn
@@ -112,7 +112,7 @@ VibrationMatrices matrices_of(Run& run, Values& now) {
   const auto zero_small = [](MatrixXd& part, double of) {
     part = part.unaryExpr([of](double x) { return std::abs(x) < of ? 0 : x; });
   };
-  // what the differences leave of no_frequency
+  // what the differences leave of nothing
   const double largest = std::max({one.cwiseAbs().maxCoeff(), two.cwiseAbs().maxCoeff(), three.cwiseAbs().maxCoeff()});
   zero_small(a.M, 1e-13 * largest);
   zero_small(a.C, 1e-13 * largest / unit);
@@ -258,6 +258,7 @@ Mode mode_of(Complex lambda) {
   const bool swings = std::abs(lambda.imag()) > imaginary_share * size;
   mode.damped = swings ? std::abs(lambda.imag()) / (2 * std::numbers::pi) : 0;
   mode.kind = mode.damping < -imaginary_share ? ModeKind::unstable : swings ? ModeKind::swings : ModeKind::creeps;
+  if (mode.kind == ModeKind::unstable && !swings) mode.frequency = 0;  // it goes away and does not come back
   if (std::abs(mode.damping) < imaginary_share * imaginary_share) mode.damping = 0;
   return mode;
 }
@@ -270,11 +271,11 @@ Outcome find_modes(Run& run, const Values& rest, int most, ModeSet& set) {
   const VibrationPencil pencil = pencil_of(a);
   const auto found = shifted_eigen(pencil.F, pencil.E, eigen_shift);
   if (!found) {
-    return not_converged("the vibrations can't be found: a rope that carries no_frequency leaves a part without place");
+    return not_converged("the vibrations can't be found: a rope that carries nothing leaves a part without place");
   }
   const auto n = static_cast<Index>(a.moving.size()), p = static_cast<Index>(a.massless.size());
   int free_ones = 0;
-  for (std::size_t k = 0; k < found->values.size() && static_cast<int>(set.modes.size()) < most; ++k) {
+  for (std::size_t k = 0; k < found->values.size(); ++k) {
     const Complex mu = found->values[k];
     if (std::abs(mu) < 1e-14 * std::abs(found->values.front())) break;  // lambda is infinite
     const Complex lambda = 1.0 / mu + eigen_shift;
@@ -282,6 +283,8 @@ Outcome find_modes(Run& run, const Values& rest, int most, ModeSet& set) {
     // of a pair one; a free one stands there twice
     if (mode.kind != ModeKind::free && lambda.imag() < 0) continue;
     if (mode.kind == ModeKind::free && free_ones++ % 2 == 1) continue;
+    // a machine that does not stay where it is has to say so, however few modes are asked for
+    if (static_cast<int>(set.modes.size()) >= most && mode.kind != ModeKind::unstable) continue;
     const Eigen::VectorXd shape = real_shape(found->vectors.col(static_cast<Index>(k)).head(n + p));
     Eigen::VectorXd x = Eigen::VectorXd::Zero(run.m.size);
     x(a.moving) = shape.head(n);

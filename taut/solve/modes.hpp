@@ -13,7 +13,7 @@ namespace taut::solve {
 /// Options of small vibrations about the state in which a motion would begin.
 struct ModesOptions {
   Start start = Start::settled;
-  int most = 10;             ///< number of modes, lowest first
+  int most = 10;             ///< number of modes, lowest first; those that grow are found beside them
   double damping_ratio = 0;  ///< of ropes without a damping of their own
   Branches branches = Branches::straight;
   bool rope_mass = true;  ///< false: ropes have neither weight nor inertia

@@ -303,6 +303,7 @@ ColumnMastResult column_mast(const ColumnMast& given) {
     part.member.curve = m.curve;
     part.member.y.C_m = part.member.z.C_m = m.C_m;
     part.allowable_stress = p.allowable_stress;
+    if (p.top) part.stronger_end = s.section.W_pl_y == s.low.W_pl_y ? s.high : s.low;
     r.mast.parts.push_back(std::move(part));
   }
   for (const MastCombination& c : m.combinations) Combination(m, slices, c, r).add();

@@ -28,44 +28,65 @@ std::pair<std::size_t, std::size_t> member_of(const Mast& mast, std::size_t part
   return {first, last};
 }
 
-/// One station: false where its section is of class 4.
-bool take_station(const Mast& mast, const MastCase& c, const MastPlace& at, MastUse& u) {
-  const MastStation& station = c.stations[at.station];
-  const MastPart& part = mast.parts[station.part];
-  const SteelSection& steel = part.member.steel;
-  const CrossForces& design = station.design;
-  const double stress = elastic_stress(steel.section, station.service);
-  take_worse(u.stress, stress, at);
-  if (part.allowable_stress) take_worse(u.stress_use, stress / *part.allowable_stress, at);
-  const WallClass wall = section_class(steel.section, steel.yield, design);
-  take_worse(u.slenderness, wall.slenderness / wall.limit_3, at);
-  if (wall.value == 4) {
-    if (u.refused.empty()) u.refused = class_4_words(steel.section, wall);
-    return false;
+/// The section of a part, and of a tapered one that of its other end.
+std::vector<SteelSection> ends_of(const MastPart& part) {
+  std::vector<SteelSection> ends = {part.member.steel};
+  if (part.stronger_end) {
+    ends.push_back(part.member.steel);
+    ends.back().section = *part.stronger_end;
   }
+  return ends;
+}
+
+/// False where a wall is of class 4.
+bool take_walls(const SteelSection& steel, const CrossForces& forces, const MastPlace& at, MastUse& u) {
+  const WallClass wall = section_class(steel.section, steel.yield, forces);
+  const double share = wall.slenderness / wall.limit_3;
+  if (share > u.slenderness.value) {
+    u.slenderness = {.value = share, .at = at};
+    u.slenderest = wall;
+    u.slenderest_section = steel.section.name;
+  }
+  if (wall.value == 4 && u.refused.empty()) u.refused = class_4_words(steel.section, wall);
+  return wall.value < 4;
+}
+
+/// One end of a part at a station; a section of class 4 is only classed.
+void take_section(const SteelSection& steel, const CrossForces& design, const MastPlace& at, MastUse& u) {
+  if (!take_walls(steel, design, at, u)) return;
   Sheet<double> plain;
   const CrossSectionUse use = cross_section(steel, design, plain);
   take_worse(u.section, use.utilisation, at);
   take_worse(u.shear, use.shear, at);
-  return true;
+}
+
+void take_station(const Mast& mast, const MastCase& c, const MastPlace& at, MastUse& u) {
+  const MastStation& station = c.stations[at.station];
+  const MastPart& part = mast.parts[station.part];
+  const double stress = elastic_stress(part.member.steel.section, station.service);
+  take_worse(u.stress, stress, at);
+  if (part.allowable_stress) take_worse(u.stress_use, stress / *part.allowable_stress, at);
+  for (const SteelSection& steel : ends_of(part)) take_section(steel, station.design, at, u);
 }
 
 void take_member(const Mast& mast, const MastCase& c, std::size_t load_case, std::size_t part, MastUse& u) {
   const CrossForces f = member_forces(mast, c, part);
   if (f.N <= 0) return;
   u.pressed = true;
-  const Member member = member_in(mast, c, part);
-  const WallClass wall = section_class(member.steel.section, member.steel.yield, f);
+  Member member = member_in(mast, c, part);
   const MastPlace at{.load_case = load_case, .station = 0, .part = part};
-  if (wall.value == 4) {  // the largest of all forces together may ask for more than any of the stations
-    take_worse(u.slenderness, wall.slenderness / wall.limit_3, at);
-    if (u.refused.empty()) u.refused = class_4_words(member.steel.section, wall);
-    return;
+  for (const SteelSection& steel : ends_of(mast.parts.at(part))) {
+    member.steel = steel;
+    // the largest of all forces together may ask for more of the walls than any of the stations
+    if (section_class(steel.section, steel.yield, f).value == 4) {
+      take_walls(steel, f, at, u);
+      return;
+    }
+    Sheet<double> plain;
+    const MemberUse use = member_use(member, f, plain);
+    take_worse(u.flexural, use.flexural, at);
+    if (c.members) take_worse(u.member, use.worst(), at);
   }
-  Sheet<double> plain;
-  const MemberUse use = member_use(member, f, plain);
-  take_worse(u.flexural, use.flexural, at);
-  if (mast.members) take_worse(u.member, use.worst(), at);
 }
 
 }  // namespace

@@ -25,19 +25,20 @@ struct MastCase {
   /// N_cr of the whole structure in this state, as the axial force of each part, N; empty: the lengths in the parts'
   /// members count.
   std::vector<double> critical_force;
+  /// Whether members are checked by (6.61) and (6.62) too: not needed where sections are under forces of second order
+  /// with sway and bow as built in the worst direction, EN 1993-1-1, 5.2.2 (7) a.
+  bool members = true;
 };
 
 /// One prismatic part: its own section, or a piece of a tapered one.
 struct MastPart {
   Member member;
-  std::optional<double> allowable_stress;  ///< [sigma], Pa
+  std::optional<double> allowable_stress;             ///< [sigma], Pa
+  std::optional<catalogue::SectionRow> stronger_end;  ///< of a tapered piece; its walls may be the more slender ones
 };
 
 struct Mast {
   std::vector<MastPart> parts;
-  /// Whether members are checked by (6.61) and (6.62) too: not needed where sections are under forces of second order
-  /// with sway and bow as built, EN 1993-1-1, 5.2.2 (7) a.
-  bool members = true;
 };
 
 /// Where something is worst: indices into cases and stations (of a member: of its case and part).
@@ -56,7 +57,9 @@ struct MastWorst {
 struct MastUse {
   std::string refused;
   MastWorst slenderness;  ///< of walls over the limit of class 3
-  MastWorst section;      ///< N + M + V
+  WallClass slenderest;   ///< that wall, and the section it is of
+  std::string slenderest_section;
+  MastWorst section;  ///< N + M + V
   MastWorst shear;
   MastWorst flexural;    ///< (6.46)
   MastWorst member;      ///< (6.61), (6.62)
@@ -67,7 +70,7 @@ struct MastUse {
   double utilisation() const;
 };
 
-/// All cases, stations and parts. Expects at least one case with a station.
+/// All cases, stations and parts, of a tapered part both ends. Expects at least one case with a station.
 MastUse mast_use(const Mast& mast, const std::vector<MastCase>& cases);
 
 /// What (6.61) takes of a part (with those beside it in the same section, which are one member) in a case: the largest

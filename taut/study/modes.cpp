@@ -90,7 +90,7 @@ const Quantities<ModeRow>& mode_quantities() {
   static const Quantities<Row> all = {
       {"sheaves", "", si::one, "those with a loss: stuck or released; no loss: there are none",
        [](const Row& r) { return sheaves_words(r.run, r.set); }},
-      {"mode", "", si::one, "its mode_number, from 1", mode_number},
+      {"mode", "", si::one, "its number, from 1", mode_number},
       {"frequency", "f", si::per_s, "undamped frequency", [](const Row& r) { return mode_of(r).frequency; }},
       {"period", "T", si::s, "its inverse",
        [](const Row& r) { return mode_of(r).frequency > 0 ? 1 / mode_of(r).frequency : none; }},
@@ -109,7 +109,7 @@ const Quantities<ModeShapeRow>& mode_shape_quantities() {
   using Row = ModeShapeRow;
   static const Quantities<Row> all = {
       {"sheaves", "", si::one, "as in modes", [](const Row& r) { return sheaves_words(r.of.run, r.of.set); }},
-      {"mode", "", si::one, "its mode_number, from 1", [](const Row& r) { return mode_number(r.of); }},
+      {"mode", "", si::one, "its number, from 1", [](const Row& r) { return mode_number(r.of); }},
       {"body", "", si::one, "the body", [](const Row& r) { return r.of.run.model.bodies[r.body].name; }},
       {"x", "", si::one, "shift of its origin; 1 is the largest of all",
        [](const Row& r) { return shift_along(r, 0); }},

@@ -54,7 +54,12 @@ design::DesignRun run_cases(const std::vector<design::DesignCase>& cases, design
   std::size_t governs = 0;
   double tension = std::nan("");
   std::vector<Check> checks;
-  std::vector<std::string> warnings;
+  std::vector<std::string> warnings, unsafe, unjudged;
+  const auto merge = [](const std::vector<std::string>& more, std::vector<std::string>& all) {
+    for (const std::string& one : more) {
+      if (std::find(all.begin(), all.end(), one) == all.end()) all.push_back(one);
+    }
+  };
   Table table = make_table("design_cases", "Load cases of the design, and what governs each", case_quantities(),
                            std::vector<CaseRow>{});
   table.rows.resize(cases.size());
@@ -65,9 +70,9 @@ design::DesignRun run_cases(const std::vector<design::DesignCase>& cases, design
     add_cells(table.rows[k], case_quantities(), CaseRow{.name = cases[k].name, .trial = trial});
     tension = std::fmax(tension, run.tension);
     take_checks(cases[k].name, run.result.checks, checks);
-    for (const std::string& warning : run.result.warnings) {
-      if (std::find(warnings.begin(), warnings.end(), warning) == warnings.end()) warnings.push_back(warning);
-    }
+    merge(run.result.warnings, warnings);
+    merge(run.result.unsafe, unsafe);
+    merge(run.result.unjudged, unjudged);
     const bool over = run.result.interrupted || run.result.status != Status::ok;
     if (over && !run.result.interrupted)
       run.result.message = fmt::format("case {}: {}", cases[k].name, run.result.message);
@@ -85,6 +90,8 @@ design::DesignRun run_cases(const std::vector<design::DesignCase>& cases, design
   worst.tension = tension;
   worst.result.checks = grouped(std::move(checks));
   worst.result.warnings = std::move(warnings);
+  worst.result.unsafe = std::move(unsafe);
+  worst.result.unjudged = std::move(unjudged);
   if (depth != design::Depth::report) return worst;
   worst.result.tables.insert(worst.result.tables.begin(), std::move(table));
   worst.result.assumptions.push_back(fmt::format(

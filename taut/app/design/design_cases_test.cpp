@@ -56,6 +56,19 @@ std::vector<std::string> checks_of(const Result& r) {
   return names;
 }
 
+// What keeps one case from passing keeps the design, whichever case governs.
+TEST(DesignCases, WhatIsUnsafeOrNotJudgedInAnyCaseStays) {
+  Asked asked{.runs = {{"empty", run_with(0.2)}, {"loaded", run_with(0.9)}, {"storm", run_with(0.5)}}};
+  asked.runs["empty"].result.unsafe = {"two turns are left"};
+  asked.runs["storm"].result.unjudged = {"side"};
+  for (const Depth depth : {Depth::checks, Depth::report}) {
+    const Result r = asked(depth).result;
+    EXPECT_EQ(r.title, "loaded");
+    EXPECT_THAT(r.unsafe, ElementsAre("two turns are left"));
+    EXPECT_THAT(r.unjudged, ElementsAre("side"));
+  }
+}
+
 TEST(DesignCases, WithoutAnyThereIsOneRunAsItIs) {
   std::size_t first = 0;
   int asked = 0;

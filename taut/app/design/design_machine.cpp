@@ -232,8 +232,6 @@ design::DesignSpace machine_space(const io::Node& input, const MachineDeck& deck
 MachineDeck with_design(const MachineDeck& deck, const design::DesignSpace& space, const design::DesignPlace& place,
                         const design::DesignCase* load_case) {
   MachineDeck own = deck;
-  put_values(space, place.values, parameters_of(own));
-  if (load_case != nullptr) put_case(*load_case, parameters_of(own));
   for (std::size_t k = 0; k < space.sections.size(); ++k) {
     const std::size_t row = place.choice[space.ropes.size() + k];
     for (auto& beam : own.machine.beams) {
@@ -248,6 +246,18 @@ MachineDeck with_design(const MachineDeck& deck, const design::DesignSpace& spac
     }
     own.chosen[free.name] = free.rows[place.choice[k]];
   }
+  // after the rows, which set the same numbers; what moves along does so from where it is in the deck
+  MachineDeck moved = deck;
+  put_values(space, place.values, parameters_of(moved));
+  for (const design::UnknownValues& one : space.unknowns) {
+    std::vector<std::string> paths = one.along_with;
+    paths.push_back(one.parameter);
+    for (const std::string& path : paths) {
+      const auto from = parameters_of(moved)(path), to = parameters_of(own)(path);
+      if (from && to) to->set(from->value);
+    }
+  }
+  if (load_case != nullptr) put_case(*load_case, parameters_of(own));
   return own;
 }
 

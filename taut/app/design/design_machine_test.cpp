@@ -135,6 +135,18 @@ TEST(DesignMachine, AChoiceStandsInTheDeckAndNotInTheOneItComesFrom) {
   EXPECT_EQ(own.deck->machine.guys.at(0).install->tension, 1e3);
 }
 
+// The rows set mass and stiffness of a rope: a case, or an unknown, that sets them too comes after them.
+TEST(DesignMachine, ACaseSetsWhatTheChosenRopeHas) {
+  const ReadMachine own =
+      read(deck_with(checks + "design: {ropes: {" + line +
+                     "}, unknowns: {soft: {parameter: ropes.line.stiffness, from: 5 MN, to: 9 MN}}, "
+                     "cases: {iced: {ropes.line.mass: 30 kg/m}}}\n"));
+  const MachineDeck made = with_design(*own.deck, own.space, {.choice = {3}, .values = {7e6}}, &own.space.cases.at(0));
+  EXPECT_EQ(made.machine.ropes.at(0).mass, 30);
+  EXPECT_EQ(made.machine.ropes.at(0).stiffness, 7e6);
+  EXPECT_EQ(made.machine.ropes.at(0).diameter, own.space.ropes.at(0).rows[3].diameter);
+}
+
 // hypot(30, 40) = 50, hypot(30, 72) = 78; the guy has hypot(8, 6) = 10.
 TEST(DesignMachine, WhatIsPaidByLengthFollowsTheUnknowns) {
   const auto lengths_of = [](const std::string& design, double z) {

@@ -229,6 +229,13 @@ MastReport carrying_mast(const MastCheckRequest& request, const std::vector<Carr
     return none;
   }
   MastReport report = own_mast(all, all.loads, gravity);
+  for (const CarriedState& s : states) {
+    const auto named = [&](const MastCombinationRequest& c) {
+      return std::any_of(c.terms.begin(), c.terms.end(), [&](const MastTerm& t) { return t.name == s.analysis; });
+    };
+    const auto& asked = request.combinations;
+    if (!asked.empty() && std::none_of(asked.begin(), asked.end(), named)) report.left_out.insert(s.analysis);
+  }
   report.words.push_back(fmt::format(
       "{}: under the ropes over and at {}, in the deck's {} states, of more than 500 of an analysis in those that "
       "press "

@@ -15,6 +15,8 @@ namespace {
 
 using machine::description::Beam;
 
+constexpr double first_order_factor = 10;  ///< EN 1993-1-1, 5.2.1 (3)
+
 std::size_t index_in(const machine::Model& model, const std::string& name) {
   const auto found =
       std::find_if(model.beams.begin(), model.beams.end(), [&](const machine::Beam& b) { return b.name == name; });
@@ -29,7 +31,7 @@ std::string steel_of(const MastCheckRequest& request, const Beam& beam) {
   return request.steel ? *request.steel : beam.steel.value_or("");
 }
 
-/// Names that a combination may use; beams don't move.
+/// Names that a combination may use: of all analyses that show states; beams don't move.
 std::vector<std::string> analyses_of(const CheckedDeck& deck, bool with_motions) {
   std::vector<std::string> names;
   const auto add = [&](const auto& analysis, const char* kind) {
@@ -40,6 +42,10 @@ std::vector<std::string> analyses_of(const CheckedDeck& deck, bool with_motions)
     add(a.load_path, "load_path");
     add(a.envelope, "envelope");
     add(a.cycle, "cycle");
+    add(a.sweep, "sweep");
+    add(a.payload, "payload");
+    add(a.installation, "installation");
+    add(a.pretension, "pretension");
     if (with_motions) add(a.transient, "transient");
   }
   if (deck.analyses.empty()) names.emplace_back("equilibrium");
@@ -58,9 +64,9 @@ void complain_of_terms(const MastCheckRequest& request, const std::string& path,
     }
     for (const MastTerm& t : c.terms) {
       if (std::find(known.begin(), known.end(), t.name) != known.end()) continue;
-      complaints.push_back({fmt::format("{}.{}", at, t.name),
-                            fmt::format("no equilibrium, load_path, envelope or cycle has the name '{}'{}", t.name,
-                                        did_you_mean(t.name, known))});
+      complaints.push_back(
+          {fmt::format("{}.{}", at, t.name),
+           fmt::format("no analysis with states at rest has the name '{}'{}", t.name, did_you_mean(t.name, known))});
     }
   }
 }
@@ -95,20 +101,39 @@ structure::CrossForces forces_of(const solve::BeamPoint& p) {
       .N = -p.N, .V_y = p.shear_y, .V_z = p.shear_x, .M_y = p.bends_to_x, .M_z = p.bends_to_y, .torsion = p.torsion};
 }
 
-/// Whether the state contains the imperfections that make (6.61) needless, EN 1993-1-1, 5.2.2 (7) a.
-bool built_crooked(const Beam& beam, const MastMaterial& material, double length) {
+/// The deflection farthest from the line between those of the ends.
+Vector3 farthest_from_chord(const solve::BeamResult& b) {
+  const solve::BeamPoint &first = b.points.front(), &last = b.points.back();
+  Vector3 farthest = Vector3::Zero();
+  for (const solve::BeamPoint& p : b.points) {
+    const double share = (p.s - first.s) / (last.s - first.s);
+    const Vector3 off = p.deflection - (1 - share) * first.deflection - share * last.deflection;
+    if (off.norm() > farthest.norm()) farthest = off;
+  }
+  return farthest;
+}
+
+/// Whether the state contains the imperfections that make (6.61) needless, EN 1993-1-1, 5.2.2 (7) a: sway and bow of
+/// 5.3.2 in the direction in which the beam bends (5.3.1 (2)). What of them lies along the deflection counts.
+bool built_crooked(const Beam& beam, const machine::Beam& built, const MastMaterial& material,
+                   std::optional<structure::Curve> curve, const solve::BeamResult& b) {
   if (beam.order != machine::description::Order::second || !beam.imperfection) return false;
-  const auto curve = structure::curve_of(material.section, material.yield);
-  const bool bowed = std::abs(beam.imperfection->bow.value_or(0)) >= 0.98 * structure::bow_share(curve, true);
-  const bool leans = std::abs(beam.imperfection->sway.value_or(0)) >= 0.98 * structure::sway_of(length);
-  return bowed && leans;
+  constexpr double rounded = 0.98;  // of a number that a deck gives in three digits
+  const auto along = [&](const Vector3& moved) {
+    const double size = moved.norm();
+    return size > 0 ? imperfection_sense(beam, built).dot(moved) / size : 0;
+  };
+  const double bow = beam.imperfection->bow.value_or(0) * along(farthest_from_chord(b));
+  const double sway = beam.imperfection->sway.value_or(0) * along(b.points.back().deflection);
+  const auto of = curve.value_or(structure::curve_of(material.section, material.yield));
+  return bow >= rounded * structure::bow_share(of, true) && sway >= rounded * structure::sway_of(built.length);
 }
 
 /// One mast of the machine's beams.
 class MachineMast {
  public:
   MachineMast(const MastStates& mast, const CheckedDeck& deck, const machine::Model& model)
-      : request_(*mast.request), deck_(deck), mast_(mast) {
+      : request_(*mast.request), deck_(deck), model_(model), mast_(mast) {
     const MastCheckRequest& request = request_;
     report_.name = request.name;
     for (std::size_t i = 0; i < mast.beams.size(); ++i) {
@@ -116,20 +141,20 @@ class MachineMast {
       lengths_.push_back(model.beams[mast.beams[i]].length);
       // complain_of_beam has seen it
       report_.materials.push_back(mast_material(request, *beam.section, steel_of(request, beam), {}).value());
+      const double nominal = catalogue::find_section(*beam.section).value().I_z;
+      softer_ = std::max(softer_, nominal / report_.materials.back().section.I_z);
     }
   }
 
   MastReport report() {
-    bool crooked = true;
     for (std::size_t i = 0; i < mast_.beams.size(); ++i) {
       const Beam& beam = *beam_named(deck_, beams_of(request_)[i]);
       report_.loaded.mast.parts.push_back(part(report_.materials[i], beam.E));
-      crooked = crooked && built_crooked(beam, report_.materials[i], lengths_[i]);
     }
-    report_.loaded.mast.members = !crooked;
     add_cases();
-    if (report_.loaded.cases.empty()) report_.refused = "no analysis found an equilibrium";
-    tell(crooked);
+    const auto& cases = report_.loaded.cases;
+    if (cases.empty()) report_.refused = "no analysis found an equilibrium";
+    tell(std::none_of(cases.begin(), cases.end(), [](const structure::MastCase& c) { return c.members; }));
     if (mast_.beams.size() == 1) report_.in_section = other_section();
     return std::move(report_);
   }
@@ -151,25 +176,40 @@ class MachineMast {
   void add_cases() {
     for (const BeamState& one : mast_.states) {
       if (request_.combinations.empty()) add_case(one, one.words, request_.load_factor);
+      bool named = request_.combinations.empty();
       for (const MastCombinationRequest& c : request_.combinations) {
         for (const MastTerm& t : c.terms) {
-          if (t.name == one.analysis) add_case(one, fmt::format("{}: {}", c.name, one.words), t.factor);
+          if (t.name != one.analysis) continue;
+          add_case(one, fmt::format("{}: {}", c.name, one.words), t.factor);
+          named = true;
         }
       }
+      if (!named) report_.left_out.insert(one.analysis);
     }
   }
 
-  static double inverse_critical(const BeamState& state) {
+  bool built_crooked(const BeamState& state) const {
+    for (std::size_t i = 0; i < state.beams.size(); ++i) {
+      const Beam& beam = *beam_named(deck_, beams_of(request_)[i]);
+      const machine::Beam& built = model_.beams[mast_.beams[i]];
+      if (!checks::built_crooked(beam, built, report_.materials[i], curve_of(request_), state.beams[i])) return false;
+    }
+    return true;
+  }
+
+  /// By the wall that counts: a thinner one takes from the stiffness at most in proportion.
+  double inverse_critical(const BeamState& state) const {
     double sum = 0;
     for (const solve::BeamResult& beam : state.beams) {
       const double alpha = beam.critical_factor;
       if (std::isfinite(alpha) && alpha > 0) sum += 1 / alpha;
     }
-    return std::max(sum, 1 / state.together);
+    return softer_ * std::max(sum, 1 / state.together);
   }
 
-  /// The engine has bent the mast under its forces as they are. Under `factor` times them second order bends it more
-  /// than in proportion: (1 - 1/alpha)/(1 - factor/alpha), alpha the critical factor, EN 1993-1-1, (5.4).
+  /// The engine has bent the mast under its forces as they are, of second order by 1/(1 - 1/alpha) more than of first,
+  /// alpha the critical factor; under `factor` times them it is 1/(1 - factor/alpha), EN 1993-1-1, (5.4). First order
+  /// does where alpha/factor is 10 at least, 5.2.1 (3).
   double magnified(double factor, double inverse, const std::string& words) {
     bool second = true;
     for (const std::string& name : beams_of(request_)) {
@@ -182,12 +222,15 @@ class MachineMast {
           words, factor, 1 / inverse);
       return 1;
     }
-    return second && factor > 1 ? (1 - inverse) / (1 - factor * inverse) : 1;
+    const double all = 1 / (1 - factor * inverse);
+    if (!second) return factor * inverse > 1 / first_order_factor ? all : 1;
+    return std::max(1.0, (1 - inverse / softer_) * all);
   }
 
   void add_case(const BeamState& state, const std::string& words, double factor) {
     structure::MastCase c;
     c.words = words;
+    c.members = !built_crooked(state);
     const double all = factor * request_.dynamic_factor;
     // each beam's factor is for its own forces alone: those of one mast buckle not before 1/sum(1/alpha) (Dunkerley),
     // with beams that press beside it not before the factor of all
@@ -212,14 +255,13 @@ class MachineMast {
 
   void tell(bool crooked) {
     report_.words.push_back(fmt::format(
-        "{}: forces of the machine's equilibria, load paths, envelopes and cycles times their factors, moments of "
-        "second order by (1 - "
+        "{}: forces of the machine's states at rest times their factors, moments of second order by (1 - "
         "1/alpha_cr)/(1 - factor/alpha_cr) more; {}; N_cr {}.",
         request_.name,
         crooked ? "sections are checked in the bent shape with sway and bow as built of EN 1993-1-1, 5.3.2, so that "
                   "(6.61) is not asked for (5.2.2 (7) a)"
-                : "(6.61) is asked for beside the sections, as the beam has no bow and sway as built of EN 1993-1-1, "
-                  "5.3.2; of second-order moments that is on the safe side",
+                : "(6.61) is asked for beside the sections in states without bow and sway as built of EN 1993-1-1, "
+                  "5.3.2, in the direction of the bending; of second-order moments that is on the safe side",
         request_.buckling_length ? "from 'buckling_length'" : "from the critical load of the whole machine"));
   }
 
@@ -248,12 +290,24 @@ class MachineMast {
 
   const MastCheckRequest& request_;
   const CheckedDeck& deck_;
+  const machine::Model& model_;
   const MastStates& mast_;
   MastReport report_;
   std::vector<double> lengths_;
+  double softer_ = 1;  ///< stiffness of the nominal wall over that of the wall that counts, the largest of the beams
 };
 
 }  // namespace
+
+Vector3 imperfection_sense(const Beam& given, const machine::Beam& built) {
+  const Matrix3& axes = built.pieces.front().reference_axes;
+  Vector3 sense = axes.col(0);
+  if (given.imperfection && given.imperfection->towards) {
+    const auto& t = *given.imperfection->towards;
+    sense = {t[0], t[1], t[2]};
+  }
+  return (sense - axes.col(2) * axes.col(2).dot(sense)).normalized();
+}
 
 std::vector<std::string> beams_of(const MastCheckRequest& request) {
   return request.beams.empty() ? std::vector<std::string>{request.name} : request.beams;

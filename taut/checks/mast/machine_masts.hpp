@@ -33,6 +33,9 @@ std::vector<MastStates> mast_states(const std::vector<MastCheckRequest>& masts, 
                                     const machine::Model& model);
 void take(const CheckState& state, const CheckedDeck& deck, MastStates& mast);
 
+/// The direction of a beam's imperfection across its axis: `towards` of the deck, or the strong way; a unit vector.
+Vector3 imperfection_sense(const machine::description::Beam& given, const machine::Beam& built);
+
 /// Names of the beams of a mast, from its base.
 std::vector<std::string> beams_of(const MastCheckRequest& request);
 const machine::description::Beam* beam_named(const CheckedDeck& deck, const std::string& name);

@@ -35,15 +35,12 @@ std::string place_words(const LoadedMast& m, const MastPlace& at) {
 
 void add_wall_check(const MastReport& report, const MastUse& u, Result& r) {
   if (u.slenderness.value == 0) return;  // pulled everywhere
-  const MastPlace& at = u.slenderness.at;
-  const auto& steel = report.loaded.mast.parts[at.part].member.steel;
-  const structure::WallClass wall =
-      structure::section_class(steel.section, steel.yield, station_at(report.loaded, at).design);
+  const structure::WallClass& wall = u.slenderest;
   add_part_check(report.name, "wall", wall.slenderness, si::one,
                  {.sense = Sense::at_most,
                   .limit = wall.slenderness / u.slenderness.value,
                   .rule = fmt::format("{} of the {} of {}, class {}: up to class 3, EN 1993-1-1, table 5.2",
-                                      wall.wall == "tube" ? "D/t" : "c/t", wall.wall, steel.section.name, wall.value),
+                                      wall.wall == "tube" ? "D/t" : "c/t", wall.wall, u.slenderest_section, wall.value),
                   .trust = recalled_section},
                  r);
 }
@@ -69,6 +66,10 @@ void add_section_checks(const MastReport& report, const MastUse& u, Result& r) {
                  r);
 }
 
+bool asks_for_members(const LoadedMast& m) {
+  return std::any_of(m.cases.begin(), m.cases.end(), [](const structure::MastCase& c) { return c.members; });
+}
+
 void add_member_checks(const MastReport& report, const MastUse& u, Result& r) {
   if (!u.pressed) return;
   const LoadedMast& m = report.loaded;
@@ -83,7 +84,7 @@ void add_member_checks(const MastReport& report, const MastUse& u, Result& r) {
                                       curve(u.flexural.at), case_at(m, u.flexural.at).words),
                   .trust = recalled_curve},
                  r);
-  if (!m.mast.members) return;
+  if (!asks_for_members(m)) return;
   add_part_check(report.name, "member", u.member.value, si::one,
                  {.sense = Sense::at_most,
                   .limit = 1,
@@ -148,7 +149,7 @@ const Quantities<MastRow>& mast_quantities() {
       {"buckling", "", si::one, "utilisation by flexural buckling, (6.46); empty: not pressed",
        [](const Row& r) { return r.use.pressed ? r.use.flexural.value : none; }},
       {"member", "", si::one, "utilisation of the member by N and M, (6.61), (6.62); empty: not pressed",
-       [](const Row& r) { return r.use.pressed && r.report.loaded.mast.members ? r.use.member.value : none; }},
+       [](const Row& r) { return r.use.pressed && asks_for_members(r.report.loaded) ? r.use.member.value : none; }},
       {"stress", "sigma", si::Pa, "largest |N|/A + M/W anywhere, without factors",
        [](const Row& r) { return r.use.stress.value; }},
       {"case", "", si::one, "load case of the worst cross-section",
@@ -218,7 +219,7 @@ void write_mast(const MastCheckRequest& request, const MastReport& report, const
   const auto& design = station_at(m, u.section.at).design;
   write_class(steel.section, steel.yield, design, s);
   cross_section(steel, design, s);
-  if (u.pressed && m.mast.members) {
+  if (u.pressed && asks_for_members(m)) {
     s.section(fmt::format("{}: the member, {}", report.name, case_at(m, u.member.at).words));
     const auto& c = case_at(m, u.member.at);
     member_use(member_in(m.mast, c, u.member.at.part), member_forces(m.mast, c, u.member.at.part), s);
@@ -290,6 +291,9 @@ TableWords mast_words() {
 void add_mast_report(const MastCheckRequest& request, const MastReport& report, Result& r) {
   if (!report.materials.empty()) r.assumptions.push_back(factor_words(request, report));
   r.assumptions.insert(r.assumptions.end(), report.words.begin(), report.words.end());
+  for (const std::string& analysis : report.left_out) {
+    r.unjudged.push_back(fmt::format("{} in '{}', which none of its combinations names", report.name, analysis));
+  }
   const bool factored = request.load_factor != 1 || !request.combinations.empty();
   if (!factored) {
     r.warnings.push_back(

@@ -1,5 +1,6 @@
 #pragma once
 #include <optional>
+#include <set>
 #include <string>
 #include <tl/expected.hpp>
 #include <vector>
@@ -40,6 +41,7 @@ struct MastReport {
   structure::LoadedMast loaded;
   std::vector<MastMaterial> materials;  ///< by part
   std::string refused;                  ///< why there are no forces
+  std::set<std::string> left_out;       ///< analyses with states that no combination names
   std::vector<std::string> words;       ///< how it was computed
   structure::MastOf in_section;         ///< the same mast in another section, for `choose`
 };

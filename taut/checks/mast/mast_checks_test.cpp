@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -163,10 +164,112 @@ checks:
 }
 
 TEST(MastChecks, BuiltCrookedNeedsNoMemberEquation) {
+  // a pole with a free top bends away from the line between its ends to the other side
   const taut::Result r =
-      run_text(pole, {"machine.beams.mast.imperfection={bow: 0.0034, sway: 0.0036, towards: [1, 0, 0]}"});
+      run_text(pole, {"machine.beams.mast.imperfection={bow: -0.0034, sway: 0.0036, towards: [1, 0, 0]}"});
   EXPECT_FALSE(has_check(r, "mast.member"));
+  EXPECT_TRUE(
+      has_check(run_text(pole, {"machine.beams.mast.imperfection={bow: 0.0034, sway: 0.0036, towards: [1, 0, 0]}"}),
+                "mast.member"));
   EXPECT_GT(check_of(r, "mast.section").value, 0.634255);
+}
+
+/// Hinged, 10 m, four guys, pushed aside at half its height; `imperfection` of its beam.
+taut::Result guyed(const std::string& imperfection, const std::string& checks = "load_factor: 1.35") {
+  std::string guys;
+  const char* stakes[] = {"[10 m, 0 m, 0 m]", "[-10 m, 0 m, 0 m]", "[0 m, 10 m, 0 m]", "[0 m, -10 m, 0 m]"};
+  std::string points = "foot: [0 m, 0 m, 0 m], head: [0 m, 0 m, 10 m], m: {body: mast, at: [0 m, 0 m, 5 m]}";
+  for (int i = 0; i < 4; ++i) {
+    points += fmt::format(", s{}: {}", i, stakes[i]);
+    guys += fmt::format("g{0}: {{rope: r, from: mast.top, to: s{0}, install: {{tension: 10 kN}}}}, ", i);
+  }
+  return run_text(
+      fmt::format("taut: 1\nmachine:\n  points: {{{}}}\n  guys: {{{}}}\n  ropes: {{r: {{mass: 0 kg/m, "
+                  "stiffness: 2 MN, breaking_force: 300 kN}}}}\n  beams: {{mast: {{from: foot, to: head, "
+                  "section: CHS 168.3x6.3, steel: EN 10210-1 S355H, base: hinge, mass: 0 kg/m{}}}}}\n  "
+                  "loads: [{{at: m, force: [5 kN, 0 kN, 0 kN]}}, {{at: mast.top, force: [0 kN, 0 kN, -85 "
+                  "kN]}}]\nanalyses: [equilibrium: {{motion: at_rest}}]\nchecks: {{ropes: {{r: "
+                  "{{safety_factor: 3}}}}, masts: {{mast: {{{}}}}}}}\n",
+                  points, guys, imperfection, checks));
+}
+
+// EN 1993-1-1, 5.3.1 (2): in the most unfavourable direction.
+TEST(MastChecks, AnImperfectionThatHelpsOrIsTooSmallKeepsTheMemberEquation) {
+  const auto crooked = [](const char* bow, const char* towards, const char* checks = "load_factor: 1.35") {
+    return guyed(fmt::format(", imperfection: {{bow: {}, sway: 0.0046, towards: {}}}", bow, towards), checks);
+  };
+  const taut::Result right = crooked("0.0034", "[1, 0, 0]");
+  EXPECT_FALSE(has_check(right, "mast.member"));
+  EXPECT_FALSE(check_of(right, "mast.section").passes);
+  EXPECT_FALSE(check_of(crooked("-0.0034", "[1, 0, 0]"), "mast.member").passes);
+  EXPECT_FALSE(check_of(crooked("0.0034", "[0, 1, 0]"), "mast.member").passes);
+  // L/300 of curve a is not L/150 of curve d
+  EXPECT_FALSE(check_of(crooked("0.0034", "[1, 0, 0]", "load_factor: 1.35, curve: d"), "mast.member").passes);
+}
+
+/// A clamped tube of 8 m with `head` kg whose centre of mass is 6 m above its top.
+taut::Result headed(bool origin_at_top, const std::string& checks, double head) {
+  return run_text(fmt::format(
+      "taut: 1\nmachine:\n  points: {{foot: [0 m, 0 m, 0 m], joint: {{body: head, at: [0 m, 0 m, {}]}}}}\n  bodies: "
+      "{{head: {{mass: {} kg, at: [0 m, 0 m, {}], centre: [0 m, 0 m, {}], free: [x, y, z, rx, ry, rz]}}}}\n  beams: "
+      "{{mast: {{from: foot, to: joint, section: CHS 168.3x6.3, steel: EN 10210-1 S355H, mass: 0 kg/m}}}}\nanalyses: "
+      "[equilibrium: {{motion: at_rest}}]\nchecks: {{masts: {{mast: {{{}}}}}}}\n",
+      origin_at_top ? "0 m" : "-6 m", head, origin_at_top ? "8 m" : "14 m", origin_at_top ? "6 m" : "0 m", checks));
+}
+
+// cos kL = a k sin kL of a rigid piece a on a cantilever L: kL = 0.7609, P = 31.27 kN.
+TEST(MastChecks, WhereTheOriginOfABodyIsDoesNotMatterForBuckling) {
+  for (const bool origin_at_top : {true, false}) {
+    const taut::Result r = headed(origin_at_top, "load_factor: 1.75", 2000);
+    EXPECT_NEAR(value_of(r, "mast.alpha_cr"), 31.27e3 / (2000 * 9.80665), 2e-3) << origin_at_top;
+    EXPECT_FALSE(check_of(r, "mast.section").passes);
+    EXPECT_NEAR(value_of(headed(origin_at_top, "load_factor: 1.35", 1000), "mast.alpha_cr"), 31.27e3 / 9806.65, 4e-3);
+  }
+}
+
+// The wall 12.5 % thinner: N_cr 75.69 instead of 85.29 kN.
+TEST(MastChecks, AThinnerWallIsLessStiff) {
+  const std::string pole_under =
+      "taut: 1\nmachine:\n  points: {foot: [0 m, 0 m, 0 m], head: [0 m, 0 m, 8 m]}\n  beams: {mast: {from: foot, to: "
+      "head, section: CHS 168.3x6.3, steel: EN 10210-1 S355H, mass: 0 kg/m}}\n  loads: [{at: mast.top, force: [0 kN, 0 "
+      "kN, -55 kN]}]\nanalyses: [equilibrium: {motion: at_rest}]\nchecks: {masts: {mast: {load_factor: 1.35, "
+      "wall_tolerance: 0.125}, own: {section: CHS 168.3x6.3, steel: EN 10210-1 S355H, height: 8 m, base: clamped, "
+      "loads: [{down: 55 kN}], load_factor: 1.35, wall_tolerance: 0.125, sway: 0}}}\n";
+  const taut::Result r = run_text(pole_under);
+  EXPECT_FALSE(check_of(r, "mast.buckling").passes);
+  EXPECT_NEAR(check_of(r, "mast.buckling").value, check_of(r, "own.buckling").value, 2e-3);
+}
+
+TEST(MastChecks, StatesThatNoCombinationNamesAreNotJudged) {
+  const std::string sweep =
+      ", sweep: {name: sw, parameter: \"loads.top.force.x\", from: -1 kN, to: -4.5 kN, steps: 2}]\nchecks: {masts: "
+      "{mast: {combinations: {one: {";
+  const std::string deck =
+      "taut: 1\nmachine:\n  points: {foot: [0 m, 0 m, 0 m], head: [0 m, 0 m, 8 m]}\n  beams: {mast: {from: foot, to: "
+      "head, section: CHS 168.3x6.3, steel: EN 10210-1 S355H}}\n  loads: [{name: top, at: mast.top, force: [-2 kN, 0 "
+      "kN, "
+      "-10 kN]}]\nanalyses: [equilibrium: {motion: at_rest}" +
+      sweep;
+  const taut::Result one = run_text(deck + "equilibrium: 1.35}}}}}\n");
+  EXPECT_TRUE(check_of(one, "mast.member").passes);
+  ASSERT_EQ(one.unjudged.size(), 1U);
+  EXPECT_NE(one.unjudged[0].find("'sw', which none of its combinations names"), std::string::npos);
+  const taut::Result both = run_text(deck + "equilibrium: 1.35}, two: {sw: 1.35}}}}}\n");
+  EXPECT_TRUE(both.unjudged.empty());
+  EXPECT_FALSE(check_of(both, "mast.member").passes);
+}
+
+// 610/10 is over 90 * 235/355, 406.4/10 at its top is not.
+TEST(MastChecks, ATaperedMastHasTheWallsOfItsFoot) {
+  const taut::Result r = run_text(
+      "taut: 1\nmachine:\n  points: {a: [0 m, 0 m, 0 m], b: [20 m, 0 m, 0 m]}\n  ropes: {r: {mass: 1 kg/m, stiffness: "
+      "10 MN, breaking_force: 100 kN}}\n  reevings: [{rope: r, path: [{anchor: a}, {anchor: b}], length: 20.1 "
+      "m}]\nchecks: {ropes: {r: {safety_factor: 2}}, masts: {own: {pieces: [{length: 12 m, section: CHS 610x10, top: "
+      "CHS 406.4x10}], steel: EN 10210-1 S355H, base: clamped, loads: [{down: 50 kN, across: 5 kN}], load_factor: "
+      "1.5}}}\n");
+  const taut::Check& c = check_of(r, "own.wall");
+  EXPECT_FALSE(c.passes);
+  EXPECT_NEAR(c.value, 61, 1e-9);
 }
 
 TEST(MastChecks, SteppedMastWithTwoCasesTogether) {

@@ -251,6 +251,9 @@ TEST_F(Include, AKeyWithAPlusAddsToTheListBelow) {
   ASSERT_EQ(t.sample.cases.size(), 2U);
   EXPECT_EQ(t.sample.cases[1].name, "two");
   EXPECT_EQ(run("include: b.yaml\ninput: {positions: [7 m]}\n").sample.positions, std::vector<double>{7});
+  // one value without brackets below is a list of one
+  write("d.yaml", "taut: 1\nmethod: closed_loop\ninput:\n  span: 1 m\n  positions: 5 m\n  rope: {diameter: 4 mm}\n");
+  EXPECT_EQ(run("include: d.yaml\ninput: {positions+: [6 m]}\n").sample.positions, (std::vector<double>{5, 6}));
 }
 
 TEST_F(Include, ValuesKeepTheirOwnFileInMessages) {

@@ -123,7 +123,8 @@ class Includer {
   std::size_t bytes_ = 0;
 };
 
-/// "contacts+: [...]" adds to the list `contacts` of the deck below; where it has none this is the list.
+/// "contacts+: [...]" adds to the list `contacts` of the deck below; where it has none this is the list. One value
+/// without brackets is a list of one.
 void append_to_list(Node& under, const Entry& more, std::unordered_map<std::string, std::size_t>& index) {
   const std::string key = more.key.substr(0, more.key.size() - 1);
   const auto below = index.find(key);
@@ -133,10 +134,14 @@ void append_to_list(Node& under, const Entry& more, std::unordered_map<std::stri
     return;
   }
   Node& list = under.entries[below->second].value;
-  if (list.kind != Node::Kind::sequence) {
+  if (list.kind == Node::Kind::scalar) {
+    Node one = list;
     list = more.value;
-  } else {
+    list.items.insert(list.items.begin(), std::move(one));
+  } else if (list.kind == Node::Kind::sequence) {
     list.items.insert(list.items.end(), more.value.items.begin(), more.value.items.end());
+  } else {
+    list = more.value;
   }
 }
 

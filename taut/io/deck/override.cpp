@@ -50,6 +50,9 @@ class Override {
     }
     const auto steps = read_path(equals);
     if (!steps) return;
+    if (steps->front().key == "include") {
+      return wrong(0, equals, "the files of 'include' are read before '--set': write it in the deck");
+    }
     auto value = parse(std::string(equals + 1, ' ') + text.substr(equals + 1), source_);
     for (Diagnostic& d : value ? value->mistakes : value.error()) add(mistakes_, std::move(d));
     if (!value) return;

@@ -83,8 +83,8 @@ Drive drive_of(const description::Drum& given, const Array<Signal>& signals, Com
   Drive drive;
   if (auto found = drive_of(d.speed, d.torque, d.pull, signals, path, complaints)) {
     drive = std::move(*found);
-  } else if (d.brake == description::Brake::open) {
-    drive.kind = DriveKind::free;
+  } else if (d.brake != description::Brake::unsaid) {
+    drive.kind = DriveKind::free;  // once its brake is open
   }
   drive.brake = d.brake == description::Brake::set;
   if (drive.kind == DriveKind::pull && !(at(drive.signal, 0).value > 0)) {

@@ -89,6 +89,17 @@ TEST(InstallationAnalysis, WhatTheLineDoesNotNeedStaysOnTheDrum) {
   EXPECT_NEAR(cell(t, 0, "on_drums") + cell(t, 0, "unstretched"), 382 + 40, 1e-9);
 }
 
+TEST(InstallationAnalysis, ARopeOnAPlumbLineHasNoSag) {
+  const Result r = run_text(
+      "taut: 1\nmachine:\n  points: {a: [0 m, 0 m, 20 m], b: [0 m, 0 m, 0 m]}\n  ropes: {r: {mass: 1 kg/m, stiffness: "
+      "5 "
+      "MN, breaking_force: 100 kN}}\n  reevings: [{rope: r, name: line, path: [{anchor: a}, {anchor: b}], length: "
+      "19.99 "
+      "m}]\nanalyses: [installation: {reeving: line}]\nchecks: {ropes: {r: {safety_factor: 2}}}\n");
+  ASSERT_EQ(r.status, Status::ok) << r.message << to_text(r.errors);
+  EXPECT_EQ(exit_code(r), 0);
+}
+
 TEST(InstallationAnalysis, TellsEachMistakeAtItsPlace) {
   const std::vector<std::pair<std::string, std::string>> rows = {
       {"temperatures: [15]", "temperatures: a temperature needs its unit"},

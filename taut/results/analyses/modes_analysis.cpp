@@ -107,14 +107,19 @@ void add_ropes_and_bodies(const machine::Model& model, const solve::TransientFra
   }
 }
 
+std::string frequency_words(const solve::Mode& mode) {
+  const bool grows = mode.kind == solve::ModeKind::unstable;
+  if (mode.frequency > 0) return fmt::format("{:.4g} Hz{}", mode.frequency, grows ? ", growing" : "");
+  return grows ? "grows without swinging" : "nothing brings it back";
+}
+
 Drawing mode_drawing(const study::ModesRun& run, const solve::ModeSet& set, std::size_t index) {
   const solve::Mode& mode = set.modes[index];
   const auto axes = mode_view(run.result.rest, mode.shape);
   const auto point = [&](const Vector3& p) { return Point{.x = p[axes[0]], .y = p[axes[1]]}; };
   Drawing d;
   d.name = fmt::format("mode{}{}_{}", run.ending, mode_set_ending(set), index + 1);
-  const std::string period = mode.frequency > 0 ? fmt::format("{:.4g} Hz", mode.frequency) : "nothing brings it back";
-  d.title = fmt::format("Mode {}: {}{}", index + 1, period,
+  d.title = fmt::format("Mode {}: {}{}", index + 1, frequency_words(mode),
                         run.result.sets.size() == 1 ? "" : fmt::format(", sheaves {}", study::sheaves_words(run, set)));
   d.caption = axes[1] == 2 ? "At rest and displaced, not to scale." : "Plan, at rest and displaced, not to scale.";
   d.legend = {{Role::hidden, "at rest"}, {Role::highlight, "displaced"}};
@@ -142,8 +147,12 @@ void add_mode_warnings(const study::ModesRun& run, Result& r) {
   for (const solve::ModeSet& set : run.result.sets) {
     for (std::size_t i = 0; i < set.modes.size(); ++i) {
       if (set.modes[i].kind != solve::ModeKind::unstable) continue;
-      r.warnings.push_back(fmt::format("mode {} grows: the machine does not stay where it is (sheaves {})", i + 1,
-                                       study::sheaves_words(run, set)));
+      study::note_failure(r,
+                          infeasible(fmt::format("mode {} grows: the state is not one to stay in (sheaves {}); hold or "
+                                                 "balance what moves in that mode",
+                                                 i + 1, study::sheaves_words(run, set))),
+                          run.words);
+      return;
     }
   }
   if (run.result.sets.size() < 2) return;
@@ -157,7 +166,7 @@ void add_frequencies(const study::ModesRun& run, Result& r) {
   for (const solve::ModeSet& set : run.result.sets) {
     std::vector<std::string> parts;
     for (const solve::Mode& mode : set.modes) {
-      parts.push_back(mode.frequency > 0 ? fmt::format("{:.4g} Hz", mode.frequency) : "nothing brings it back");
+      parts.push_back(frequency_words(mode));
     }
     if (parts.empty()) continue;
     if (run.result.sets.size() > 1)

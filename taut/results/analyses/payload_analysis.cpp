@@ -276,12 +276,16 @@ void add_results(MachineRun& machine, const study::PayloadRun& run, Result& r) {
   const ValueKind& carried = named(value_kinds(), "payload_min");
   r.values.push_back(make_value(carried, "", run.ending, worst.mass,
                                 fmt::format("{} ({}); governs: {}", carried.about.words, run.words, worst.governing)));
-  if (r.headline.empty()) r.headline = "carries " + payload_words(*least.of_all, machine.display);
+  const bool judged = machine.checked->judged;
+  if (judged && (!machine.least_carried || worst.mass < *machine.least_carried)) {
+    machine.least_carried = worst.mass;
+    r.headline = "carries " + payload_words(*least.of_all, machine.display);
+  }
   const ValueKind& place = named(value_kinds(), "payload_min_x");
   r.values.push_back(make_value(place, "", run.ending, least.of_all->point.x, place.about.words));
   r.tables.push_back(payload_table(machine.model, run));
-  add_limits(machine.model, run, r);
-  if (machine.checked->judged) add_gaps(machine.model, run, r);
+  if (judged) add_limits(machine.model, run, r);
+  if (judged) add_gaps(machine.model, run, r);
   if (run.positions.size() > 1) {
     Profile profile = payload_profile(machine, run, *least.of_all);
     machine.key_figure.offer(Pictured::payload, profile.name);

@@ -110,6 +110,26 @@ TEST(PayloadAnalysis, TheLeastOfAllLimitsGoverns) {
   EXPECT_EQ(value_of(all, "payload_min_x"), where);
 }
 
+// Of several payloads the least is told, and none that is not judged.
+TEST(PayloadAnalysis, TheHeadlineIsTheLeastThatIsJudged) {
+  const auto payload = [](const char* name, const char* factor, const char* more) {
+    return fmt::format(
+        "  - payload: {{name: {}, carriage: car, from: 140 m, to: 170 m, steps: 2, motion: in, limits: "
+        "{{skyline: {{safety_factor: {}}}}}{}}}\n",
+        name, factor, more);
+  };
+  const std::string most = payload("over", "1.5", ", judge: false"), some = payload("some", "3", ""),
+                    least = payload("least", "3.5", "");
+  const Result alone = run_text(skyline_deck(least));
+  ASSERT_TRUE(alone.headline.starts_with("carries ")) << alone.headline;
+  for (const std::string& several : {most + some + least, least + some + most}) {
+    const Result r = run_text(skyline_deck(several));
+    ASSERT_EQ(r.status, Status::ok) << r.message << to_text(r.errors);
+    EXPECT_EQ(r.headline, alone.headline);
+    EXPECT_FALSE(has_check(r, "skyline.payload_T_max_over"));
+  }
+}
+
 TEST(PayloadAnalysis, DirectionOfTheWayAndUnitsDoNotCount) {
   const Result a = run_text(payload_of("skyline: {tension: 70 kN}, clearance: 4 m", 130, 220, 9));
   const Result b = run_text(payload_of("clearance: 400 cm, skyline: {tension: 70000 N}", 220, 130, 9));

@@ -59,7 +59,8 @@ void break_rope(Run& run, Values& v, const machine::Event& event) {
   note(run, v.t, "break", line_name(run, run.m.lines[line]), {{"T", v.lines[line].T}}, event.index);
 }
 
-/// A drum that has pulled its rope goes on with a torque: it turns as its rope goes, and its drive has seen to that.
+/// A drum that has pulled its rope goes on with a torque or in its brake: it turns as its rope goes, and its drive has
+/// seen to that.
 void turn_with_rope(Run& run, Values& v, int drum) {
   for (std::size_t i = 0; i < run.m.contacts.size(); ++i) {
     const Contact& contact = run.m.contacts[i];
@@ -94,8 +95,11 @@ bool apply_event(Run& run, Values& v, const machine::Event& event) {
     case machine::EventKind::brake: {
       auto& drives = event.of_motor ? v.motor_drive : v.drum_drive;
       machine::Drive& drive = drives[event.index];
+      const bool lets_go = drive.kind == machine::DriveKind::pull && !event.of_motor && !drive.brake;
+      if (event.brake_set && lets_go && run.m.model->drums[event.index].brake) turn_with_rope(run, v, event.index);
       if (event.brake_set && !drive.brake) drive.brake_since = v.t;
       drive.brake = event.brake_set;
+      if (!event.brake_set && drive.kind == machine::DriveKind::held) drive.kind = machine::DriveKind::free;
       if (event.brake_set && !event.of_motor) stop_at_brake(run, event.index, v.t);
       note(run, v.t, "brake", event.words);
       break;

@@ -1,0 +1,45 @@
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "test/support/machine_decks.hpp"
+
+/// Brakes of drums that hang 1 t: what a drum does once its brake opens, and what its turning brings when it is set.
+namespace taut::app::brakes_motion_test {
+
+using namespace taut_test;
+
+Result hung(const std::string& drum, const std::string& signals, const std::string& length, const std::string& event,
+            const char* duration) {
+  return run_text(fmt::format(
+      "taut: 1\nmachine:\n  signals: {{{}}}\n  ropes: {{r: {{mass: 0 kg/m, stiffness: 5 MN, breaking_force: 100 kN, "
+      "diameter: 10 mm, damping_ratio: 0.05}}}}\n  bodies: {{hook: {{mass: 1 t, at: [0.2 m, 0 m, -10 m], free: "
+      "[z]}}}}\n"
+      "  drums: {{w: {{at: [0 m, 0 m, 0 m], core_diameter: 390 mm, {}}}}}\n  reevings: [{{rope: r, path: [{{drum: w, "
+      "side: right}}, {{anchor: hook}}]{}}}]\n  events: [{}]\n  observe: [hook.z, r.T_max]\nanalyses: [transient: "
+      "{{duration: {}}}]\nchecks: {{ropes: {{r: {{dynamic_safety_factor: 3}}}}}}\n",
+      signals, drum, length, event, duration));
+}
+
+// a = m g/(m + J/R^2) = 6.54 m/s2 for 3 s.
+TEST(BrakesInMotion, ADrumTurnsFreelyOnceItsBrakeOpens) {
+  const double fall = 1000 * 9.80665 / (1000 + 20 / (0.2 * 0.2)) * 9 / 2;
+  for (const char* drive : {"drive: {brake: set}, brake_torque: 3 kN m, ", ""}) {
+    const Result r = hung(fmt::format("{}inertia: 20 kg m^2", drive), "", ", length: 10 m",
+                          "{at: 1 s, brake: w, mode: open}", "4 s");
+    ASSERT_EQ(r.status, Status::ok) << r.message << to_text(r.errors);
+    EXPECT_NEAR(value_of(r, "hook.z_min"), -10 - fall, 0.03) << drive;
+  }
+}
+
+// A pull lowers at 1.8 m/s; a torque of nothing in between, or not: the drum's 1000 kg m2 go into the brake.
+TEST(BrakesInMotion, ADrumThatPulledTurnsWhenItsBrakeIsSet) {
+  const std::string drum = "inertia: 1000 kg m^2, drive: {pull: p}, brake_torque: 6 kN m";
+  const std::string signal = "p: {ramp: {from: 9806.65 N, to: 9000 N, start: 0.5 s, duration: 0.5 s}}";
+  const Result r = hung(drum, signal, "", "{at: 3 s, brake: w}", "6 s");
+  const Result twin = hung(drum, signal, "", "{at: 3 s, drive: w, torque: 0 N m}, {at: 3 s, brake: w}", "6 s");
+  EXPECT_NEAR(value_of(r, "hook.z_min"), value_of(twin, "hook.z_min"), 1e-3);
+  EXPECT_NEAR(value_of(r, "hook.z_min"), -14.176, 0.01);
+  EXPECT_LT(value_of(r, "T_max"), 13e3);
+}
+
+}  // namespace taut::app::brakes_motion_test
