@@ -329,7 +329,7 @@ ComparedRow compared_row(const ComparedValue& one, const io::Node& at, const Res
   row.value = value->value;
   const auto alone = [&](bool tolerance, bool value, const char* key, const char* of) {
     if (tolerance && !value) {
-      io::place(at, {{key, fmt::format("is of '{}', which the row does not give", of)}}, r.errors);
+      io::place(at, {{.path = key, .message = fmt::format("is of '{}', which the row does not give", of)}}, r.errors);
     }
   };
   alone(one.tolerance.has_value(), one.published.has_value(), "tolerance", "published");

@@ -96,9 +96,8 @@ TEST(Terrain, OfASurveyIsThatOfItsProfile) {
     EXPECT_NEAR(taut_test::value_of(survey, "rope_clearance_min"), taut_test::value_of(profile, "rope_clearance_min"),
                 1e-9);
     const auto off = std::count_if(survey.warnings.begin(), survey.warnings.end(), [](const std::string& w) {
-      return w.find(
-                 "terrain: 1 of the 5 rows of the survey is off the line by more than the corridor, row 4 the most, "
-                 "by 7 m") == 0;
+      return w.starts_with(
+          "terrain: 1 of the 5 rows of the survey is off the line by more than the corridor, row 4 the most, by 7 m");
     });
     EXPECT_EQ(off, between[0] == 'b' ? 1 : 0);
   }

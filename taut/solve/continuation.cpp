@@ -7,6 +7,7 @@
 
 #include "taut/base/expects.hpp"
 #include "taut/base/number.hpp"
+#include "taut/math/index.hpp"
 
 namespace taut::solve {
 namespace {

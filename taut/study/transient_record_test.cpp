@@ -17,8 +17,6 @@ using namespace taut_test;
 using taut::Animation;
 using taut::Result;
 using taut::Status;
-using taut::solve::TransientFrame;
-using taut::solve::TransientResult;
 using taut::study::TransientRecord;
 
 constexpr double peak_at = 6412.4;

@@ -74,7 +74,8 @@ TEST(AnchorChecks, TreeByForceAndAngle) {
   struct Row {
     double degrees, needed;
   };
-  for (const Row& row : {Row{9, 0.34681}, Row{20, 0.42489}, Row{40, 0.50040}}) {
+  for (const Row& row : {Row{.degrees = 9, .needed = 0.34681}, Row{.degrees = 20, .needed = 0.42489},
+                         Row{.degrees = 40, .needed = 0.50040}}) {
     const std::string rise = std::to_string(20 * std::tan(row.degrees * std::numbers::pi / 180)) + " m";
     const Result r = run_text(pull_at(rise, "{tree_diameter: 45 cm}"));
     EXPECT_NEAR(value_of(r, "stump.tree_diameter"), row.needed, 2e-5) << row.degrees;

@@ -109,6 +109,29 @@ void add_part_check(const std::string& part, const std::string& name, double val
   r.checks.push_back(std::move(c));
 }
 
+namespace {
+
+void complain_of_guy(const GuyCheckRequest& one, const std::vector<std::string>& names, const std::string& path,
+                     const machine::Model& model, std::vector<Complaint>& complaints) {
+  if (one.safety_factor && one.rule) complaints.push_back({path + ".rule", "either 'safety_factor' or 'rule'"});
+  if (one.rule) {
+    const std::string wrong = wrong_safety_rule(*one.rule);
+    if (!wrong.empty()) complaints.push_back({path + ".rule", wrong});
+  }
+  if (!one.pretension.empty() && (one.pretension.size() != 2 || one.pretension[0] >= one.pretension[1])) {
+    complaints.push_back({path + ".pretension", "is the least and the largest share, in this order: [0.08, 0.15]"});
+  }
+  for (const std::string& name : names) {
+    const machine::Reeving* rope = reeving_named(model, name);
+    if (rope != nullptr)
+      complain_of_second(one.breaking_force, rope->breaking_force, path + ".breaking_force", complaints);
+    if (one.breaking_force || (rope != nullptr && rope->breaking_force > 0)) continue;
+    complaints.push_back({path, fmt::format("the breaking force of '{}' is not known: give 'breaking_force'", name)});
+  }
+}
+
+}  // namespace
+
 void complain_of_guys(const std::vector<GuyCheckRequest>& guys, const CheckedDeck& deck, const machine::Model& model,
                       std::vector<Complaint>& complaints) {
   for (const GuyCheckRequest& one : guys) {
@@ -122,21 +145,7 @@ void complain_of_guys(const std::vector<GuyCheckRequest>& guys, const CheckedDec
                                               did_you_mean(one.name, known))});
       continue;
     }
-    if (one.safety_factor && one.rule) complaints.push_back({path + ".rule", "either 'safety_factor' or 'rule'"});
-    if (one.rule) {
-      const std::string wrong = wrong_safety_rule(*one.rule);
-      if (!wrong.empty()) complaints.push_back({path + ".rule", wrong});
-    }
-    if (!one.pretension.empty() && (one.pretension.size() != 2 || one.pretension[0] >= one.pretension[1])) {
-      complaints.push_back({path + ".pretension", "is the least and the largest share, in this order: [0.08, 0.15]"});
-    }
-    for (const std::string& name : names) {
-      const machine::Reeving* rope = reeving_named(model, name);
-      if (rope != nullptr)
-        complain_of_second(one.breaking_force, rope->breaking_force, path + ".breaking_force", complaints);
-      if (one.breaking_force || (rope != nullptr && rope->breaking_force > 0)) continue;
-      complaints.push_back({path, fmt::format("the breaking force of '{}' is not known: give 'breaking_force'", name)});
-    }
+    complain_of_guy(one, names, path, model, complaints);
   }
 }
 

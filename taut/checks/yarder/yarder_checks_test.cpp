@@ -93,7 +93,7 @@ TEST(YarderChecks, MistakesHaveTheirPlace) {
 // Two mainlines on one drum pull and need twice as much.
 TEST(YarderChecks, AllCopiesOfALineAreOnItsDrum) {
   auto set = diameters;
-  set.push_back("machine.reevings[1].copies=2");
+  set.emplace_back("machine.reevings[1].copies=2");
   const Result r =
       run_text(with_yarder("yarder: class 600 m, skyline: skyline, mainline: mainline, spare: 12 m, lateral: 30 m",
                            "  - load_path: {carriage: car, from: 135 m, to: 230 m, steps: 2, motion: in}"),

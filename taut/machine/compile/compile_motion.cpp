@@ -264,7 +264,9 @@ void add_drives(const Machine& machine, Model& model, Complaints& complaints) {
     drum.layer = given.layer.value_or(1);
     drum.inertia = given.inertia;
     drum.drag = given.drag;
-    if (given.brake_torque) drum.brake = Brake{*given.brake_torque, given.brake_delay, given.brake_rise};
+    if (given.brake_torque) {
+      drum.brake = Brake{.torque = *given.brake_torque, .delay = given.brake_delay, .rise = given.brake_rise};
+    }
     drum.drive = drive_of(given, model.signals, complaints);
     model.drums.push_back(std::move(drum));
   }

@@ -43,11 +43,11 @@ TEST(ClosedLoopResult, EveryPositionIsSolvedOnce) {
   Input in = example();
   in.position = {32, 77, 113};
   std::vector<int> times = times_asked(in);
-  EXPECT_EQ(times.size(), 2 * 3 + plotted) << "both hauls";
+  EXPECT_EQ(times.size(), std::size_t{2} * 3 + plotted) << "both hauls";
   EXPECT_EQ(std::ranges::max(times), 1);
   in.position = {32};
   times = times_asked(in);
-  EXPECT_EQ(times.size(), 2 * 1 + plotted);
+  EXPECT_EQ(times.size(), std::size_t{2} * 1 + plotted);
   EXPECT_EQ(std::ranges::max(times), 1);
   // chosen ropes are proved hauled in and out, and not once more for the result
   in.position = {32, 77, 113};

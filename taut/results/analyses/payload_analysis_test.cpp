@@ -1,6 +1,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <string>
+#include <utility>
 
 #include "test/support/machine_decks.hpp"
 
@@ -122,8 +124,8 @@ TEST(PayloadAnalysis, TheHeadlineIsTheLeastThatIsJudged) {
                     least = payload("least", "3.5", "");
   const Result alone = run_text(skyline_deck(least));
   ASSERT_TRUE(alone.headline.starts_with("carries ")) << alone.headline;
-  for (const std::string& several : {most + some + least, least + some + most}) {
-    const Result r = run_text(skyline_deck(several));
+  for (const auto& [first, last] : {std::pair(most, least), std::pair(least, most)}) {
+    const Result r = run_text(skyline_deck(fmt::format("{}{}{}", first, some, last)));
     ASSERT_EQ(r.status, Status::ok) << r.message << to_text(r.errors);
     EXPECT_EQ(r.headline, alone.headline);
     EXPECT_FALSE(has_check(r, "skyline.payload_T_max_over"));

@@ -159,6 +159,30 @@ RopeClearance lower(const RopeClearance& a, const RopeClearance& b) {
   return second ? b : a;
 }
 
+double apart_in_plan(const Vector3& a, const Vector3& b) { return std::hypot(b.x() - a.x(), b.y() - a.y()); }
+
+/// The points of a rope, those over the corners of the ground, and those that end what may be buried.
+Array<Vector3> places_along(const machine::Model& model, const Array<Vector3>& rope) {
+  Array<Vector3> places;
+  for (std::size_t i = 0; i < rope.size(); ++i) {
+    if (i > 0) {
+      Array<double> shares;
+      const double a = terrain_x(model, rope[i - 1]), b = terrain_x(model, rope[i]);
+      for (const machine::GroundPoint& top : model.terrain) {
+        if (top.x > std::min(a, b) && top.x < std::max(a, b)) shares.push_back((top.x - a) / (b - a));
+      }
+      for (const Vector3& end : {rope.front(), rope.back()}) {
+        const double r = apart_in_plan(end, rope[i - 1]), q = apart_in_plan(end, rope[i]);
+        if ((r - buried_rope) * (q - buried_rope) < 0) shares.push_back((buried_rope - r) / (q - r));
+      }
+      std::sort(shares.begin(), shares.end());
+      for (const double share : shares) places.push_back(rope[i - 1] + share * (rope[i] - rope[i - 1]));
+    }
+    places.push_back(rope[i]);
+  }
+  return places;
+}
+
 }  // namespace
 
 bool may_be_on_ground(const machine::Model& model, int reeving, int node) {
@@ -174,38 +198,19 @@ RopeClearance rope_clearance(const machine::Model& model, const solve::BranchRes
 
 RopeClearance rope_clearance(const machine::Model& model, const Array<Vector3>& rope, int reeving, int from, int to) {
   const bool begins = !may_be_on_ground(model, reeving, from), ends = !may_be_on_ground(model, reeving, to);
-  const auto height = [&](const Vector3& place) {
-    return place.z() - ground_height(model.terrain, terrain_x(model, place));
-  };
-  // its points, those over the corners of the ground, and those that end what may be buried
-  Array<Vector3> places;
+  const Array<Vector3> places = places_along(model, rope);
   Array<double> heights;
-  const auto apart = [](const Vector3& a, const Vector3& b) { return std::hypot(b.x() - a.x(), b.y() - a.y()); };
-  for (std::size_t i = 0; i < rope.size(); ++i) {
-    if (i > 0) {
-      Array<double> shares;
-      const double a = terrain_x(model, rope[i - 1]), b = terrain_x(model, rope[i]);
-      for (const machine::GroundPoint& top : model.terrain) {
-        if (top.x > std::min(a, b) && top.x < std::max(a, b)) shares.push_back((top.x - a) / (b - a));
-      }
-      for (const Vector3& end : {rope.front(), rope.back()}) {
-        const double r = apart(end, rope[i - 1]), q = apart(end, rope[i]);
-        if ((r - buried_rope) * (q - buried_rope) < 0) shares.push_back((buried_rope - r) / (q - r));
-      }
-      std::sort(shares.begin(), shares.end());
-      for (const double share : shares) places.push_back(rope[i - 1] + share * (rope[i] - rope[i - 1]));
-    }
-    places.push_back(rope[i]);
+  for (const Vector3& place : places) {
+    heights.push_back(place.z() - ground_height(model.terrain, terrain_x(model, place)));
   }
-  for (const Vector3& place : places) heights.push_back(height(place));
   RopeClearance least;
   const std::size_t last = places.size() - 1;
   for (std::size_t i = 0; i <= last; ++i) {
     const bool end = i == 0 || i == last;
     const bool counts = end && (i == 0 ? begins : ends);
     const bool lowest = !end && heights[i - 1] >= heights[i] && heights[i + 1] >= heights[i];
-    const bool buried = (!begins && apart(rope.front(), places[i]) < buried_rope) ||
-                        (!ends && apart(rope.back(), places[i]) < buried_rope);
+    const bool buried = (!begins && apart_in_plan(rope.front(), places[i]) < buried_rope) ||
+                        (!ends && apart_in_plan(rope.back(), places[i]) < buried_rope);
     if (counts || lowest || heights[i] < (buried ? -buried_anchor : 0))
       least = lower(least, {.height = heights[i], .place = places[i]});
   }
