@@ -327,9 +327,9 @@ ComparedRow compared_row(const ComparedValue& one, const io::Node& at, const Res
   }
   row.unit = value->unit;
   row.value = value->value;
-  const auto alone = [&](bool tolerance, bool value, const char* key, const char* of) {
-    if (tolerance && !value) {
-      io::place(at, {{.path = key, .message = fmt::format("is of '{}', which the row does not give", of)}}, r.errors);
+  const auto alone = [&](bool asked, bool given, const char* key, const char* name) {
+    if (asked && !given) {
+      io::place(at, {{.path = key, .message = fmt::format("is of '{}', which the row does not give", name)}}, r.errors);
     }
   };
   alone(one.tolerance.has_value(), one.published.has_value(), "tolerance", "published");

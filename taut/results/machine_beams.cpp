@@ -18,8 +18,6 @@ using solve::BeamPoint;
 using solve::BeamResult;
 using solve::EquilibriumResult;
 
-constexpr double first_order_factor = 10;  ///< EN 1993-1-1, 5.2.1 (3)
-
 Table beams(const machine::Model& m, const EquilibriumResult& e) {
   std::vector<solve::BeamPointRow> rows;
   for (const BeamResult& b : e.beams) {
@@ -81,7 +79,7 @@ void check_buckling(const machine::description::Beam& given, const checks::Worst
         make_check(
             given.name + ".alpha_cr", factor.value, si::one,
             {.sense = Sense::at_least,
-             .limit = first_order_factor,
+             .limit = checks::first_order_factor,
              .rule =
                  "critical over present axial force, that of all beams growing alike, for an analysis of first order: "
                  "EN 1993-1-1, 5.2.1 (3)",

@@ -54,7 +54,7 @@ design::DesignRun run_cases(const std::vector<design::DesignCase>& cases, design
   std::size_t governs = 0;
   double tension = std::nan("");
   std::vector<Check> checks;
-  std::vector<std::string> warnings, unsafe, unjudged;
+  std::vector<std::string> warnings, unsafe, unjudged, unmade;
   const auto merge = [](const std::vector<std::string>& more, std::vector<std::string>& all) {
     for (const std::string& one : more) {
       if (std::find(all.begin(), all.end(), one) == all.end()) all.push_back(one);
@@ -73,6 +73,7 @@ design::DesignRun run_cases(const std::vector<design::DesignCase>& cases, design
     merge(run.result.warnings, warnings);
     merge(run.result.unsafe, unsafe);
     merge(run.result.unjudged, unjudged);
+    merge(run.result.unmade, unmade);
     const bool over = run.result.interrupted || run.result.status != Status::ok;
     if (over && !run.result.interrupted)
       run.result.message = fmt::format("case {}: {}", cases[k].name, run.result.message);
@@ -92,6 +93,7 @@ design::DesignRun run_cases(const std::vector<design::DesignCase>& cases, design
   worst.result.warnings = std::move(warnings);
   worst.result.unsafe = std::move(unsafe);
   worst.result.unjudged = std::move(unjudged);
+  worst.result.unmade = std::move(unmade);
   if (depth != design::Depth::report) return worst;
   worst.result.tables.insert(worst.result.tables.begin(), std::move(table));
   worst.result.assumptions.push_back(fmt::format(

@@ -61,11 +61,12 @@ TEST(DesignCases, WhatIsUnsafeOrNotJudgedInAnyCaseStays) {
   Asked asked{.runs = {{"empty", run_with(0.2)}, {"loaded", run_with(0.9)}, {"storm", run_with(0.5)}}};
   asked.runs["empty"].result.unsafe = {"two turns are left"};
   asked.runs["storm"].result.unjudged = {"side"};
+  asked.runs["storm"].result.unmade = {"a state is missing"};
   for (const Depth depth : {Depth::checks, Depth::report}) {
     const Result r = asked(depth).result;
-    EXPECT_EQ(r.title, "loaded");
     EXPECT_THAT(r.unsafe, ElementsAre("two turns are left"));
     EXPECT_THAT(r.unjudged, ElementsAre("side"));
+    EXPECT_THAT(r.unmade, ElementsAre("a state is missing"));
   }
 }
 

@@ -15,8 +15,6 @@ namespace {
 
 using machine::description::Beam;
 
-constexpr double first_order_factor = 10;  ///< EN 1993-1-1, 5.2.1 (3)
-
 std::size_t index_in(const machine::Model& model, const std::string& name) {
   const auto found =
       std::find_if(model.beams.begin(), model.beams.end(), [&](const machine::Beam& b) { return b.name == name; });

@@ -11,6 +11,9 @@
 /// `checks: masts:` of a machine: its beams, and masts that the deck gives beside it.
 namespace taut::checks {
 
+/// The least critical factor for forces of first order, EN 1993-1-1, 5.2.1 (3).
+inline constexpr double first_order_factor = 10;
+
 /// The beams of a mast in one state.
 struct BeamState {
   std::string words, analysis;

@@ -240,6 +240,23 @@ TEST(MastChecks, AThinnerWallIsLessStiff) {
   EXPECT_NEAR(check_of(r, "mast.buckling").value, check_of(r, "own.buckling").value, 2e-3);
 }
 
+// First order with alpha_cr/factor below 10 is magnified, EN 1993-1-1, (5.4): the witness is the same mast of second
+// order. Of a cantilever with a force at its top (5.4) is right to 1 %.
+TEST(MastChecks, MomentsOfFirstOrderAreMagnifiedByTheDesignLoad) {
+  const auto section = [](const char* order, const char* factor) {
+    const taut::Result r = run_text(fmt::format(
+        "taut: 1\nmachine:\n  points: {{foot: [0 m, 0 m, 0 m], head: [0 m, 0 m, 8 m]}}\n  beams: {{mast: {{from: foot, "
+        "to: head, section: CHS 168.3x6.3, steel: EN 10210-1 S355H, mass: 0 kg/m, order: {}}}}}\n  loads: [{{at: "
+        "mast.top, force: [1 kN, 0 kN, -8 kN]}}]\nanalyses: [equilibrium: {{motion: at_rest}}]\nchecks: {{masts: "
+        "{{mast: "
+        "{{load_factor: {}}}}}}}\n",
+        order, factor));
+    return check_of(r, "mast.section").value;
+  };
+  EXPECT_NEAR(section("first", "1.5"), section("second", "1.5"), 0.02 * section("second", "1.5"));
+  EXPECT_LT(section("first", "1"), 0.95 * section("second", "1"));  // 10.7 times: as it is
+}
+
 TEST(MastChecks, StatesThatNoCombinationNamesAreNotJudged) {
   const std::string sweep =
       ", sweep: {name: sw, parameter: \"loads.top.force.x\", from: -1 kN, to: -4.5 kN, steps: 2}]\nchecks: {masts: "

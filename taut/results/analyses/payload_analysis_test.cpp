@@ -112,7 +112,7 @@ TEST(PayloadAnalysis, TheLeastOfAllLimitsGoverns) {
   EXPECT_EQ(value_of(all, "payload_min_x"), where);
 }
 
-// Of several payloads the least is told, and none that is not judged.
+// The headline tells the least of several payloads. A payload with `judge: false` does not count.
 TEST(PayloadAnalysis, TheHeadlineIsTheLeastThatIsJudged) {
   const auto payload = [](const char* name, const char* factor, const char* more) {
     return fmt::format(
