@@ -4,9 +4,6 @@
 
 #include <cmath>
 
-#include "taut/chance/inputs.hpp"
-#include "taut/chance/point_set.hpp"
-
 namespace taut::chance::correlation_test {
 
 const std::vector<std::string> names{"a", "b", "c"};
@@ -58,27 +55,6 @@ TEST(Correlation, mistakes_are_named) {
   const double s = 0.55 / 0.9;
   EXPECT_EQ(refusal({{0, 1, 0.9 * s}, {1, 2, 0.9 * s}, {0, 2, -0.9 * s}}).empty(), 1.8 * s < 1);
   EXPECT_EQ(refusal({{0, 1, 0.499}, {1, 2, 0.499}, {0, 2, -0.499}}), "");
-}
-
-// The scores of a sample have the correlation asked for; the values keep their own laws.
-TEST(Inputs, sample_is_correlated) {
-  Inputs in{.of = {{.law = Lognormal{.mean = 400, .sd = 160}}, {.law = Gumbel{.mode = 1, .scale = 0.2}}}};
-  in.correlation = *correlation(std::vector<CorrelatedPair>{{.first = 0, .second = 1, .r = 0.6}},
-                                std::vector<std::string>{"a", "b"});
-  const PointSet points(PointKind::sobol, 2, 16384, 3);
-  double product = 0;
-  double first = 0;
-  for (std::uint64_t k = 0; k < points.size(); ++k) {
-    const Point x = values_at(in, points.at(k));
-    product += score_of(in.of[0], x[0]) * score_of(in.of[1], x[1]);
-    first += x[0];
-  }
-  EXPECT_NEAR(product / static_cast<double>(points.size()), 0.6, 5e-3);
-  EXPECT_NEAR(first / static_cast<double>(points.size()), 400, 0.5);
-  const Point u{1.3, -2};
-  const Point back = scores_of(in, values_at_scores(in, u));
-  EXPECT_NEAR(back[0], 1.3, 1e-12);
-  EXPECT_NEAR(back[1], -2, 1e-12);
 }
 
 }  // namespace taut::chance::correlation_test

@@ -8,22 +8,11 @@
 #include "taut/chance/reliability/importance.hpp"
 #include "taut/chance/sensitivity.hpp"
 #include "taut/chance/standard_laws.hpp"
+#include "test/support/limit_states.hpp"
 
 namespace taut::chance::form_test {
 
-using Output = std::function<double(const Point&)>;
-
-Evaluate model(const Output& f) {
-  return [f](std::span<const Point> points) {
-    std::vector<std::vector<double>> rows;
-    for (const Point& x : points) rows.push_back({0, f(x)});
-    return rows;
-  };
-}
-
-LimitState state_of(const Inputs& inputs, const Output& f, Limit limit = {}) { return {inputs, model(f), 1, limit}; }
-
-Inputs normals(std::size_t n) { return {.of = std::vector<Distribution>(n, {Normal{}})}; }
+using namespace taut_test;
 
 // The worked case of the specification: a rope's safety factor n = R/(k Q/(4 f)) below 3.
 const Inputs rope{.of = {{.law = Lognormal{.mean = 400, .sd = 16}},
@@ -79,7 +68,7 @@ TEST(Form, the_same_question_has_the_same_answer) {
 // beta is below 0.
 TEST(Form, plane) {
   Inputs in{.of = {{.law = Normal{.mean = 10, .sd = 2}}, {.law = Normal{.mean = 4, .sd = 1}}}};
-  const Output g = [](const Point& x) { return x[0] - x[1]; };
+  const OutputOf g = [](const Point& x) { return x[0] - x[1]; };
   EXPECT_NEAR(form(state_of(in, g)).points[0].beta, 6 / std::sqrt(5.), 1e-6);
   EXPECT_NEAR(form(state_of(in, g)).points[0].breitung, normal_above(6 / std::sqrt(5.)), 1e-9);
   const Form failing = form(state_of(in, g, {.bound = Bound::at_least, .value = 8}));
@@ -128,7 +117,7 @@ TEST(Form, leaves_a_saddle_to_both_sides) {
 
 // A model whose results carry the noise of a solver: larger steps, the same beta.
 TEST(Form, noisy_model) {
-  const Output noisy = [](const Point& x) {
+  const OutputOf noisy = [](const Point& x) {
     const double noise = std::fmod(1e7 * (x[0] + 3 * x[1] + x[2] * 1e3 + x[3]), 1.) - 0.5;
     return factor(x) * (1 + 1e-4 * noise);
   };
@@ -157,49 +146,6 @@ TEST(Form, no_answer_has_a_reason_and_no_number) {
       state_of({.of = {{.law = Normal{}}, {.law = Listed{.values = {1, 2}}}}}, [](const Point& x) { return x[0]; }));
   EXPECT_EQ(list.status, FormStatus::refused);
   EXPECT_NE(list.reason.find("input 2 is a list"), std::string::npos);
-}
-
-// Beyond the limit the machine has no equilibrium: those cases count as beyond and are reported as failed.
-TEST(Importance, failed_cases_both_ways) {
-  const LimitState state =
-      state_of(normals(1), [](const Point& x) { return x[0] > 2.5 ? std::nan("") : 2 - x[0]; }, {});
-  const Form f = form(state);
-  ASSERT_EQ(f.points.size(), 1u) << f.reason;
-  EXPECT_NEAR(f.points[0].beta, 2, 1e-5);
-  const ImportanceSampling s = importance_sampling(state, f);
-  ASSERT_EQ(s.status, ImportanceStatus::found) << s.reason;
-  EXPECT_NEAR(s.counted.value, normal_above(2), 4 * s.counted.standard_error);
-  const double beyond = normal_above(2) - normal_above(2.5);
-  EXPECT_NEAR(s.left_out.value, beyond / normal_below(2.5), 4 * s.left_out.standard_error);
-  EXPECT_GT(s.failed, 1000u);
-}
-
-// A second way to fail that has no design point: the plain sample finds it, and there is no number.
-TEST(Importance, disagrees_where_a_way_to_fail_was_missed) {
-  const Output two = [](const Point& x) { return std::min(2.8 - x[0], 2.2 + x[1]); };
-  const LimitState state = state_of(normals(2), two);
-  Form f = form(state);
-  ASSERT_EQ(f.points.size(), 2u);
-  EXPECT_EQ(importance_sampling(state, f).status, ImportanceStatus::found);
-  f.points.erase(f.points.begin());  // the nearer one
-  const ImportanceSampling s = importance_sampling(state, f);
-  EXPECT_EQ(s.status, ImportanceStatus::disagrees);
-  EXPECT_NE(s.reason.find("FORM has missed a way to fail"), std::string::npos);
-  // a plain sample that the study has already is taken
-  LimitProbability plain;
-  plain.cases = 1000000;
-  plain.beyond = static_cast<std::uint64_t>(std::round(1e6 * s.counted.value));
-  plain.counted.value = s.counted.value;
-  EXPECT_EQ(importance_sampling(state, f, {}, plain).status, ImportanceStatus::found);
-}
-
-TEST(Importance, too_few_samples_beyond) {
-  const LimitState state = state_of(normals(1), [](const Point& x) { return 3 - x[0]; });
-  Form f = form(state);
-  f.points[0].scores[0] = -3;  // as if FORM had ended elsewhere
-  const ImportanceSampling s = importance_sampling(state, f, {.most_samples = 2000});
-  EXPECT_EQ(s.status, ImportanceStatus::not_converged);
-  EXPECT_EQ(s.samples, 2000u);
 }
 
 // The model sees the same points in any batch: a model of one point at a time gives the same bits.

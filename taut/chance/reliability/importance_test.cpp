@@ -1,0 +1,78 @@
+#include "taut/chance/reliability/importance.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "taut/chance/standard_laws.hpp"
+#include "test/support/limit_states.hpp"
+
+namespace taut::chance::importance_test {
+
+using namespace taut_test;
+
+/// One plane at the distance beta: p = Phi(-beta) exactly, also far out.
+TEST(Importance, a_plane_has_its_probability) {
+  for (const double beta : {1.0, 3.0, 5.0}) {
+    const LimitState state =
+        state_of(normals(3), [beta](const Point& x) { return beta - (2 * x[0] - x[1] + 2 * x[2]) / 3; });
+    const ImportanceSampling s = importance_sampling(state, form(state));
+    ASSERT_EQ(s.status, ImportanceStatus::found) << s.reason;
+    EXPECT_NEAR(s.counted.value, normal_above(beta), 4 * s.counted.standard_error) << beta;
+    EXPECT_LT(s.counted.variation, 0.05);
+    EXPECT_EQ(s.rests_on.empty(), beta < 3.5) << beta;
+  }
+}
+
+TEST(Importance, nothing_without_a_design_point) {
+  const LimitState state = state_of(normals(1), [](const Point& x) { return 20 - x[0]; });
+  const ImportanceSampling s = importance_sampling(state, form(state));
+  EXPECT_EQ(s.status, ImportanceStatus::no_design_point);
+  EXPECT_EQ(s.samples, 0u);
+  EXPECT_FALSE(s.reason.empty());
+}
+
+// Beyond the limit the machine has no equilibrium: those cases count as beyond and are reported as failed.
+TEST(Importance, failed_cases_both_ways) {
+  const LimitState state =
+      state_of(normals(1), [](const Point& x) { return x[0] > 2.5 ? std::nan("") : 2 - x[0]; }, {});
+  const Form f = form(state);
+  ASSERT_EQ(f.points.size(), 1u) << f.reason;
+  EXPECT_NEAR(f.points[0].beta, 2, 1e-5);
+  const ImportanceSampling s = importance_sampling(state, f);
+  ASSERT_EQ(s.status, ImportanceStatus::found) << s.reason;
+  EXPECT_NEAR(s.counted.value, normal_above(2), 4 * s.counted.standard_error);
+  const double beyond = normal_above(2) - normal_above(2.5);
+  EXPECT_NEAR(s.left_out.value, beyond / normal_below(2.5), 4 * s.left_out.standard_error);
+  EXPECT_GT(s.failed, 1000u);
+}
+
+// A second way to fail that has no design point: the plain sample finds it, and there is no number.
+TEST(Importance, disagrees_where_a_way_to_fail_was_missed) {
+  const OutputOf two = [](const Point& x) { return std::min(2.8 - x[0], 2.2 + x[1]); };
+  const LimitState state = state_of(normals(2), two);
+  Form f = form(state);
+  ASSERT_EQ(f.points.size(), 2u);
+  EXPECT_EQ(importance_sampling(state, f).status, ImportanceStatus::found);
+  f.points.erase(f.points.begin());  // the nearer one
+  const ImportanceSampling s = importance_sampling(state, f);
+  EXPECT_EQ(s.status, ImportanceStatus::disagrees);
+  EXPECT_NE(s.reason.find("FORM has missed a way to fail"), std::string::npos);
+  // a plain sample that the study has already is taken
+  LimitProbability plain;
+  plain.cases = 1000000;
+  plain.beyond = static_cast<std::uint64_t>(std::round(1e6 * s.counted.value));
+  plain.counted.value = s.counted.value;
+  EXPECT_EQ(importance_sampling(state, f, {}, plain).status, ImportanceStatus::found);
+}
+
+TEST(Importance, too_few_samples_beyond) {
+  const LimitState state = state_of(normals(1), [](const Point& x) { return 3 - x[0]; });
+  Form f = form(state);
+  f.points[0].scores[0] = -3;  // as if FORM had ended elsewhere
+  const ImportanceSampling s = importance_sampling(state, f, {.most_samples = 2000});
+  EXPECT_EQ(s.status, ImportanceStatus::not_converged);
+  EXPECT_EQ(s.samples, 2000u);
+}
+
+}  // namespace taut::chance::importance_test
