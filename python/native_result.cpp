@@ -123,6 +123,7 @@ py::list checks_of(const NativeResult& r) {
     one["part"] = c.part;
     one["where"] = c.where;
     one["limits"] = c.limits;
+    one["of_strength"] = c.of_strength;
     one["refused"] = c.refused;
     all.append(one);
   }

@@ -38,7 +38,7 @@ Result MethodDeck::calculate() const {
   if (!r.figures.empty()) r.key_figure = std::visit([](const auto& one) { return one.name; }, r.figures.front());
   if (blocks.checks) add_method_checks(*blocks.checks, asked, ropes(&r), r);
   std::erase_if(r.unjudged, [&](const std::string& part) {
-    return std::any_of(r.checks.begin(), r.checks.end(), [&](const Check& c) { return c.part == part && c.limits; });
+    return std::any_of(r.checks.begin(), r.checks.end(), [&](const Check& c) { return judges(c, part); });
   });
   return r;
 }

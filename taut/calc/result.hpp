@@ -47,9 +47,16 @@ struct Check {
   std::string part;   ///< part of the machine, "skyline", by which the report groups; empty: the whole machine
   /// False for breaking force, yield and ground: such a check can fail, but it does not count as the limit of a part.
   bool limits = true;
+  /// False for a limit of something else than the strength of its part, a clearance, an angle, a life: a rope or a beam
+  /// needs another one to be judged.
+  bool of_strength = true;
   std::string where = {};  ///< the state with the largest utilisation, "load path, in, x = 12 m"; empty: see `rule`
   bool refused = false;    ///< its limit is unverified, and the deck refuses such limits
 };
+/// Whether a check is the limit that a rope or a beam needs to be judged.
+inline bool judges(const Check& check, const std::string& part) {
+  return check.part == part && check.limits && check.of_strength;
+}
 /// The checks grouped by part, the largest utilisation first within each group, the groups in the order of their worst
 /// check. Where no check names a part the order is unchanged.
 std::vector<Check> grouped(std::vector<Check> checks);

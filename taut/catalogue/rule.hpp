@@ -24,7 +24,8 @@ struct RuleRow {
   std::string source;
   Trust trust = Trust::unverified;
   std::string trust_text;
-  std::optional<double> up_to;  ///< of a table by a count or a temperature, K: the largest for which the row holds
+  std::optional<double>
+      up_to;  ///< of a table by a count, a temperature (K) or a diameter (m): the largest for which the row holds
 };
 
 /// Reads a table of rules. Columns: id, field, item, class, low, high, unit (1, deg, m, GPa, MPa, s/m), text, source,
@@ -32,9 +33,10 @@ struct RuleRow {
 tl::expected<std::vector<RuleRow>, Diagnostics> read_rules(std::string_view csv, std::string file);
 
 /// The built-in rules (data/rules/*.csv). Topics: safety (factors of ropes by field), ratio (D/d), groove, friction,
-/// sheave (efficiency), termination (efficiency), buckling (imperfection factors of EN 1993-1-1), hoist (dynamic factor
-/// phi2), layout (limits of a skyline), modulus (of wire ropes, on the metallic area), pressure (in a groove), wire
-/// (outer wire over d), temperature (strength of a hot rope), life (bending cycles), discard (when a rope is put away).
+/// sheave (efficiency), termination (efficiency), strength (what else a breaking force is held against), buckling
+/// (imperfection factors of EN 1993-1-1), hoist (dynamic factor phi2), layout (limits of a skyline), modulus (of wire
+/// ropes, on the metallic area), pressure (in a groove), wire (outer wire over d), temperature (strength of a hot
+/// rope), life (bending cycles), discard (when a rope is put away).
 const std::vector<RuleRow>& rules();
 
 /// The rules whose id begins with `prefix` and a point: "safety", "safety.crane_running". In the tables' order.

@@ -53,10 +53,10 @@ struct CheckState {
   std::vector<CheckBranch> branches;
   std::vector<CheckContact> contacts;
   const solve::EquilibriumResult* rest = nullptr;  ///< what it is of; a motion has none, and no beams
-  bool moves = false;
-  std::vector<FreeRope> ropes;  ///< of a motion over terrain, where they are asked for
-  std::string words;            ///< "envelope, in, x = 40 m", "transient, drop, t = 1.2 s"
-  std::string analysis;         ///< its name in the deck, or its kind
+  bool moves = false;                              ///< a moment of a motion that is not at rest there
+  std::vector<FreeRope> ropes;                     ///< of a motion over terrain, where they are asked for
+  std::string words;                               ///< "envelope, in, x = 40 m", "transient, drop, t = 1.2 s"
+  std::string analysis;                            ///< its name in the deck, or its kind
 };
 
 CheckState state_of(const machine::Model& model, const solve::EquilibriumResult& state, std::string words,

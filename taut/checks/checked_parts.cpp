@@ -86,7 +86,8 @@ void CheckedParts::take_moment(const machine::Model& model, const solve::Transie
   std::vector<FreeRope> free;
   if (!model.terrain.empty()) free = free_ropes(model, so_far, moment);
   judge.take_moment(model, so_far, moment, free, words);
-  ropes.take_moment(model, moment, so_far.steps, slowly || moment.t <= so_far.frames.front().t);
+  const bool at_rest = slowly || moment.t <= so_far.frames.front().t;
+  ropes.take_moment(model, moment, so_far.steps, at_rest);
   drives.take_moment(model, moment, words);
   if (!any_shown()) return;
   if (moment.t <= so_far.frames.front().t) T_in_moments.assign(model.reevings.size(), 0);
@@ -96,6 +97,7 @@ void CheckedParts::take_moment(const machine::Model& model, const solve::Transie
   }
   CheckState seen = state_of(model, so_far, moment, fmt::format("{}, t = {:.4g} s", words, moment.t), analysis);
   seen.ropes = std::move(free);
+  seen.moves = !at_rest;
   show(seen);
 }
 
@@ -113,7 +115,7 @@ void CheckedParts::take_rest(const machine::Model& model, const solve::Transient
     rope.T.min = std::min({rope.T.min, branch.T_from, branch.T_to});
   }
   take_moment(model, still, rest, words, analysis);
-  take(model, still, words);
+  take(model, still, words, true);
   judge.take_rest(model, still, words);
 }
 
@@ -134,7 +136,7 @@ void CheckedParts::take(const machine::Model& model, const solve::TransientResul
   }
   if (guys.empty()) return;
   const CheckState begins = state_of(model, motion, motion.frames.front(), {}, {});
-  for (GuyStates& one : guys) take_motion(begins, motion, words, one);
+  for (GuyStates& one : guys) take_motion(begins, motion, words, slowly, one);
 }
 
 }  // namespace taut::checks

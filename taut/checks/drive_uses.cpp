@@ -73,10 +73,14 @@ void check_torque(const machine::Drum& drum, const DrumLoad& d, std::vector<Chec
                             {.sense = Sense::at_most, .limit = most, .rule = "the drum's torque", .trust = "user"}));
 }
 
-/// A drum that stands by its brake has to hold the pull of its rope.
+/// A drum that stands does so by its brake, or by a motor with a torque or a pull.
+bool stands_by_brake(const machine::Drum& drum) {
+  return drum.brake && drum.drive.kind != machine::DriveKind::torque && drum.drive.kind != machine::DriveKind::pull;
+}
+
+/// It has to hold the pull of its rope.
 void check_brake(const machine::Drum& drum, const DrumLoad& d, std::vector<Check>& made) {
-  const bool by_motor = drum.drive.kind == machine::DriveKind::torque || drum.drive.kind == machine::DriveKind::pull;
-  if (!drum.brake || by_motor || !d.stands) return;
+  if (!stands_by_brake(drum) || !d.stands) return;
   made.push_back(make_check(
       drum.name + ".brake_torque", d.torque, si::N_m,
       {.sense = Sense::at_most, .limit = drum.brake->torque, .rule = "what its brake holds", .trust = "user"}));
@@ -150,6 +154,7 @@ void DriveUses::take(const machine::Model& m, const solve::EquilibriumResult& st
   for (const auto& [drum, load] : loads_of(ends, state.flow)) {
     check_torque(m.drums[drum], load, made);
     check_brake(m.drums[drum], load, made);
+    if (stands_by_brake(m.drums[drum]) && !load.stands) unloaded_brakes_.try_emplace(m.drums[drum].name, words);
   }
   check_capacities(m, ends, made);
   for (const auto& d : ends) {
@@ -171,6 +176,7 @@ void DriveUses::take_moment(const machine::Model& m, const solve::TransientFrame
 }
 
 void DriveUses::take(const machine::Model& m, const solve::TransientResult& motion, const std::string& words) {
+  moves_ = true;
   const solve::TransientFrame& first = motion.frames.front();
   for (std::size_t c = 0; c < motion.ways.size(); ++c) {
     const machine::Node& node = m.reevings[first.contacts[c].reeving].nodes[first.contacts[c].node];
@@ -204,6 +210,14 @@ void DriveUses::take(const machine::Model& m, const solve::TransientResult& moti
 
 void DriveUses::add_checks(Result& r) const {
   for (const auto& [name, check] : worst_) r.checks.push_back(check);
+  for (const auto& [drum, words] : unloaded_brakes_) {
+    if (moves_ || worst_.contains(drum + ".brake_torque")) continue;
+    r.unmade.push_back(
+        fmt::format("{}.brake_torque is not checked: the drum turns in every state ({}); add an analysis "
+                    "at rest",
+                    drum, words));
+    r.warnings.push_back(r.unmade.back());
+  }
   for (const auto& [name, slip] : slips_) warn_unsafe(r, slip.words);
   for (const auto& [drum, words] : unbraked_) warn_unsafe(r, words);
   for (const auto& [cylinder, words] : yielding_) warn_unsafe(r, words);

@@ -35,9 +35,11 @@ class DriveUses {
     double slipped = 0;  ///< m
     std::string words;
   };
-  std::map<std::string, Slip> slips_;            // the largest of each sheave
-  std::map<std::string, std::string> unbraked_;  // drums whose brake slips, or that turn on when a motion ends
-  std::map<std::string, std::string> yielding_;  // cylinders at their force limit
+  std::map<std::string, Slip> slips_;                   // the largest of each sheave
+  std::map<std::string, std::string> unbraked_;         // drums whose brake slips, or that turn on when a motion ends
+  std::map<std::string, std::string> unloaded_brakes_;  // drums that turn in a state: where
+  bool moves_ = false;                                  // a motion has been seen
+  std::map<std::string, std::string> yielding_;         // cylinders at their force limit
   struct Turns {
     double left = 0;
     std::string words;

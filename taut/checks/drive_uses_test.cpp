@@ -293,4 +293,24 @@ TEST(DriveUses, ADrumTakesAllCopies) {
   EXPECT_EQ(used("2").limit, used("1").limit);
 }
 
+// A brake is judged where its drum stands: a deck that only hoists leaves it out, and says so.
+TEST(DriveUses, ABrakeNeedsAStateAtRest) {
+  const auto judged = [](const std::string& analyses) {
+    return verdict_of(run_text(R"(taut: 1
+machine:
+  ropes: {w: {mass: 0 kg/m, stiffness: 20 MN, breaking_force: 300 kN}}
+  sheaves: {s1: {at: [0 m, 0 m, 10 m], diameter: 800 mm}}
+  bodies: {load: {mass: 4 t, at: [0.4 m, 0 m, 2 m], free: [x, z]}}
+  drums: {winch: {at: [-10 m, 0 m, 0 m], core_diameter: 400 mm, brake_torque: 1 kN m, inertia: 10 kg m^2}}
+  reevings: [{rope: w, path: [{drum: winch}, {over: s1}, {anchor: load}], length: 20 m}]
+checks: {ropes: {w: {safety_factor: 3}}}
+analyses: [)" + analyses + "]\n"))
+        .value_or(Verdict{});
+  };
+  const Verdict hoists = judged("equilibrium: {motion: hoist}");
+  EXPECT_EQ(to_text(hoists.kind), "not_judged") << hoists.reason;
+  EXPECT_NE(hoists.reason.find("winch.brake_torque is not checked"), std::string::npos) << hoists.reason;
+  EXPECT_EQ(to_text(judged("equilibrium: {}, equilibrium: {name: up, motion: hoist}").kind), "fails");
+}
+
 }  // namespace taut::drive_uses_test

@@ -470,8 +470,7 @@ void Judge::add_values(Result& r) const {
 }
 
 void Judge::add_scope_of(const std::string& part, const Result& r, std::vector<std::string>& unjudged) const {
-  const bool limited =
-      std::any_of(r.checks.begin(), r.checks.end(), [&](const Check& c) { return c.part == part && c.limits; });
+  const bool limited = std::any_of(r.checks.begin(), r.checks.end(), [&](const Check& c) { return judges(c, part); });
   const bool out = std::find(r.exempt.begin(), r.exempt.end(), part) != r.exempt.end();
   if (!limited && !out) unjudged.push_back(part);
 }

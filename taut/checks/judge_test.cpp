@@ -140,4 +140,25 @@ TEST(Judge, ARopeThatLeavesItsSaddleInMotionIsUnsafe) {
 // A rope that a guard holds down may press on it.
 TEST(Judge, AnUpliftThatIsHeldIsNoNews) { EXPECT_THAT(run_text(raised(", uplift: hold", "8 m")).unsafe, IsEmpty()); }
 
+// A clearance, a life or the limit of something of the same name does not judge the rope's strength: 95 of 100 kN.
+TEST(Judge, ALimitOfSomethingElseDoesNotJudgeARope) {
+  const auto judged = [](const std::string& checks) {
+    return verdict_of(run_text(R"(taut: 1
+machine:
+  ropes: {r: {rope: "EN 12385-4|6x36-IWRC|16|1770", stiffness: 12 MN}}
+  points: {sky: [0 m, 0 m, 20 m], b: [100 m, 0 m, 20 m]}
+  terrain: {x: [0 m, 100 m], z: [0 m, 0 m]}
+  reevings: [{name: sky, rope: r, path: [{anchor: sky}, {anchor: b}], tension_at_start: 95 kN}]
+checks: )" + checks + "\n"));
+  };
+  for (const std::string side : {"{lines: {sky: {clearance: true}}}", "{anchors: {sky: {strength: 400 kN}}}"}) {
+    const auto v = judged(side);
+    ASSERT_TRUE(v) << side;
+    EXPECT_EQ(v->kind, VerdictKind::not_judged) << side << v->reason;
+    EXPECT_EQ(v->reason, "no limit is given for sky.") << side;
+  }
+  EXPECT_EQ(judged("{ropes: {sky: {safety_factor: 1.2}}, lines: {sky: {clearance: true}}}")->kind, VerdictKind::passes);
+  EXPECT_EQ(judged("{ropes: {sky: {safety_factor: 3}}, lines: {sky: {clearance: true}}}")->kind, VerdictKind::fails);
+}
+
 }  // namespace taut::checks::judge_test

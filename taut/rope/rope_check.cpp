@@ -113,10 +113,10 @@ class RopeChecker {
       const auto& known = at_rest.out_.checks;
       const auto same = std::find_if(known.begin(), known.end(), [&](const Check& c) { return c.name == check.name; });
       const bool fails = same != known.end() && !same->passes;
-      const bool has_tension = !(rules_.least_termination && check.name.ends_with(".termination"));
+      const bool is_efficiency = check.name.ends_with(".termination") && check.value == rules_.termination->value;
       if (fails) {
         out_.checks.push_back(*same);
-      } else if (check.passes || !has_tension) {
+      } else if (check.passes || is_efficiency) {
         out_.checks.push_back(std::move(check));
       } else {
         out_.left_out.push_back(
@@ -154,13 +154,13 @@ class RopeChecker {
            .limit = least.value,
            .rule = fmt::format("efficiency of {}: {}", efficiency.rule, least.rule),
            .trust = least.trust});
-      return;
     }
     if (!has_strength()) return;
+    if (use_.ends.empty()) leave_out("its termination", "no end of it is fixed: both lie on drums, or it is endless");
     if (rules_.safety_factors.empty()) leave_out("its termination", "no rule gives a safety factor");
     for (const RopeEnd& end : use_.ends) {
       for (const Limit& limit : rules_.safety_factors) {
-        if (!(end.tension > 0)) continue;
+        if (limit.covers_bending || !(end.tension > 0)) continue;
         const bool doubt = efficiency.trust.starts_with("UNVERIFIED");
         keep_worst(
             "termination", efficiency.value * strength() / end.tension, si::one,
@@ -174,11 +174,16 @@ class RopeChecker {
   }
 
   void strength_on_sheaves() {
-    if (rules_.factor_covers_bending || !has_strength() || !has_diameter()) return;
+    const auto covered = [](const Limit& limit) { return limit.covers_bending; };
+    if (!has_strength() || std::all_of(rules_.safety_factors.begin(), rules_.safety_factors.end(), covered)) return;
+    if (rules_.bending_asked) unmeasured("the weakening on sheaves");
+    if (rules_.bending_asked && !has_diameter()) leave_out("the weakening on sheaves", "the diameter is not known");
+    if (!has_diameter()) return;
     for (const Bend& bend : use_.bends) {
       if (!(bend.tension > 0) || bend.wrap < least_wrap) continue;
       const double left = sheave_strength(ratio_of(bend, use_));
       for (const Limit& limit : rules_.safety_factors) {
+        if (limit.covers_bending) continue;
         keep_worst("on_sheave", left * strength() / bend.tension, si::one,
                    {.sense = Sense::at_least,
                     .limit = limit.value,

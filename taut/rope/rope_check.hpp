@@ -15,19 +15,20 @@ struct Limit {
   double value = 0;  ///< SI
   std::string rule;
   std::string trust;
+  bool covers_bending = false;  ///< of a safety factor: bending and terminations are in it (cranes, ropeways)
 };
 
 /// Which limits hold for one rope. What is empty is not checked.
 struct RopeRules {
-  std::vector<Limit> safety_factors;   ///< least F_min/T, static
-  bool factor_covers_bending = false;  ///< the rules' factors have bending and terminations in them (cranes)
-  double dynamic_factor = 1;           ///< on the static tension
-  std::string dynamic_words;           ///< where it comes from, with its trust
+  std::vector<Limit> safety_factors;  ///< least F_min/T, static
+  bool bending_asked = false;         ///< the weakening on sheaves is asked for, by no field but by the deck
+  double dynamic_factor = 1;          ///< on the static tension
+  std::string dynamic_words;          ///< where it comes from, with its trust
   std::string dynamic_trust = "user";
   std::optional<Limit> dynamic_safety;                                 ///< least F_min/(phi T)
   std::optional<Limit> elastic_share;                                  ///< of F_min that the peak may reach
   std::optional<Limit> termination;                                    ///< efficiency of the ends
-  std::optional<Limit> least_termination;                              ///< what the rules ask of it
+  std::optional<Limit> least_termination;                              ///< what a factor that covers the ends asks
   std::optional<double> temperature;                                   ///< the rope's, K
   std::optional<Limit> hottest;                                        ///< K
   std::optional<Limit> hottest_end;                                    ///< K, by the termination

@@ -64,10 +64,41 @@ TEST(RopeCheck, the_worst_sheave_governs) {
       1);
 }
 
+// A factor that covers the bending takes nothing from one that does not.
+TEST(RopeCheck, factors_of_both_kinds) {
+  RopeRules rules;
+  rules.safety_factors = {{.value = 3, .rule = "skyline", .trust = "verified"},
+                          {.value = 2.5, .rule = "stay", .trust = "verified", .covers_bending = true}};
+  rules.termination = Limit{.value = 0.8, .rule = "clips", .trust = "verified"};
+  rules.least_termination = Limit{.value = 0.8, .rule = "at least", .trust = "verified"};
+  const RopeChecks all = check_rope(hoist_rope(), rules);
+  EXPECT_EQ(find(all, "hoist.on_sheave")->limit, 3);
+  EXPECT_EQ(find(all, "hoist.termination")->limit, 0.8);  // 0.8 of 0.8 is nearer to its limit than 4.27 of 3
+  RopeUse slender = hoist_rope();
+  slender.ends[0].tension = 50e3;
+  const RopeChecks weak = check_rope(slender, rules);
+  EXPECT_NEAR(value_of(weak, "hoist.termination"), 0.8 * 160 / 50, 1e-12);
+  EXPECT_FALSE(find(weak, "hoist.termination")->passes);
+}
+
+// What the deck asks for and cannot be made is said.
+TEST(RopeCheck, what_is_asked_for_is_made_or_left_out) {
+  RopeUse use = hoist_rope();
+  use.unmeasured = {"'lost'"};
+  use.ends.clear();
+  RopeRules rules;
+  rules.safety_factors = {{.value = 3, .rule = "a rule", .trust = "user"}};
+  rules.bending_asked = true;
+  rules.termination = Limit{.value = 0.5, .rule = "knot", .trust = "user"};
+  const RopeChecks all = check_rope(use, rules);
+  ASSERT_EQ(all.left_out.size(), 2U);
+  EXPECT_NE(all.left_out[0].find("no end of it is fixed"), std::string::npos);
+  EXPECT_NE(all.left_out[1].find("no diameter is known of 'lost'"), std::string::npos);
+}
+
 TEST(RopeCheck, a_crane_factor_has_the_bending_in_it) {
   RopeRules rules;
-  rules.safety_factors = {{.value = 4.5, .rule = "ISO 4308-1", .trust = "verified"}};
-  rules.factor_covers_bending = true;
+  rules.safety_factors = {{.value = 4.5, .rule = "ISO 4308-1", .trust = "verified", .covers_bending = true}};
   rules.termination = Limit{.value = 0.75, .rule = "wedge", .trust = "verified"};
   rules.least_termination = Limit{.value = 0.8, .rule = "at least", .trust = "UNVERIFIED: recalled"};
   const RopeChecks all = check_rope(hoist_rope(), rules);

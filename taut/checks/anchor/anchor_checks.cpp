@@ -128,17 +128,20 @@ void check_holding(const AnchorStates& s, Result& r) {
   }
   if (one.as_strong_as_rope) {
     if (s.strength_unknown) {
-      r.warnings.push_back(
-          fmt::format("{}: the breaking force of a rope fixed to it is not known, 'as_strong_as_rope' looks at the "
-                      "others",
+      r.unmade.push_back(
+          fmt::format("{}: 'as_strong_as_rope' is not checked: a rope fixed to it has no 'breaking_force' in "
+                      "'machine.ropes'",
                       one.name));
+      r.warnings.push_back(r.unmade.back());
     }
-    add_part_check(one.name, "anchor_as_rope", *one.strength, si::N,
-                   {.sense = Sense::at_least,
-                    .limit = s.strongest_rope,
-                    .rule = "strength of the anchor not below the breaking force of the strongest rope fixed to it",
-                    .trust = "derived"},
-                   r);
+    if (s.strongest_rope > 0) {
+      add_part_check(one.name, "anchor_as_rope", *one.strength, si::N,
+                     {.sense = Sense::at_least,
+                      .limit = s.strongest_rope,
+                      .rule = "strength of the anchor not below the breaking force of the strongest rope fixed to it",
+                      .trust = "derived"},
+                     r);
+    }
   }
   // a declared strength, of a deadman or a plate, needs no tree
   if (one.tree_diameter || !one.strength) add_anchor_tree(one.name, s.tree, one.tree_diameter, r);

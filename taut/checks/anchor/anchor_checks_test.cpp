@@ -57,6 +57,19 @@ TEST(AnchorChecks, Fastening) {
   EXPECT_FALSE(check_of(unknown, "a1.anchor_clips").passes);
 }
 
+// Against a strength that nobody knows nothing is as strong.
+TEST(AnchorChecks, AsStrongAsARopeOfUnknownStrength) {
+  const Result r = run_text(R"(taut: 1
+machine:
+  ropes: {w: {mass: 1.6 kg/m, stiffness: 20 MN}}
+  points: {a: [0 m, 0 m, 20 m], b: [20 m, 0 m, 0 m]}
+  reevings: [{rope: w, path: [{anchor: a}, {anchor: b}], tension_at_start: 90 kN}]
+checks: {ropes: {w: {breaking_force: 300 kN, safety_factor: 3}}, anchors: {b: {strength: 100 kN, as_strong_as_rope: true}}}
+)");
+  EXPECT_FALSE(has_check(r, "b.anchor_as_rope"));
+  EXPECT_EQ(verdict_of(r)->verdict_class, "unmade");
+}
+
 /// A rope of no weight that pulls with 60 kN at an anchor on the ground, up by so many degrees.
 std::string pull_at(const std::string& rise, const std::string& anchor, const std::string& tension = "60 kN") {
   return "taut: 1\nmachine:\n  ropes: {line: {mass: 0.001 kg/m, stiffness: 20 MN, breaking_force: 900 kN}}\n"

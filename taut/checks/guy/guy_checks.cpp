@@ -54,13 +54,13 @@ void check_safety(const GuyStates& guy, const std::string& name, double strength
   RuleLimit limit{.value = 2, .words = "partial factor of guys, EN 1993-3-1", .trust = by_recalled_gamma};
   if (request.rule) limit = rule_limit(*request.rule, true);
   if (request.safety_factor) limit = {.value = *request.safety_factor, .words = "the deck's own", .trust = "user"};
-  add_part_check(name, "guy_safety", strength / guy.T_max, si::one,
-                 {.sense = Sense::at_least,
-                  .limit = limit.value,
-                  .rule = fmt::format("breaking force {:.4g} kN over the largest tension {:.4g} kN ({}); {}",
-                                      strength / 1e3, guy.T_max / 1e3, guy.where_max, limit.words),
-                  .trust = limit.trust},
-                 r);
+  add_strength_check(name, "guy_safety", strength / guy.T_max, si::one,
+                     {.sense = Sense::at_least,
+                      .limit = limit.value,
+                      .rule = fmt::format("breaking force {:.4g} kN over the largest tension {:.4g} kN ({}); {}",
+                                          strength / 1e3, guy.T_max / 1e3, guy.where_max, limit.words),
+                      .trust = limit.trust},
+                     r);
 }
 
 void check_pretension(const GuyCheckRequest& request, const std::string& name, double tension, double strength,
@@ -104,6 +104,12 @@ std::string with_factor(const std::string& words, double factor) {
 
 void add_part_check(const std::string& part, const std::string& name, double value, const Unit& unit, Bound bound,
                     Result& r) {
+  add_strength_check(part, name, value, unit, std::move(bound), r);
+  r.checks.back().of_strength = false;
+}
+
+void add_strength_check(const std::string& part, const std::string& name, double value, const Unit& unit, Bound bound,
+                        Result& r) {
   Check c = make_check(fmt::format("{}.{}", part, name), value, unit, std::move(bound));
   c.part = part;
   r.checks.push_back(std::move(c));
@@ -174,13 +180,18 @@ void take(const CheckState& state, GuyStates& guy) {
   }
 }
 
-void take_motion(const CheckState& begins, const solve::TransientResult& motion, const std::string& words,
+void take_motion(const CheckState& begins, const solve::TransientResult& motion, const std::string& words, bool slowly,
                  GuyStates& guy) {
-  const solve::Extreme& T = motion.ropes[guy.reeving].T;
-  if (T.max > guy.T_max) {
-    guy.T_max = T.max;
-    guy.where_max = fmt::format("{}, t = {:.4g} s", words, T.t_max);
-  }
+  const solve::RopeExtreme& rope = motion.ropes[guy.reeving];
+  const solve::Extreme& T = rope.T;
+  const auto raise = [&](double tension, double factor, const std::string& where) {
+    if (tension * factor <= guy.T_max) return;
+    guy.T_max = tension * factor;
+    guy.where_max = with_factor(where, factor);
+  };
+  const double of_rest = guy.request->dynamic_factor;
+  if (!slowly) raise(rope.T_static, of_rest, words + ", before it begins");
+  raise(T.max, slowly ? of_rest : 1, fmt::format("{}, t = {:.4g} s", words, T.t_max));
   for (const CheckBranch& b : begins.branches) {
     if (b.reeving != guy.reeving) continue;
     take_least(T.min, slack_tension(begins.model->reevings[guy.reeving], b),

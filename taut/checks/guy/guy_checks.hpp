@@ -27,8 +27,8 @@ struct GuyStates {
 std::vector<GuyStates> guy_states(const std::vector<GuyCheckRequest>& guys, const CheckedDeck& deck,
                                   const machine::Model& model);
 void take(const CheckState& state, GuyStates& guy);
-/// Of a whole motion, at all its steps; `begins`: its first output step.
-void take_motion(const CheckState& begins, const solve::TransientResult& motion, const std::string& words,
+/// Of a whole motion, at all its steps; `begins`: its first output step, a state at rest; `slowly`: all of them are.
+void take_motion(const CheckState& begins, const solve::TransientResult& motion, const std::string& words, bool slowly,
                  GuyStates& guy);
 
 /// A place at which ropes end, over all states that were shown. As above.
@@ -100,8 +100,12 @@ RuleLimit rule_limit(const std::string& id, bool high_end);
 /// "load path, in, x = 40 m, times 1.2": of a state at rest with the dynamic factor that its forces are raised by.
 std::string with_factor(const std::string& words, double factor);
 
-/// A check that belongs to a part.
+/// A check of a part by anything else than its strength: it can fail, and the part needs another one to be judged.
 void add_part_check(const std::string& part, const std::string& name, double value, const Unit& unit, Bound bound,
                     Result& r);
+
+/// The check that judges a guy, a rope or a beam: force or stress against strength.
+void add_strength_check(const std::string& part, const std::string& name, double value, const Unit& unit, Bound bound,
+                        Result& r);
 
 }  // namespace taut::checks

@@ -32,6 +32,39 @@ TEST(GuyChecks, AllGuysOfARope) {
   EXPECT_NEAR(check_of(ruled, "g1.guy_safety").limit, 3, 1e-12);
 }
 
+// A share of the breaking force, and the strength of an extension over its skyline, are no safety factors.
+TEST(GuyChecks, ARuleThatIsNoFactorIsRefused) {
+  for (const std::string rule : {"strength.skyline_elastic_limit", "strength.skyline_extension.us_wa"}) {
+    expect_mistake(run_text(guyed("  guys: {g1: {rule: " + rule + "}}\n")), "is no safety factor");
+  }
+}
+
+// Modes and quasi-static motions are states at rest: the dynamic factor counts in them as in an equilibrium.
+TEST(GuyChecks, StatesOfRestHaveTheDynamicFactor) {
+  const auto deck = [](const std::string& analysis) {
+    return R"(taut: 1
+machine:
+  ropes: {g: {mass: 0.1 kg/m, stiffness: 20 MN, breaking_force: 130 kN}}
+  points: {a: [0 m, 0 m, 20 m], b: [10 m, 0 m, 20 m]}
+  bodies: {load: {mass: 4 t, at: [5 m, 0 m, 15 m], free: [x, z]}}
+  guys: {g1: {rope: g, from: a, to: load, length: 7 m}, g2: {rope: g, from: b, to: load, length: 7 m}}
+analyses: [)" +
+           analysis +
+           R"(]
+checks: {guys: {g: {safety_factor: 3, dynamic_factor: 2}}, anchors: {a: {strength: 50 kN, dynamic_factor: 2}}}
+)";
+  };
+  const Result rest = run_text(deck("equilibrium: {}"));
+  const double guy = check_of(rest, "g1.guy_safety").value, anchor = check_of(rest, "a.anchor_strength").value;
+  EXPECT_LT(anchor, 1);
+  for (const std::string analysis :
+       {"modes: {}", "transient: {duration: 1 s, quasi_static: true, output_step: 0.5 s}"}) {
+    const Result same = run_text(deck(analysis));
+    EXPECT_NEAR(check_of(same, "g1.guy_safety").value, guy, 1e-3 * guy) << analysis;
+    EXPECT_NEAR(check_of(same, "a.anchor_strength").value, anchor, 1e-3 * anchor) << analysis;
+  }
+}
+
 TEST(GuyChecks, SlackGuyIsTold) {
   const Result r = run_text(guyed("  guys: {guy: {}}\n", "[90 kN, 0 N, -20 kN]"));
   EXPECT_FALSE(check_of(r, "g3.slackness").passes);

@@ -6,7 +6,9 @@
 #include "taut/base/suggest.hpp"
 #include "taut/checks/guy/guy_checks.hpp"
 #include "taut/checks/rope/rope_rules.hpp"
+#include "taut/math/index.hpp"
 #include "taut/study/line/rope_clearance.hpp"
+#include "taut/study/load_path.hpp"
 
 namespace taut::checks {
 namespace {
@@ -27,11 +29,15 @@ std::vector<std::string> supports_of(const machine::Model& model, const machine:
   return names;
 }
 
+/// Angle of a pull below or above the horizontal, rad.
+double steepness(const Vector3& pull) { return std::atan2(std::abs(pull.z()), std::hypot(pull.x(), pull.y())); }
+
 double plan_angle(const Vector3& a, const Vector3& b) {
   return std::abs(std::atan2(a.x() * b.y() - a.y() * b.x(), a.x() * b.x() + a.y() * b.y()));
 }
 
-/// The branches on both sides of a support: the one to the rope's end, and the one on the line's side.
+/// The branches on both sides of a support: the one to the rope's end, and the one on the line's side. Where both go to
+/// an end, the steeper one counts as the anchor's.
 struct Tail {
   const CheckBranch* to_anchor = nullptr;
   const CheckBranch* of_line = nullptr;
@@ -42,15 +48,16 @@ std::optional<Tail> tail_at(const CheckState& state, int reeving, const std::str
   const auto is_support = [&](int node) { return nodes[node].name == support; };
   const int last = static_cast<int>(nodes.size()) - 1;
   Tail tail;
+  double steepest = -1;
   for (const CheckBranch& b : state.branches) {
     if (b.reeving != reeving) continue;
-    if (is_support(b.from) && b.to == last) {
-      tail.to_anchor = &b;
-      tail.at_end = true;
-    } else if (is_support(b.to) && b.from == 0) {
-      tail.to_anchor = &b;
-      tail.at_end = false;
-    }
+    const bool at_end = is_support(b.from) && b.to == last;
+    if (!at_end && !(is_support(b.to) && b.from == 0)) continue;
+    const double steep = steepness(at_end ? b.on_start : b.on_end);
+    if (steep <= steepest) continue;
+    steepest = steep;
+    tail.to_anchor = &b;
+    tail.at_end = at_end;
   }
   if (tail.to_anchor == nullptr) return std::nullopt;
   for (const CheckBranch& b : state.branches) {
@@ -65,7 +72,7 @@ void take_tail(const CheckState& state, LineStates& line) {
   if (!tail) return;
   const CheckBranch& b = *tail->to_anchor;
   const Vector3& pull = tail->at_end ? b.on_start : b.on_end;  // on the tree
-  line.tail_angle.largest(std::atan2(std::abs(pull.z()), std::hypot(pull.x(), pull.y())), state.words);
+  line.tail_angle.largest(steepness(pull), state.words);
   if (tail->of_line != nullptr) {
     line.off_line.largest(plan_angle(b.end - b.start, tail->of_line->end - tail->of_line->start), state.words);
   }
@@ -97,7 +104,28 @@ void take_clearance(const machine::Model& model, const FreeRope& rope, const std
   line.clearance.least(found.height, fmt::format("{}, at x = {:.4g} m", words, found.place.x()));
 }
 
+/// The rope at the rounds between its ends: those that do not move may stand on the ground, but the line then is there.
+void take_rounds(const CheckState& state, LineStates& line) {
+  if (state.model->terrain.empty()) return;
+  const std::size_t last = state.model->reevings[line.reeving].nodes.size() - 1;
+  const auto take_place = [&](const Vector3& place) {
+    const double height = place.z() - study::ground_height(state.model->terrain, terrain_x(*state.model, place));
+    if (std::isnan(height)) return;
+    line.clearance.least(height, fmt::format("{}, at x = {:.4g} m", state.words, place.x()));
+  };
+  const auto& all = state.branches;
+  const auto same = [](const CheckBranch& a, const CheckBranch& b) {  // pieces of a rope in segments
+    return a.reeving == b.reeving && a.from == b.from && a.to == b.to;
+  };
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (all[i].reeving != line.reeving) continue;
+    if (all[i].from > 0 && (i == 0 || !same(all[i - 1], all[i]))) take_place(all[i].start);
+    if (as_size(all[i].to) < last && (i + 1 == all.size() || !same(all[i], all[i + 1]))) take_place(all[i].end);
+  }
+}
+
 void take_clearance(const CheckState& state, LineStates& line) {
+  take_rounds(state, line);
   for (const FreeRope& rope : state.ropes) {
     if (rope.reeving == line.reeving) take_clearance(*state.model, rope, state.words, line);
   }

@@ -42,6 +42,39 @@ TEST(LineChecks, LimiterTakesTheRopesPlace) {
   EXPECT_NEAR(check_of(r, "skyline.limiter").limit, 350e3, 1e-9);
 }
 
+// With one support both sides end at an anchor: the steeper one is the tail's, whichever end the path begins at.
+TEST(LineChecks, OneSupportHasTheSteeperSideAsItsTail) {
+  for (const std::string path :
+       {"{anchor: stump}, {over: tail}, {anchor: head}", "{anchor: head}, {over: tail}, {anchor: stump}"}) {
+    const Result r = run_text(R"(taut: 1
+machine:
+  ropes: {sky: {mass: 1.6 kg/m, stiffness: 20 MN, breaking_force: 400 kN}}
+  points: {head: [0 m, 0 m, 12 m], stump: [205 m, 0 m, 0 m]}
+  supports: {tail: {at: [200 m, 0 m, 12 m], friction: 0.1}}
+  reevings: [{rope: sky, path: [)" +
+                              path + R"(], tension_at_start: 80 kN}]
+checks: {lines: {sky: {tail_tree: tail}}}
+)");
+    EXPECT_NEAR(check_of(r, "sky.tail_angle").value, std::atan2(12, 5), 0.02) << path;
+  }
+}
+
+// A sheave that does not move may stand low, but then the line is low there.
+TEST(LineChecks, TheClearanceAtRoundsInTheLine) {
+  const Result r = run_text(R"(taut: 1
+machine:
+  ropes: {sky: {mass: 1.6 kg/m, stiffness: 20 MN, breaking_force: 400 kN}}
+  points: {a: [0 m, 0 m, 25 m], b: [300 m, 0 m, 25 m]}
+  terrain: {x: [0 m, 300 m], z: [0 m, 0 m]}
+  sheaves: {low: {at: [100 m, 0 m, 3 m], diameter: 800 mm, efficiency: 0.98}}
+  supports: {top: {at: [200 m, 0 m, 25 m], diameter: 800 mm, friction: 0.1}}
+  reevings: [{rope: sky, path: [{anchor: a}, {over: low}, {over: top}, {anchor: b}], tension_at_start: 100 kN}]
+checks: {lines: {sky: {clearance: true}}}
+)");
+  EXPECT_NEAR(check_of(r, "sky.clearance").value, 2.61, 0.02);
+  EXPECT_FALSE(check_of(r, "sky.clearance").passes);
+}
+
 // The empty line is the one that is put up: its bends are those of an installation.
 TEST(LineChecks, TheEmptyLine) {
   const std::string checks = "checks: {lines: {skyline: {break_angles: true}}}\n";

@@ -25,11 +25,11 @@ std::vector<std::size_t> reevings_named(const std::string& name, const CheckedDe
   return own.empty() ? of_rope : own;
 }
 
-/// Names of what bends the ropes of the machine.
-std::vector<std::string> rounds_of(const machine::Model& model) {
+/// Names of what bends these ropes.
+std::vector<std::string> rounds_of(const machine::Model& model, const std::vector<std::size_t>& reevings) {
   std::vector<std::string> known;
-  for (const machine::Reeving& one : model.reevings) {
-    for (const machine::Node& node : one.nodes) {
+  for (const std::size_t i : reevings) {
+    for (const machine::Node& node : model.reevings[i].nodes) {
       if (node.radius > 0) known.push_back(node.name);
     }
   }
@@ -41,8 +41,9 @@ void complain_of_places(const RopeCheckRequest& request, const std::string& path
   for (std::size_t i = 0; i < request.compensating.size(); ++i) {
     const std::string& name = request.compensating[i];
     if (std::find(known.begin(), known.end(), name) != known.end()) continue;
-    complaints.push_back({fmt::format("{}.compensating[{}]", path, i),
-                          fmt::format("no rope runs over a sheave '{}'{}", name, did_you_mean(name, known))});
+    complaints.push_back(
+        {fmt::format("{}.compensating[{}]", path, i),
+         fmt::format("the rope runs over no sheave '{}' with a diameter{}", name, did_you_mean(name, known))});
   }
 }
 
@@ -72,7 +73,7 @@ std::vector<AskedRules> resolve_ropes(const ChecksRequest& request, const Checke
     const catalogue::RopeRow own = row_in(deck, rope_name_of(deck.machine, reevings.front()));
     const catalogue::RopeRow rope = with_request(own, one);
     complain_of_values(one, own, path, complaints);
-    const std::vector<std::string> rounds = rounds_of(model);
+    const std::vector<std::string> rounds = rounds_of(model, reevings);
     const AskedRules& asked = all.emplace_back(asked_rules(one, path, complaints));
     complain_of_limits(one, asked, rope, path, complaints);
     complain_of_life(one, rope, rounds, path, complaints);
@@ -92,11 +93,16 @@ void add_checks_of(const RopeCheckRequest& request, const AskedRules& asked, con
   r.warnings.insert(r.warnings.end(), found.left_out.begin(), found.left_out.end());
   r.warnings.insert(r.warnings.end(), found.remarks.begin(), found.remarks.end());
   std::move(found.left_out.begin(), found.left_out.end(), std::back_inserter(r.unmade));
+  const double heat_share = rules.heat_strength ? rules.heat_strength->value : 1;
+  // the value beside the check is that of the cold rope so far
+  for (Value& value : r.values) {
+    if (value.name == use.name + ".safety_factor") value.value *= heat_share;
+  }
   if (const double peak = rope::peak_tension(use, rules); peak > 0 && use.rope.breaking_force > 0) {
     const bool moves = use.peak > 0 && use.peak >= rules.dynamic_factor * use.tension;
     const ValueKind& kind = named(value_kinds(), "ROPE.dynamic_safety_factor");
     r.values.push_back(make_value(
-        kind, use.name, "", use.rope.breaking_force / peak,
+        kind, use.name, "", heat_share * use.rope.breaking_force / peak,
         fmt::format("{} of {} ({})", kind.about.words, use.name, moves ? use.peak_where : rules.dynamic_words)));
   }
   Sheet<Num> s("rope", RopeCheckRequest::describe(), &request);

@@ -51,9 +51,9 @@ void add_place(Describe<RopeCheckRequest>& d) {
               {{"by_field", Choose::by_field}, {"counts", Choose::yes}, {"covered", Choose::no}},
               "counts: the safety factor must hold with the reduced strength on a sheave too; covered: the factor "
               "includes this; by_field: covered for cranes and ropeways")
-      .choice(
-          &R::running, "running", {{"by_field", Choose::by_field}, {"runs", Choose::yes}, {"stands", Choose::no}},
-          "runs: it runs over its sheaves, and D/d is checked; by_field: all but skyline, guyline, stay and track rope")
+      .choice(&R::running, "running", {{"by_field", Choose::by_field}, {"runs", Choose::yes}, {"stands", Choose::no}},
+              "runs: it runs over its sheaves, and D/d is checked; by_field: all but skyline, guyline, stay, track "
+              "rope and cableway")
       .field(&R::diameter_ratio, "diameter_ratio", "D/d", si::one,
              "least D/d, in place of that of the rules: one for all, or for sheaves and for drums")
       .above(1)

@@ -235,4 +235,35 @@ checks:
   expect_mistake(run_text(wrong), "the method has no rope 'retorn': return, traction");
 }
 
+// Steel loses strength in the heat: the value beside the check is that of the hot rope too.
+TEST(RopeChecks, values_in_the_heat) {
+  const Result r = run_text(checked("  ropes: {skyline: {field: skyline.ch, core: IWRC, temperature: 390 degC}}"));
+  ASSERT_EQ(r.status, Status::ok) << to_text(r.errors);
+  EXPECT_DOUBLE_EQ(value_of(r, "skyline.safety_factor"), find(r, "skyline.safety_factor")->value);
+  EXPECT_LT(value_of(r, "skyline.safety_factor"), 0.7 * 280e3 / value_of(r, "skyline.T_max"));
+  EXPECT_DOUBLE_EQ(value_of(r, "skyline.dynamic_safety_factor"), value_of(r, "skyline.safety_factor"));
+}
+
+// Two ropes on one drum fill it as one rope of twice the length: 158 m in layers of 20 turns on a core of 400 mm.
+TEST(RopeChecks, all_ropes_of_a_drum_make_its_layers) {
+  const auto layers = [](const std::string& length, int copies) {
+    const Result r = run_text(fmt::format(R"(taut: 1
+machine:
+  ropes: {{w: {{diameter: 20 mm, mass: 0 kg/m, stiffness: 20 MN, breaking_force: 300 kN}}}}
+  sheaves: {{s1: {{at: [0 m, 0 m, 10 m], diameter: 800 mm}}}}
+  bodies: {{load: {{mass: 4 t, at: [0.4 m, 0 m, 2 m], free: [x, z]}}}}
+  drums: {{winch: {{at: [-10 m, 0 m, 0 m], core_diameter: 400 mm, face_width: 400 mm, flange_diameter: 900 mm,
+                    length_on_drum: {}, layers: auto}}}}
+  reevings: [{{rope: w, copies: {}, path: [{{drum: winch}}, {{over: s1}}, {{anchor: load}}], length: 20 m}}]
+checks: {{ropes: {{w: {{safety_factor: 3, drum: grooved, fleet_angle: 5 deg}}}}}}
+)",
+                                          length, copies));
+    return find(r, "w.drum_layers")->value;
+  };
+  // layer k: 20 turns of 2 pi (0.21 + 0.02 (k - 1)) m: 26.4, 28.9, 31.4, 33.9, 36.4 m
+  EXPECT_EQ(layers("79 m", 1), 3);
+  EXPECT_EQ(layers("79 m", 2), layers("158 m", 1));
+  EXPECT_EQ(layers("79 m", 2), 6);
+}
+
 }  // namespace taut::checks::rope_checks_test

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "taut/base/number.hpp"
 #include "taut/base/suggest.hpp"
@@ -132,11 +133,25 @@ void add_life_check(const rope::Life& life, const rope::LifeRules& rules, const 
                                       rules.core_words.empty() ? "f_C not known, 1 taken" : rules.core_words),
                   .trust = rope::trust_with_rope(trust, use.rope)});
   c.part = use.name;
+  c.of_strength = false;
   r.checks.push_back(std::move(c));
   r.values.push_back(make_value(named(value_kinds(), "ROPE.life_damage"), use.name, "", life.damage,
                                 fmt::format("damage of {} in the wanted life, {}", use.name, life.constants->count)));
   r.values.push_back(make_value(named(value_kinds(), "ROPE.life_repeats"), use.name, "", 1 / life.damage,
                                 fmt::format("how often the duty of {} can run, {}", use.name, life.constants->count)));
+}
+
+/// Sheaves of a duty that have no diameter, in quotes.
+std::vector<std::string> unmeasured_in(const RopeCheckRequest& request, const rope::RopeUse& use) {
+  const auto counts = [&](const std::string& sheave) {
+    return std::any_of(request.duty.begin(), request.duty.end(), [&](const DutyRequest& duty) {
+      const auto same = [&](const std::string& name) { return fmt::format("'{}'", name) == sheave; };
+      return duty.over.empty() || std::any_of(duty.over.begin(), duty.over.end(), same);
+    });
+  };
+  std::vector<std::string> all;
+  std::copy_if(use.unmeasured.begin(), use.unmeasured.end(), std::back_inserter(all), counts);
+  return all;
 }
 
 void check_donandt(double force, const rope::RopeUse& use, const rope::RopeRules& rules, Result& r) {
@@ -151,6 +166,7 @@ void check_donandt(double force, const rope::RopeUse& use, const rope::RopeRules
                         .rule = "Donandt force: above it wires yield in bending and the life falls off",
                         .trust = "user"});
   c.part = use.name;
+  c.of_strength = false;
   r.checks.push_back(std::move(c));
 }
 
@@ -180,8 +196,9 @@ void complain_of_life(const RopeCheckRequest& request, const catalogue::RopeRow&
   for (std::size_t i = 0; i < request.duty.size(); ++i) {
     for (const std::string& name : request.duty[i].over) {
       if (rounds.empty() || std::find(rounds.begin(), rounds.end(), name) != rounds.end()) continue;
-      complaints.push_back({fmt::format("{}.duty[{}].over", path, i),
-                            fmt::format("the rope runs over no '{}'{}", name, did_you_mean(name, rounds))});
+      complaints.push_back(
+          {fmt::format("{}.duty[{}].over", path, i),
+           fmt::format("the rope runs over no '{}' with a diameter{}", name, did_you_mean(name, rounds))});
     }
   }
 }
@@ -190,6 +207,10 @@ void add_life(const RopeCheckRequest& request, const rope::RopeUse& use, const r
   if (request.life && request.life->donandt_force) check_donandt(*request.life->donandt_force, use, rules, r);
   if (request.discard) add_discard(request, use, r);
   if (request.duty.empty() || !(use.rope.diameter > 1.4e-3) || !use.rope.grade) return;
+  for (const std::string& sheave : unmeasured_in(request, use)) {
+    r.unmade.push_back(fmt::format("{}: its life does not count {}: no diameter is known of it", use.name, sheave));
+    r.warnings.push_back(r.unmade.back());
+  }
   const rope::LifeRules life_rules = rules_of(request, use, rules);
   const std::vector<rope::Life> lives = rope::life_of(use, life_rules);
   const auto worst =

@@ -97,4 +97,32 @@ TEST(RopeLife, mistakes) {
   expect_mistake(run_text(lift("{duty: [{name: lifts}]}")), "cycles");
 }
 
+// A life that leaves a sheave out is not the rope's life; a duty over another rope's sheave is a mistake.
+TEST(RopeLife, every_sheave_of_the_duty_counts) {
+  const auto deck = [](const std::string& over, const std::string& duty) {
+    return R"(taut: 1
+machine:
+  ropes: {hoist: {rope: "EN 12385-4|6x36-IWRC|16|1770", stiffness: 12 MN}}
+  points: {p: [0 m, 9 m, 2 m], q: [0.4 m, 9 m, 2 m]}
+  bodies: {load: {mass: 3 t, at: [0.2 m, 0 m, 5 m], free: [x, z]}}
+  sheaves:
+    head: {at: [0 m, 0 m, 20 m], diameter: 400 mm}
+    side: {at: [-4 m, 0 m, 20 m]}
+    lone: {at: [0 m, 9 m, 20 m], diameter: 400 mm}
+  drums: {winch: {at: [-8 m, 0 m, 2 m], core_diameter: 384 mm}}
+  reevings:
+    - {name: first, rope: hoist, path: [{drum: winch}, )" +
+           over + R"({over: head}, {anchor: load}], length: 39 m}
+    - {name: other, rope: hoist, path: [{anchor: p}, {over: lone}, {anchor: q}], tension_at_start: 9 kN}
+checks: {ropes: {first: {safety_factor: 2, duty: [{name: lifts, cycles: 20000)" +
+           duty + "}]}}}\n";
+  };
+  const Result whole = run_text(deck("", ""));
+  ASSERT_EQ(whole.status, Status::ok) << whole.message << to_text(whole.errors);
+  EXPECT_TRUE(whole.unmade.empty());
+  EXPECT_THAT(run_text(deck("{over: side}, ", "")).unmade, testing::Contains(HasSubstr("life does not count 'side'")));
+  EXPECT_TRUE(run_text(deck("{over: side}, ", ", over: [head]")).unmade.empty());
+  expect_mistake(run_text(deck("", ", over: [lone]")), "the rope runs over no 'lone' with a diameter");
+}
+
 }  // namespace taut::checks::rope_life_test

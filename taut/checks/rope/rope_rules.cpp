@@ -20,6 +20,8 @@ namespace {
 using catalogue::RuleRow;
 using rope::Limit;
 
+constexpr double rounding = 1e-9;  // of values that are given
+
 /// The highest temperature for which a row holds, K.
 double hottest_of(const RuleRow& row) {
   expects(row.up_to.has_value(), "a rule of temperatures without its highest one");
@@ -108,7 +110,7 @@ class RequestReader {
   void no_such_field(const std::string& name, const std::string& key) {
     std::vector<std::string> known;
     for (const RuleRow& row : catalogue::rules_of("safety")) {
-      if (row.id == "safety.skyline_elastic_limit") continue;
+      if (row.id == "strength.skyline_elastic_limit") continue;
       known.push_back(row.id.substr(std::string_view("safety.").size()));
     }
     complain(key, to_text(catalogue::LookupError{
@@ -133,20 +135,26 @@ class RequestReader {
       return complain("class", fmt::format("'{}' has no class '{}': M1 to M8", name, *request_.group));
     if (!row) return no_such_field(name, key);
     asked_.fields.push_back(row->id);
-    if (begins(row->id, {"safety.crane_", "safety.ropeway_"})) rules_.factor_covers_bending = true;
+    const bool covers = begins(row->id, {"safety.crane_", "safety.ropeway_"});
+    all_cover_bending_ = covers && (all_cover_bending_ || asked_.fields.size() == 1);
     if (row->id == "safety.crane_running.en13001") {
       rules_.resistance = Limit{.value = 0, .rule = words_of(*row), .trust = trust_of(*row)};
     } else if (row->low) {
       rules_.safety_factors.push_back(limit_of(*row, SafeEnd::high));
+      rules_.safety_factors.back().covers_bending = covers;
     }
   }
 
   void own_factors() {
     if (request_.safety_factor) {
-      rules_.safety_factors.push_back({*request_.safety_factor, "safety factor of the deck", "user"});
+      rules_.safety_factors.push_back({.value = *request_.safety_factor,
+                                       .rule = "safety factor of the deck",
+                                       .trust = "user",
+                                       .covers_bending = all_cover_bending_});
     }
     if (request_.sheave_weakening != Choose::by_field) {
-      rules_.factor_covers_bending = request_.sheave_weakening == Choose::no;
+      rules_.bending_asked = request_.sheave_weakening == Choose::yes;
+      for (Limit& limit : rules_.safety_factors) limit.covers_bending = !rules_.bending_asked;
     }
     if (request_.en13001 && !rules_.resistance) {
       if (const auto row = rule_named("safety.crane_running.en13001")) {
@@ -174,7 +182,7 @@ class RequestReader {
     if (request_.elastic_limit) {
       rules_.elastic_share =
           Limit{.value = *request_.elastic_limit, .rule = "elastic limit of the deck", .trust = "user"};
-    } else if (const auto row = rule_named("safety.skyline_elastic_limit")) {
+    } else if (const auto row = rule_named("strength.skyline_elastic_limit")) {
       rules_.elastic_share = limit_of(*row, SafeEnd::low);
     }
   }
@@ -283,6 +291,7 @@ class RequestReader {
   std::string path_;
   std::vector<Complaint>& complaints_;
   bool used_group_ = false;
+  bool all_cover_bending_ = false;  ///< of the fields; false without any
   AskedRules asked_;
   rope::RopeRules& rules_ = asked_.of_any_rope;
 };
@@ -306,7 +315,10 @@ class RopeLimits {
 
   void termination() {
     if (!asked_.termination.empty()) named_termination(asked_.termination);
-    if (!rules_.termination || !rules_.factor_covers_bending) return;
+    const auto& factors = rules_.safety_factors;
+    const bool covered = std::any_of(factors.begin(), factors.end(), [](const Limit& f) { return f.covers_bending; }) ||
+                         (rules_.resistance && factors.empty());
+    if (!rules_.termination || !covered) return;
     const auto& ids = asked_.fields;
     const bool crane =
         std::any_of(ids.begin(), ids.end(), [](const auto& id) { return begins(id, {"safety.crane_"}); });
@@ -323,7 +335,8 @@ class RopeLimits {
       const auto row = rule_named(fmt::format("termination.{}.{}", name, core));
       if (row && row->low && (!worst || *row->low < *worst->low)) worst = row;
     }
-    if (worst) rules_.termination = limit_of(*worst, SafeEnd::low);
+    if (!worst || (worst->up_to && !(rope_.diameter > 0 && rope_.diameter <= *worst->up_to * (1 + rounding)))) return;
+    rules_.termination = limit_of(*worst, SafeEnd::low);
   }
 
   void temperature() {
@@ -416,7 +429,6 @@ catalogue::RopeRow with_request(catalogue::RopeRow rope, const RopeCheckRequest&
 
 void complain_of_second(const std::optional<double>& given, double known, const std::string& path,
                         std::vector<Complaint>& complaints) {
-  constexpr double rounding = 1e-9;
   if (!given || known == 0 || std::abs(*given - known) <= rounding * known) return;
   complaints.push_back({path, "the rope has another value already: change it there, or leave this one out"});
 }
@@ -440,13 +452,32 @@ rope::RopeRules rope_rules(const RopeCheckRequest& request, const AskedRules& as
   return RopeLimits(request, asked, rope).read();
 }
 
+namespace {
+
+/// Why the tables have no row for the end of a rope: "a rope of 32 mm: up to 25.4 mm", "a fibre core".
+std::string rope_of_end(const std::string& termination, const catalogue::RopeRow& rope) {
+  const auto row = rule_named(fmt::format("termination.{}.{}", termination, rope.core == "FC" ? "FC" : "IWRC"));
+  if (!row) return "a fibre core";
+  if (!row->up_to) return "such a rope";
+  const std::string up_to = fmt::format("they hold up to {:.4g} mm", *row->up_to * 1e3);
+  return rope.diameter > 0 ? fmt::format("a rope of {:.4g} mm ({})", rope.diameter * 1e3, up_to)
+                           : fmt::format("a rope whose diameter is not known ({})", up_to);
+}
+
+}  // namespace
+
 std::vector<MissingLimit> missing_limits(const RopeCheckRequest& request, const AskedRules& asked,
                                          const catalogue::RopeRow& rope, const rope::RopeRules& rules) {
   std::vector<MissingLimit> missing;
   if (!asked.termination.empty() && !rules.termination) {
     missing.push_back({.key = "termination",
-                       .words = fmt::format("'{}' is not listed for a fibre core; give 'termination_efficiency'",
-                                            asked.termination)});
+                       .words = fmt::format("the tables have no efficiency of '{}' for {}; give "
+                                            "'termination_efficiency'",
+                                            asked.termination, rope_of_end(asked.termination, rope))});
+  }
+  if (request.wire_diameter && !(rope.grade && rope.area > 0 && rope.diameter > 0)) {
+    missing.push_back(
+        {.key = "wire_diameter", .words = "the stress of the wires needs the rope's 'diameter', 'area' and 'grade'"});
   }
   if (request.groove != Groove::none && !rules.groove_pressure) {
     missing.push_back(
@@ -460,6 +491,7 @@ std::vector<MissingLimit> missing_limits(const RopeCheckRequest& request, const 
 
 void complain_of_limits(const RopeCheckRequest& request, const AskedRules& asked, const catalogue::RopeRow& rope,
                         const std::string& path, std::vector<Complaint>& complaints) {
+  if (rope.id.empty() && rope.diameter == 0 && rope.breaking_force == 0) return;  // chosen later
   for (const MissingLimit& one : missing_limits(request, asked, rope, rope_rules(request, asked, rope))) {
     complaints.push_back({fmt::format("{}.{}", path, one.key), one.words});
   }

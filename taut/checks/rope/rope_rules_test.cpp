@@ -46,7 +46,64 @@ TEST(RopeRules, termination_by_core) {
   request.termination = "glue";
   EXPECT_NE(complaint_for(request, six_strand("IWRC")).find("there is no termination 'glue'"), std::string::npos);
   request.termination = "swaged_socket";
-  EXPECT_NE(complaint_for(request, six_strand("FC")).find("not listed for a fibre core"), std::string::npos);
+  EXPECT_NE(complaint_for(request, six_strand("FC")).find("no efficiency of 'swaged_socket' for a fibre core"),
+            std::string::npos);
+}
+
+// TM 5-3810-305-10 has sleeves up to 1 in. and one size of hand splices: beyond, and of an unknown diameter, no number.
+TEST(RopeRules, termination_by_diameter) {
+  RopeCheckRequest request;
+  request.termination = "sleeve";
+  catalogue::RopeRow rope = six_strand("IWRC");
+  rope.diameter = 25.4e-3;
+  EXPECT_EQ(rules_for(request, rope).termination->value, 0.95);
+  rope.diameter = 28e-3;
+  EXPECT_NE(complaint_for(request, rope).find("no efficiency of 'sleeve' for a rope of 28 mm (they hold up to 25.4 mm"),
+            std::string::npos);
+  rope.diameter = 0;
+  EXPECT_NE(complaint_for(request, rope).find("whose diameter is not known"), std::string::npos);
+  rope.diameter = 32e-3;
+  request.termination = "hand_splice";
+  EXPECT_NE(complaint_for(request, rope).find("up to 12.7 mm"), std::string::npos);
+  request.termination_efficiency = 0.8;
+  EXPECT_EQ(rules_for(request, rope).termination->value, 0.8);
+}
+
+// More fields never ask for less: each factor says for itself whether bending and ends are in it.
+TEST(RopeRules, each_field_covers_its_own_bending) {
+  RopeCheckRequest request;
+  request.field = {"skyline.ch", "crane_stay"};
+  request.group = "M1";
+  const auto both = rules_for(request, six_strand("IWRC"));
+  ASSERT_EQ(both.safety_factors.size(), 2U);
+  EXPECT_FALSE(both.safety_factors[0].covers_bending);
+  EXPECT_TRUE(both.safety_factors[1].covers_bending);
+  request.safety_factor = 4;  // of the deck: only where all fields cover it
+  EXPECT_FALSE(rules_for(request, six_strand("IWRC")).safety_factors[2].covers_bending);
+  request.field = {"crane_stay"};
+  EXPECT_TRUE(rules_for(request, six_strand("IWRC")).safety_factors[1].covers_bending);
+  request.sheave_weakening = Choose::yes;
+  const auto counts = rules_for(request, six_strand("IWRC"));
+  EXPECT_TRUE(counts.bending_asked);
+  for (const rope::Limit& limit : counts.safety_factors) EXPECT_FALSE(limit.covers_bending);
+}
+
+TEST(RopeRules, what_is_no_safety_factor_is_refused) {
+  RopeCheckRequest request;
+  for (const char* field : {"skyline_elastic_limit", "skyline_extension.us_wa"}) {
+    request.field = {field};
+    EXPECT_FALSE(complaint_for(request, six_strand("IWRC")).empty()) << field;
+  }
+}
+
+TEST(RopeRules, wire_stress_needs_the_wires) {
+  RopeCheckRequest request;
+  request.wire_diameter = 1e-3;
+  EXPECT_NE(complaint_for(request, six_strand("IWRC")).find("'diameter', 'area' and 'grade'"), std::string::npos);
+  catalogue::RopeRow rope = six_strand("IWRC");
+  rope.area = 1e-4;
+  rope.grade = 1770e6;
+  EXPECT_NEAR(rules_for(request, rope).wire->value, 1.0 / 16, 1e-12);
 }
 
 TEST(RopeRules, heat_by_core_and_end) {
@@ -74,7 +131,7 @@ TEST(RopeRules, fields_and_classes) {
   request.group = "M5";
   const auto crane = rules_for(request, six_strand("IWRC"));
   EXPECT_EQ(crane.safety_factors.at(0).value, 4.5);
-  EXPECT_TRUE(crane.factor_covers_bending);
+  EXPECT_TRUE(crane.safety_factors[0].covers_bending);
   EXPECT_FALSE(crane.sheave_ratios.empty());
   request.field = {"skyline.ch", "skyline.ru"};  // stands: no D/d; 2.5 to 3 the safe end
   request.group.reset();

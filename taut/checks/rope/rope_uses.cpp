@@ -131,7 +131,7 @@ void RopeUses::add_end(std::size_t reeving, const machine::Model& model, bool at
 
 void RopeUses::take(const machine::Model& model, const solve::EquilibriumResult& state, const std::string& words) {
   take_forces(model, state, words);
-  for (const solve::DrumResult& d : solve::drums(model, state)) take_drum(model, state.state, d);
+  take_drums(model, state.state, solve::drums(model, state));
 }
 
 void RopeUses::take_empty(const machine::Model& model, const solve::EquilibriumResult& state,
@@ -207,7 +207,22 @@ rope::Bend& RopeUses::bend_at(std::size_t reeving, const machine::Node& node, in
   return known.try_emplace(fmt::format("{} {}", node.name, times), fresh).first->second.bend;
 }
 
-void RopeUses::take_drum(const machine::Model& model, const machine::State& state, const solve::DrumResult& d) {
+void RopeUses::take_drums(const machine::Model& model, const machine::State& state,
+                          const Array<solve::DrumResult>& all) {
+  // All ropes of a drum lie over one another. Each takes room by its length and the square of its diameter.
+  std::map<int, double> filled;
+  for (const solve::DrumResult& d : all) {
+    const machine::Reeving& rope = model.reevings[d.reeving];
+    filled[d.drum] += rope.copies * std::max(d.length.value_or(0), 0.0) * rope.diameter * rope.diameter;
+  }
+  for (const solve::DrumResult& d : all) {
+    const double diameter = model.reevings[d.reeving].diameter;
+    take_drum(model, state, d, diameter > 0 ? filled[d.drum] / (diameter * diameter) : 0);
+  }
+}
+
+void RopeUses::take_drum(const machine::Model& model, const machine::State& state, const solve::DrumResult& d,
+                         double on_it) {
   const machine::Reeving& rope = model.reevings[d.reeving];
   const machine::Node& node = d.at_end ? rope.nodes.back() : rope.nodes.front();
   const machine::Node& next = d.at_end ? rope.nodes[rope.nodes.size() - 2] : rope.nodes[1];
@@ -221,7 +236,7 @@ void RopeUses::take_drum(const machine::Model& model, const machine::State& stat
   }
   const rope::DrumLayers measures = machine::measures_of(drum, rope.diameter);
   if (!(measures.width > 0) || !d.length) return;
-  const int layers = std::max(rope::on_drum(measures, std::max(*d.length, 0.0)).layer, known->layers.value_or(1));
+  const int layers = std::max(rope::on_drum(measures, on_it).layer, known->layers.value_or(1));
   known->layers = layers;
   known->first_radius = rope::layer_radius(measures, 1);
   known->last_radius = rope::layer_radius(measures, layers);
@@ -241,7 +256,7 @@ void RopeUses::take_moment(const machine::Model& model, const solve::TransientFr
     if (at_rest) bend.tension = std::max({bend.tension, c.T_in, c.T_out});
   }
   const machine::State state = places_of(frame);
-  for (const solve::DrumResult& d : solve::drums(model, frame)) take_drum(model, state, d);
+  take_drums(model, state, solve::drums(model, frame));
   for (const auto& s : frame.branches) {
     const machine::Reeving& rope = model.reevings[s.reeving];
     if (!at_rest || rope.closed) continue;

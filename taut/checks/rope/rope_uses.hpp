@@ -41,7 +41,9 @@ class RopeUses {
   void add_end(std::size_t reeving, const machine::Model& model, bool at_end);
   void take_forces(const machine::Model& model, const solve::EquilibriumResult& state, const std::string& words);
   void raise_end(std::size_t reeving, const machine::Node& node, double T);
-  void take_drum(const machine::Model& model, const machine::State& state, const solve::DrumResult& d);
+  void take_drums(const machine::Model& model, const machine::State& state, const Array<solve::DrumResult>& all);
+  /// `on_it`: the length of this rope that fills the drum as all its ropes together do, m.
+  void take_drum(const machine::Model& model, const machine::State& state, const solve::DrumResult& d, double on_it);
 
   Array<rope::RopeUse> uses_;                // without bends
   Array<LastingTension> lasting_;            // of motions
