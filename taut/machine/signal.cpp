@@ -7,7 +7,7 @@
 
 #include "taut/base/array.hpp"
 #include "taut/base/expects.hpp"
-#include "taut/units/expression.hpp"
+#include "taut/units/jet.hpp"
 
 namespace taut::machine {
 namespace {

@@ -8,6 +8,7 @@
 #include <memory>
 
 #include "taut/units/expression.hpp"
+#include "taut/units/jet.hpp"
 
 namespace taut::machine::signal_test {
 

@@ -162,7 +162,7 @@ Kinds kinds_of_analyses() {
         .words = "states of the envelope that were solved",
         .detail = true}});
   add("modes", "theory/modes.md",
-      {{.name = "frequency_N", .symbol = "f_N", .unit = si::per_s, .words = "undamped frequency of a mode"},
+      {{.name = "frequency_N", .symbol = "f_N", .unit = si::per_s.in("Hz"), .words = "undamped frequency of a mode"},
        {.name = "damping_N",
         .symbol = "zeta_N",
         .unit = si::one,

@@ -6,6 +6,8 @@
 
 namespace taut {
 
+inline constexpr double zero_celsius = 273.15;  ///< K
+
 /// A quantity whose kind nobody said before.
 struct AnyQuantity {
   double value = 0;  ///< SI
@@ -13,9 +15,12 @@ struct AnyQuantity {
 };
 
 /// `number` with any unit of the allow-list, or a plain number: what it is follows from its unit. Force times length is
-/// taken for a moment, a percentage for a plain number. Errors as those of `parse_quantity`, and units that together
-/// measure nothing that taut knows.
+/// taken for a moment, a percentage for a plain number; the unit of a temperature in degC is `K` shown in degC. Errors
+/// as those of `parse_quantity`, and units that together measure nothing that taut knows.
 tl::expected<AnyQuantity, UnitError> parse_any_quantity(std::string_view text);
+
+/// Whether its values are temperatures in degC, no differences of them.
+bool counts_from_zero_celsius(const Unit& unit);
 
 /// Whether a value in one of them is a value in the other: the same dimension, both angles or neither.
 bool same_kind(const Unit& a, const Unit& b);

@@ -9,6 +9,7 @@
 
 #include "taut/base/expects.hpp"
 #include "taut/base/suggest.hpp"
+#include "taut/units/any_quantity.hpp"
 
 namespace taut {
 namespace {
@@ -18,7 +19,6 @@ bool is_slope(const Unit& unit, std::string_view shown) { return unit.is_angle &
 
 /// A temperature in degrees Celsius, the one unit with an offset.
 bool is_celsius(const Unit& unit, std::string_view shown) { return unit.symbol == "K" && shown == "degC"; }
-constexpr double zero_celsius = 273.15;  // K
 
 constexpr double first_huge = 1e7;    // from here on an exponent reads better
 constexpr double first_small = 1e-4;  // below here too
@@ -64,7 +64,7 @@ Display::Display(std::map<std::string, std::string> units)
 
 double Display::factor(const Unit& unit, const std::string& shown) const {
   const std::lock_guard guard(factors_->lock);
-  const auto key = std::make_pair(fmt::format("{} {}", unit.symbol, to_text(unit.dimension)), shown);
+  const auto key = std::make_pair(fmt::format("{} {} {}", unit.symbol, to_text(unit.dimension), unit.shown), shown);
   const auto known = factors_->of.find(key);
   if (known != factors_->of.end()) return known->second;
   const auto found = unit_factor(shown, unit);

@@ -10,6 +10,7 @@
 #include <numbers>
 #include <vector>
 
+#include "taut/base/expects.hpp"
 #include "taut/base/suggest.hpp"
 
 namespace taut {
@@ -32,6 +33,34 @@ std::string measure_kind(const Measure& m) {
   if (m.is_angle) return "an angle";
   return is_plain_number(m.dimension) ? "a plain number" : fmt::format("in {}", to_text(m.dimension));
 }
+
+bool is_reading(const Measure& m) { return m.kelvins == Kelvins::reading; }
+
+/// What a sum or a difference of kelvins is, or why it is nothing. 20 degC + 5 degC has no meaning: it would depend on
+/// the zero of the scale. 20 K + 5 degC has two, as K may be a temperature or a difference.
+tl::expected<Kelvins, std::string> kelvins_of_sum(Kelvins a, Kelvins b, bool plus) {
+  using enum Kelvins;
+  if (plus && a == reading && b == reading) {
+    return tl::unexpected(
+        std::string("two temperatures in degC have no sum: write the difference in K, as in '20 degC + 5 K'"));
+  }
+  if (plus && a == either && b == reading) {
+    return tl::unexpected(std::string(
+        "a temperature in degC stands first, and what is added to it is a difference in K, as in '20 degC + 5 K'"));
+  }
+  if (!plus && a != reading && b == reading) {
+    return tl::unexpected(
+        std::string("a temperature in degC can't be taken from kelvins: write both in degC, or both in K"));
+  }
+  if (!plus && a == reading && b == reading) return difference;
+  if (a == reading || b == reading) return reading;
+  return a == b ? a : either;
+}
+
+constexpr const char* no_multiple =
+    "a temperature in degC counts from its own zero: this works with a temperature in K, or with the difference of "
+    "two, "
+    "as in '(30 degC - 10 degC) / 2'";
 
 /// What a function gives, or what is wrong with its values in words.
 using Applied = tl::expected<Measure, std::string>;
@@ -71,7 +100,9 @@ constexpr std::array<Function, 11> functions{{
      .values = 1,
      .operation = Operation::Kind::size,
      .of = [](const Measure& a, const Measure&) -> Applied {
-       return Measure{.value = std::abs(a.value), .dimension = a.dimension, .is_angle = a.is_angle};
+       Measure size = a;
+       size.value = std::abs(a.value);
+       return size;
      }},
     {.name = "min",
      .values = 2,
@@ -193,6 +224,9 @@ class ExpressionParser {
       } else if (!same_measure(left.is, right.is)) {
         fail(fmt::format("the left side is {}, the right one {}", measure_kind(left.is), measure_kind(right.is)), from);
       }
+      const auto kelvins = kelvins_of_sum(left.is.kelvins, right.is.kelvins, plus);
+      if (!kelvins) fail(kelvins.error(), from);
+      left.is.kelvins = *kelvins;
       if (varies(left, right)) {
         const int a = place_of(left), b = place_of(right);
         left.operation = add({.kind = plus ? Operation::Kind::plus : Operation::Kind::minus, .a = a, .b = b});
@@ -204,9 +238,14 @@ class ExpressionParser {
   Part product() {
     Part left = factor();
     while (true) {
+      skip();
+      const std::size_t from = i_;
       const bool times = take('*');
       if (!times && !take('/')) return left;
       const Part right = factor();
+      if (is_reading(left.is) || is_reading(right.is)) fail(no_multiple, from);
+      const bool multiple = is_plain_measure(right.is) || (times && is_plain_measure(left.is));
+      const Kelvins kelvins = times && is_plain_measure(left.is) ? right.is.kelvins : left.is.kelvins;
       const bool angle = times ? left.is.is_angle != right.is.is_angle : left.is.is_angle && !right.is.is_angle;
       if (varies(left, right)) {
         const int a = place_of(left), b = place_of(right);
@@ -215,12 +254,16 @@ class ExpressionParser {
       left.is.value = times ? left.is.value * right.is.value : left.is.value / right.is.value;
       left.is.dimension = times ? left.is.dimension * right.is.dimension : left.is.dimension / right.is.dimension;
       left.is.is_angle = angle && is_plain_number(left.is.dimension);
+      left.is.kelvins = multiple ? kelvins : Kelvins::either;
     }
   }
 
   Part factor() {
     if (take('-')) {
+      skip();
+      const std::size_t number = i_;
       Part part = deeper(&ExpressionParser::factor);
+      if (is_reading(part.is)) return below_zero(number);
       if (part.operation >= 0) {
         const int zero = add({.kind = Operation::Kind::constant});
         part.operation = add({.kind = Operation::Kind::minus, .a = zero, .b = part.operation});
@@ -233,6 +276,7 @@ class ExpressionParser {
     skip();
     const std::size_t from = i_;
     if (!take('^')) return base;
+    if (is_reading(base.is)) fail(no_multiple, from);
     const Part exponent = deeper(&ExpressionParser::factor);
     const double whole = std::round(exponent.is.value);
     const bool fits = exponent.operation < 0 && is_plain_measure(exponent.is) && whole == exponent.is.value;
@@ -246,6 +290,14 @@ class ExpressionParser {
                .dimension = power(base.is.dimension, static_cast<int>(whole)),
                .is_angle = base.is.is_angle && whole == 1};
     return base;
+  }
+
+  /// The temperature "-20 degC", of which the text from `number` has been read: the sign belongs to its number.
+  Part below_zero(std::size_t number) const {
+    if (text_[number] != '.' && std::isdigit(static_cast<unsigned char>(text_[number])) == 0) fail(no_multiple, number);
+    const auto read = parse_any_quantity(fmt::format("-{}", text_.substr(number, i_ - number)));
+    expects(read.has_value(), "a number has a negative");
+    return {measure_of(*read)};
   }
 
   /// Everything that nests goes through here, so that no text can exhaust the stack.
@@ -344,7 +396,7 @@ class ExpressionParser {
       const UnitError& e = read.error();
       fail(e.message, from + static_cast<std::size_t>(e.offset), static_cast<std::size_t>(e.width));
     }
-    return {{.value = read->value, .dimension = read->unit.dimension, .is_angle = read->unit.is_angle}};
+    return {measure_of(*read)};
   }
 
   Part name() {
@@ -383,6 +435,13 @@ class ExpressionParser {
     if (!same_measure(a.is, b.is)) {
       refuse(fmt::format("the first value is {}, the second one {}", measure_kind(a.is), measure_kind(b.is)));
     }
+    const bool one_of_them =
+        function->operation == Operation::Kind::least || function->operation == Operation::Kind::most;
+    const bool same_kelvins = a.is.kelvins == b.is.kelvins;
+    if ((is_reading(a.is) || is_reading(b.is)) && !(one_of_them && same_kelvins)) {
+      refuse(one_of_them ? "one temperature is in degC, the other one in K: write both in the same unit" : no_multiple);
+    }
+    if (!same_kelvins) a.is.kelvins = b.is.kelvins = Kelvins::either;
     if (!varies(a, b)) {
       const Applied applied = function->of(a.is, b.is);
       if (!applied) refuse(applied.error());
@@ -411,6 +470,13 @@ class ExpressionParser {
 
 }  // namespace
 
+Measure measure_of(const AnyQuantity& quantity) {
+  return {.value = quantity.value,
+          .dimension = quantity.unit.dimension,
+          .is_angle = quantity.unit.is_angle,
+          .kelvins = counts_from_zero_celsius(quantity.unit) ? Kelvins::reading : Kelvins::either};
+}
+
 tl::expected<Measure, UnitError> evaluate(std::string_view text, const NameMeaning& meaning) {
   try {
     const Measure m = ExpressionParser(text, meaning).all().is;
@@ -438,95 +504,6 @@ tl::expected<FormulaText, UnitError> formula_text(std::string_view text, std::st
   }
 }
 
-namespace {
-
-/// f(u) and its derivatives by what u depends on, from f' and f'' by u.
-Jet chain(const Jet& u, double f, double by_u, double twice) {
-  return {f, by_u * u.first, twice * u.first * u.first + by_u * u.second};
-}
-
-Jet quotient(const Jet& u, const Jet& v) {
-  Jet q{u.value / v.value, 0, 0};
-  q.first = (u.first - q.value * v.first) / v.value;
-  q.second = (u.second - 2 * q.first * v.first - q.value * v.second) / v.value;
-  return q;
-}
-
-Jet power_of(const Jet& u, double n) {
-  const auto factor = [&](double of, double exponent) { return of == 0 ? 0 : of * std::pow(u.value, exponent); };
-  return chain(u, std::pow(u.value, n), factor(n, n - 1), factor(n * (n - 1), n - 2));
-}
-
-Jet angle_between(const Jet& y, const Jet& x) {
-  const double square = x.value * x.value + y.value * y.value;
-  const double first = (x.value * y.first - y.value * x.first) / square;
-  const double second =
-      (x.value * y.second - y.value * x.second) / square - 2 * first * (x.value * x.first + y.value * y.first) / square;
-  return {std::atan2(y.value, x.value), first, second};
-}
-
-Jet applied(const Operation& o, const Jet& a, const Jet& b) {
-  const double u = a.value, root = std::sqrt(u), rest = 1 - u * u;
-  switch (o.kind) {
-    case Operation::Kind::plus:
-      return {a.value + b.value, a.first + b.first, a.second + b.second};
-    case Operation::Kind::minus:
-      return {a.value - b.value, a.first - b.first, a.second - b.second};
-    case Operation::Kind::times:
-      return {a.value * b.value, a.first * b.value + a.value * b.first,
-              a.second * b.value + 2 * a.first * b.first + a.value * b.second};
-    case Operation::Kind::over:
-      return quotient(a, b);
-    case Operation::Kind::power:
-      return power_of(a, o.constant);
-    case Operation::Kind::root:
-      return chain(a, root, 1 / (2 * root), -1 / (4 * u * root));
-    case Operation::Kind::size:
-      return u < 0 ? Jet{-a.value, -a.first, -a.second} : a;
-    case Operation::Kind::least:
-      return a.value <= b.value ? a : b;
-    case Operation::Kind::most:
-      return a.value >= b.value ? a : b;
-    case Operation::Kind::sin:
-      return chain(a, std::sin(u), std::cos(u), -std::sin(u));
-    case Operation::Kind::cos:
-      return chain(a, std::cos(u), -std::sin(u), -std::cos(u));
-    case Operation::Kind::tan: {
-      const double tan = std::tan(u);
-      return chain(a, tan, 1 + tan * tan, 2 * tan * (1 + tan * tan));
-    }
-    case Operation::Kind::asin:
-      return chain(a, std::asin(u), 1 / std::sqrt(rest), u / (rest * std::sqrt(rest)));
-    case Operation::Kind::acos:
-      return chain(a, std::acos(u), -1 / std::sqrt(rest), -u / (rest * std::sqrt(rest)));
-    case Operation::Kind::atan:
-      return chain(a, std::atan(u), 1 / (1 + u * u), -2 * u / ((1 + u * u) * (1 + u * u)));
-    case Operation::Kind::atan2:
-      return angle_between(a, b);
-    case Operation::Kind::constant:
-    case Operation::Kind::variable:
-      break;
-  }
-  return a;
-}
-
-}  // namespace
-
-Jet jet_at(const FormulaText& formula, double variable) {
-  Array<Jet> values(formula.operations.size());
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    const Operation& o = formula.operations[i];
-    if (o.kind == Operation::Kind::constant) {
-      values[i] = {o.constant, 0, 0};
-    } else if (o.kind == Operation::Kind::variable) {
-      values[i] = {variable, 1, 0};
-    } else {
-      values[i] = applied(o, values[o.a], values[o.b]);
-    }
-  }
-  return values.back();
-}
-
 bool is_free_name(std::string_view name) {
   const bool letters = !name.empty() && starts_name(name.front()) && std::all_of(name.begin(), name.end(), in_name);
   return letters && !is_unit(name) && function_named(name) == nullptr && name != "pi";
@@ -534,6 +511,7 @@ bool is_free_name(std::string_view name) {
 
 std::string to_text(const Measure& measure) {
   if (measure.is_angle) return fmt::format("{:.17g} rad", measure.value);
+  if (is_reading(measure)) return fmt::format("{:.17g} degC", measure.value - zero_celsius);
   std::string text = fmt::format("{:.17g}", measure.value);
   const Dimension& d = measure.dimension;
   const std::array<std::pair<int, std::string_view>, 4> parts{

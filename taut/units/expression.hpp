@@ -10,12 +10,20 @@
 
 namespace taut {
 
+/// What kelvins are: a temperature, read from a thermometer in degC; the difference of two such readings; or, written
+/// in K, either.
+enum class Kelvins { either, reading, difference };
+
 /// A number with its dimension, SI. An angle is a plain number that may stand where an angle is asked for.
 struct Measure {
   double value = 0;
   Dimension dimension;
   bool is_angle = false;
+  Kelvins kelvins = Kelvins::either;  ///< of a temperature
 };
+
+/// A quantity that was read, as a measure.
+Measure measure_of(const AnyQuantity& quantity);
 
 /// What a name stands for, or why it stands for nothing.
 using NameMeaning = std::function<tl::expected<Measure, std::string>(std::string_view name)>;
@@ -23,8 +31,9 @@ using NameMeaning = std::function<tl::expected<Measure, std::string>(std::string
 /// The value of an arithmetic text: quantities with their units ("9 m", "3.5 kN/m"), names, + - * / ^ and parentheses,
 /// `pi`, and the functions sqrt abs min max sin cos tan asin acos atan atan2. Sums take equal dimensions (an angle and
 /// a plain number differ), a power a whole exponent, sin, cos and tan an angle. What follows a number and is the name
-/// of a unit is its unit: names that are units mean nothing here. Errors point into the text; parentheses at most 64
-/// deep.
+/// of a unit is its unit: names that are units mean nothing here. A temperature in degC counts from its own zero: only
+/// a difference is added to it, two of them give their difference, and it has no multiples. Errors point into the text;
+/// parentheses at most 64 deep.
 tl::expected<Measure, UnitError> evaluate(std::string_view text, const NameMeaning& meaning);
 
 /// One step of a formula: of the results `a` and `b` of steps before it, or a `constant` (of a power: the exponent).
@@ -61,24 +70,17 @@ struct FormulaText {
   Array<Operation> operations;  ///< the last one is its value
 };
 
-/// A value and its first two derivatives by the variable.
-struct Jet {
-  double value = 0, first = 0, second = 0;
-};
-
 /// The formula of a text as `evaluate` reads it, in which the name `variable` has the given dimension and no other name
 /// means anything. Where it is the name of a unit too, it never stands for that.
 tl::expected<FormulaText, UnitError> formula_text(std::string_view text, std::string_view variable,
                                                   Dimension dimension);
 
-/// Its value where the variable has the value `variable`, SI. Not finite where the text has no value: 1/t at 0.
-Jet jet_at(const FormulaText& formula, double variable);
-
 /// Whether `name` can stand for a value: letters, digits and _, no digit first; neither a unit nor a function.
 bool is_free_name(std::string_view name);
 
 /// The value as a deck writes it, with its SI unit and every digit: "0.95 m", "1200 kg m^2", "0.3"; an angle in rad.
-/// Empty when it has a fraction of a dimension, such as the square root of a length.
+/// A reading of a thermometer is in degC. Empty when it has a fraction of a dimension, such as the square root of a
+/// length.
 std::string to_text(const Measure& measure);
 
 }  // namespace taut

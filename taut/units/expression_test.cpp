@@ -16,6 +16,7 @@ namespace taut::expression_test {
 tl::expected<Measure, UnitError> value_of(std::string_view text) {
   return evaluate(text, [](std::string_view name) -> tl::expected<Measure, std::string> {
     if (name == "gap") return Measure{.value = 0.95, .dimension = dimension(0, 1, 0), .is_angle = false};
+    if (name == "winter") return measure_of(*parse_any_quantity("-20 degC"));
     if (name == "beta") return Measure{.value = 0.5, .dimension = {}, .is_angle = true};
     return tl::unexpected(fmt::format("no {}", name));
   });
@@ -108,56 +109,6 @@ TEST(Expression, AValueIsWrittenSoThatItIsReadBackExactly) {
   EXPECT_EQ(to_text(*value_of("sqrt(1 m)")), "");
 }
 
-FormulaText of_time(std::string_view text) {
-  auto formula = formula_text(text, "t", si::s.dimension);
-  EXPECT_TRUE(formula) << text << ": " << formula.error().message;
-  return formula ? *formula : FormulaText{};
-}
-
-TEST(FormulaText, HasTheValueOfItsTextAndItsDerivatives) {
-  const std::vector<std::string> texts = {
-      "0.5 m/s * sin(90 deg/s * t)",
-      "3 m - 2 m/s * t + 0.5 m/s^2 * t^2",
-      "-(1 m) / (1 + (t / (2 s))^2)",
-      "10 kN * sqrt(1 + t / (3 s))",
-      "2 * cos(1 rad/s * t)^3 - tan(0.2 rad/s * t)",
-      "asin(t / (9 s)) + acos(t / (8 s)) - atan(t / (1 s))",
-      "atan2(1 m + 2 m/s * t, 4 m - 1 m/s * t)",
-      "max(1 m, 0.1 m/s * t^2 / (1 s)) + min(9 kg, 2 kg) / 1 kg * abs(t - 1 s) * 1 m/s",
-      "pi * 7 m / 2",
-  };
-  for (const std::string& text : texts) {
-    const FormulaText formula = of_time(text);
-    ASSERT_FALSE(formula.operations.empty());
-    for (const double t : {0.3, 1.7, 2.9}) {
-      const auto by_text = evaluate(text, [&](std::string_view) -> tl::expected<Measure, std::string> {
-        return Measure{.value = t, .dimension = si::s.dimension, .is_angle = false};
-      });
-      const double h = 1e-4;
-      const Jet before = jet_at(formula, t - h), now = jet_at(formula, t), after = jet_at(formula, t + h);
-      if (text.find("* t") == std::string::npos) {  // there `evaluate` reads tonnes
-        ASSERT_TRUE(by_text) << text << by_text.error().message;
-        EXPECT_NEAR(now.value, by_text->value, 1e-14 * std::abs(by_text->value)) << text;
-        EXPECT_EQ(formula.is.dimension, by_text->dimension);
-        EXPECT_EQ(formula.is.is_angle, by_text->is_angle);
-      }
-      EXPECT_NEAR(now.first, (after.value - before.value) / (2 * h), 1e-6 * (1 + std::abs(now.first))) << text << t;
-      EXPECT_NEAR(now.second, (after.first - before.first) / (2 * h), 1e-6 * (1 + std::abs(now.second))) << text << t;
-    }
-  }
-}
-
-TEST(FormulaText, KnowsItsVariableBehindUnits) {
-  EXPECT_NEAR(jet_at(of_time("0.5 m/s * sin(90 deg/s * t)"), 1).value, 0.5, 1e-15);
-  EXPECT_NEAR(jet_at(of_time("2 kN / 4 s * t"), 3).value, 1500, 1e-9);
-  EXPECT_NEAR(jet_at(of_time("t / 4 s * 8"), 3).value, 6, 1e-12);
-}
-
-TEST(FormulaText, TakesAPlainNumberOfTheVariableForAnAngle) {
-  EXPECT_NEAR(jet_at(of_time("sin(2 * pi * t / 4 s)"), 1).value, 1, 1e-15);
-  EXPECT_NEAR(jet_at(of_time("0.5 m/s * min(2, cos(0.1 1/s * t))"), 0).value, 0.5, 1e-15);
-}
-
 TEST(FormulaText, TellsWhatIsWrong) {
   const auto mistake = [](std::string_view text) {
     const auto formula = formula_text(text, "t", si::s.dimension);
@@ -170,7 +121,54 @@ TEST(FormulaText, TellsWhatIsWrong) {
   EXPECT_NE(mistake("2 ^ t").find("a whole number"), std::string::npos);
   EXPECT_NE(mistake("2 t").find("'*' is missing"), std::string::npos) << mistake("2 t");
   EXPECT_NE(mistake("min(1, t / (1 s)").find("is not closed"), std::string::npos);
-  EXPECT_TRUE(std::isinf(jet_at(of_time("1 s / t"), 0).value));
+}
+
+/// On paper, in kelvin: -20 degC is 253.15 K, and 5 degC more is 258.15 K.
+TEST(Expression, ATemperatureInDegreesCountsFromItsOwnZero) {
+  const std::vector<std::pair<std::string, double>> temperatures = {
+      {"winter + 5 K", 258.15},
+      {"-20 degC", 253.15},
+      {"-20 degC + 5 K", 258.15},
+      {"winter - 5 K", 248.15},
+      {"max(winter, 0 degC)", 273.15},
+      {"20 degC + (winter - 0 degC) / 2", 283.15},
+      {"(20 degC - winter) + winter", 293.15},
+  };
+  for (const auto& [text, expected] : temperatures) {
+    const auto got = value_of(text);
+    ASSERT_TRUE(got) << text << ": " << got.error().message;
+    EXPECT_NEAR(got->value, expected, 1e-10) << text;
+    EXPECT_EQ(got->kelvins, Kelvins::reading) << text;
+    EXPECT_NEAR(measure_of(*parse_any_quantity(to_text(*got))).value, expected, 1e-10) << to_text(*got);
+  }
+  const std::vector<std::pair<std::string, double>> differences = {
+      {"20 degC - winter", 40}, {"abs(winter - 20 degC) / 2", 20}, {"3 * (20 degC - winter) - (5 degC - 4 degC)", 119}};
+  for (const auto& [text, expected] : differences) {
+    const auto got = value_of(text);
+    ASSERT_TRUE(got) << text << ": " << got.error().message;
+    EXPECT_NEAR(got->value, expected, 1e-10) << text;
+    EXPECT_EQ(got->kelvins, Kelvins::difference) << text;
+  }
+  const auto share = value_of("1 m * (20 degC - winter) / 160 K");
+  ASSERT_TRUE(share) << share.error().message;
+  EXPECT_NEAR(share->value, 0.25, 1e-12);
+  EXPECT_EQ(value_of("253.15 K + 5 K")->kelvins, Kelvins::either);
+}
+
+TEST(Expression, RefusesWhatWouldDependOnTheZeroOfTheScale) {
+  const std::vector<std::pair<std::string, std::string>> rows = {
+      {"winter + 5 degC", "'20 degC + 5 K'"}, {"5 K + winter", "stands first"},
+      {"300 K - winter", "both in degC"},     {"2 * winter", "(30 degC - 10 degC) / 2"},
+      {"winter / 2", "its own zero"},         {"-winter", "its own zero"},
+      {"-(5 degC)", "its own zero"},          {"winter^2", "its own zero"},
+      {"abs(winter)", "its own zero"},        {"min(winter, 250 K)", "the same unit"},
+  };
+  for (const auto& [text, message] : rows) {
+    const auto got = value_of(text);
+    ASSERT_FALSE(got) << text << " " << got->value;
+    EXPECT_NE(got.error().message.find(message), std::string::npos) << text << ": " << got.error().message;
+  }
+  EXPECT_EQ(value_of("winter + 5 degC").error().offset, 7);
 }
 
 }  // namespace taut::expression_test

@@ -191,8 +191,18 @@ std::string kind_of(const Expression& e) {
   return to_text(e.dimension);
 }
 
+/// Whether its values are cycles per time, of 2 pi rad each, and no speeds of turning.
+bool counts_cycles(const Unit& unit) { return unit.dimension == si::per_s.dimension && unit.shown == "Hz"; }
+
+/// The SI value of 1 of these units in that one.
+double factor_for(const Expression& e, const Unit& target) {
+  const double factor = factor_of(e.factors);
+  return counts_cycles(target) && e.angles == 1 ? factor / (2 * M_PI) : factor;
+}
+
 bool fits(const Expression& e, const Unit& target) {
   if (e.dimension != target.dimension) return false;
+  if (counts_cycles(target)) return e.angles == 0 || e.angles == 1;
   if (target.is_angle) return e.angles == 1;
   // an angle's unit counts only where an angle, or a speed of turning, is asked for
   return !e.is_angle || !is_plain_number(e.dimension);
@@ -270,7 +280,7 @@ tl::expected<double, UnitError> unit_factor(std::string_view unit, const Unit& t
   const auto e = read_unit(unit, 0, target);
   if (!e) return tl::unexpected(e.error());
   if (zero_of(*e) != 0) return fail("a unit with an offset can't be used here; write 'K'", 0, unit.size());
-  return factor_of(e->factors);
+  return factor_for(*e, target);
 }
 
 tl::expected<double, UnitError> parse_quantity(std::string_view text, const Unit& target, bool allow_infinite) {
@@ -293,7 +303,7 @@ tl::expected<double, UnitError> parse_quantity(std::string_view text, const Unit
   if (!e) return tl::unexpected(e.error());
   if (s->infinite) return s->number;
   if (is_percent(*e)) return target.is_angle ? std::atan(s->number / 100.0) : s->number / 100.0;
-  const double value = factor_of(e->factors) * s->number + zero_of(*e);
+  const double value = factor_for(*e, target) * s->number + zero_of(*e);
   if (!std::isfinite(value)) return fail("a number that is too large to hold in SI units", 0, text.size());
   return value;
 }

@@ -37,8 +37,19 @@ TEST(ParseQuantity, TurnsUnitsIntoSi) {
   EXPECT_DOUBLE_EQ(in_si("1 in", si::m), 0.0254);
   EXPECT_DOUBLE_EQ(in_si("5 1/s", si::per_s), 5);
   EXPECT_DOUBLE_EQ(in_si("3 rad/s", si::per_s), 3);
+  EXPECT_DOUBLE_EQ(in_si("3 Hz", si::per_s.in("Hz")), 3);
   EXPECT_DOUBLE_EQ(in_si("36 km/h", si::m_per_s), 10);
   EXPECT_DOUBLE_EQ(in_si("1 kip", si::N), 4448.2216152605);
+}
+
+/// A cycle is a whole turn: 2 pi rad, 360 deg.
+TEST(ParseQuantity, ASpeedOfTurningIsSoManyCyclesPerTime) {
+  const Unit cycles = si::per_s.in("Hz");
+  EXPECT_DOUBLE_EQ(in_si("9 rad/s", cycles), 9 / (2 * std::numbers::pi));
+  EXPECT_DOUBLE_EQ(in_si("720 deg/s", cycles), 2);
+  EXPECT_DOUBLE_EQ(in_si("60 1/min", cycles), 1);
+  EXPECT_DOUBLE_EQ(unit_factor("rad/s", cycles).value(), 1 / (2 * std::numbers::pi));
+  EXPECT_DOUBLE_EQ(unit_factor("rad/s", si::per_s).value(), 1);
 }
 
 TEST(ParseQuantity, ReadsAnglesAndSlopes) {

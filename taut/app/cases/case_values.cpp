@@ -8,6 +8,7 @@
 
 #include "taut/base/suggest.hpp"
 #include "taut/study/deck/missing.hpp"
+#include "taut/units/any_quantity.hpp"
 
 namespace taut::app {
 namespace {
@@ -91,6 +92,7 @@ void add_input(tl::expected<CaseInput, std::string> parameter, const CaseName& n
 bool is_parameter(const std::string& path) { return path.starts_with("parameters."); }
 
 std::string assignment(const CaseInput& input, double value) {
+  if (counts_from_zero_celsius(input.unit)) return fmt::format("{}={:.17g} degC", input.path, value - zero_celsius);
   return fmt::format("{}={:.17g}{}{}", input.path, value, input.unit.needs_text() ? " " : "",
                      input.unit.needs_text() ? input.unit.symbol : "");
 }

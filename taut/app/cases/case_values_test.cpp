@@ -95,4 +95,11 @@ TEST(CaseValues, ACaseWithoutOneOfItsStatesIsNoAnswer) {
   EXPECT_EQ(outcome.message, "positions, x = 40 m: the roller lifts off");
 }
 
+TEST(CaseValues, AParameterIsSetInTheUnitThatItsFormulasCountIn) {
+  const CaseInput winter{.path = "parameters.winter", .unit = si::K.in("degC"), .range = {}, .base = 253.15};
+  EXPECT_EQ(assignment(winter, 273.15), "parameters.winter=0 degC");
+  const CaseInput rise{.path = "parameters.rise", .unit = si::K, .range = {}, .base = 5};
+  EXPECT_EQ(assignment(rise, 5), "parameters.rise=5 K");
+}
+
 }  // namespace taut::app::case_values_test

@@ -18,6 +18,7 @@ struct Node {
   std::string text;            ///< scalar
   bool quoted = false;         ///< scalar: in quotes or as a block, never a number, flag or null
   bool literal = false;        ///< scalar: stands in the source letter by letter, so that a caret can point into it
+  bool is_difference = false;  ///< scalar: of two temperatures, by its formula
   std::vector<Node> items;     ///< sequence
   std::vector<Entry> entries;  ///< map
 

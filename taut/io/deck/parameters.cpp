@@ -69,6 +69,7 @@ class ParameterResolver {
     const auto value = measure(n);
     n.literal = false;
     if (value) n.text = to_text(*value);
+    n.is_difference = value && value->kelvins == Kelvins::difference;
     if (value && n.text.empty()) add(mistakes_, n.spot, "this has a fraction of a dimension");
   }
 
@@ -148,9 +149,7 @@ class ParameterResolver {
     if (n.kind != Node::Kind::scalar) {
       p.why = fmt::format("{} has no value", in_quotes(name));
     } else if (!is_expression(n)) {
-      if (const auto read = parse_any_quantity(n.text)) {
-        p.value = Measure{.value = read->value, .dimension = read->unit.dimension, .is_angle = read->unit.is_angle};
-      }
+      if (const auto read = parse_any_quantity(n.text)) p.value = measure_of(*read);
     } else if (++depth_ > deepest_use) {
       p.why = fmt::format("more than {} parameters use one another", deepest_use);
     } else {

@@ -182,6 +182,11 @@ class FieldReader {
       wrong(n.inside(static_cast<std::size_t>(e.offset), static_cast<std::size_t>(e.width)), e.message);
       return std::nullopt;
     }
+    if (n.is_difference) {
+      wrong(n.spot,
+            "a temperature is expected, and this is the difference of two: add it to one, as in '20 degC + 5 K'");
+      return std::nullopt;
+    }
     if (f_.range.contains(*value)) return *value;
     wrong(n.spot, fmt::format("must be {}, not {}", range_text(f_), n.text));
     return std::nullopt;

@@ -64,7 +64,7 @@ const Description& Sine::describe() {
                                    .field(&Sine::mean, "mean", "mean value; default: 0")
                                    .field(&Sine::amplitude, "amplitude", "amplitude, with its unit")
                                    .required()
-                                   .field(&Sine::frequency, "frequency", "f", si::per_s, "cycles per time")
+                                   .field(&Sine::frequency, "frequency", "f", si::per_s.in("Hz"), "cycles per time")
                                    .above(0)
                                    .field(&Sine::period, "period", "T", si::s, "time of a cycle")
                                    .above(0)

@@ -11,6 +11,7 @@
 #include "taut/units/any_quantity.hpp"
 #include "taut/units/dimension.hpp"
 #include "taut/units/expression.hpp"
+#include "taut/units/jet.hpp"
 
 namespace taut::machine {
 namespace {
