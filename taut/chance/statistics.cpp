@@ -134,6 +134,25 @@ struct Count {
   double hits = 0, n = 0;
 };
 
+/// What counts of replicates that differ by one case at most say of the share. Their mean is between two whole numbers,
+/// and the replicates are so many tries for the larger one. All alike, they do not tell which of both it is.
+Interval of_neighbours(const std::vector<Count>& each, double confidence) {
+  const auto [least, most] =
+      std::minmax_element(each.begin(), each.end(), [](const Count& a, const Count& b) { return a.hits < b.hits; });
+  if (most->hits - least->hits > 1) return {.low = unbounded, .high = -unbounded};
+  const auto larger = std::count_if(each.begin(), each.end(), [&](const Count& c) { return c.hits > least->hits; });
+  const Interval of_larger =
+      binomial_interval(static_cast<double>(larger), static_cast<double>(each.size()), confidence);
+  const auto [fewest, all] =
+      std::minmax_element(each.begin(), each.end(), [](const Count& a, const Count& b) { return a.n < b.n; });
+  const double low = larger == 0 ? -of_larger.high : of_larger.low;
+  return {.low = (least->hits + low) / all->n, .high = (least->hits + of_larger.high) / fewest->n};
+}
+
+Interval holding_both(const Interval& a, const Interval& b) {
+  return {.low = std::min(a.low, b.low), .high = std::max(a.high, b.high)};
+}
+
 Estimate share(const Sample& s, const std::function<Count(std::span<const double>)>& count) {
   const Count all = count(s.values);
   if (all.n == 0) return {.value = none, .interval = {.low = 0, .high = 1}};
@@ -144,9 +163,12 @@ Estimate share(const Sample& s, const std::function<Count(std::span<const double
     const Count c = count(values);
     return c.n > 0 ? c.hits / c.n : none;
   });
+  std::vector<Count> each;
+  for (std::size_t r = 0; r < s.replicates; ++r) each.push_back(count(replicate(s, r)));
+  e.interval = holding_both(e.interval, of_neighbours(each, s.confidence));
   e.interval = {.low = std::max(e.interval.low, 0.), .high = std::min(e.interval.high, 1.)};
   if (std::min(all.hits, all.n - all.hits) < enough_beyond * static_cast<double>(s.replicates)) {
-    e.interval = {.low = std::min(e.interval.low, exact.low), .high = std::max(e.interval.high, exact.high)};
+    e.interval = holding_both(e.interval, exact);
   }
   return e;
 }

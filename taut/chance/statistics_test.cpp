@@ -135,6 +135,45 @@ TEST(Statistics, a_rare_case_is_no_impossible_one) {
   EXPECT_EQ(judged(limit_probability({enough, 16}, {Bound::at_least, 3}).counted, 1e-3), Allowed::kept);
 }
 
+// A net puts 6 of its 32 points below 6/32 of an input, and a seventh below 0.188 in one of 62 scramblings. 16 that
+// agree do not say that there is no seventh: on paper 1 - 0.025^(1/16) of a case is left open on either side.
+TEST(Statistics, replicates_that_agree_are_no_certainty) {
+  std::vector<double> v;
+  for (int r = 0; r < 16; ++r) {
+    for (int k = 0; k < 32; ++k) v.push_back((k + 0.9) / 32);
+  }
+  const LimitProbability p =
+      limit_probability({.values = v, .replicates = 16}, {.bound = Bound::at_least, .value = 0.188});
+  EXPECT_EQ(p.counted.value, 6. / 32);
+  const double open = 1 - std::pow(0.025, 1. / 16);
+  EXPECT_NEAR(p.counted.interval.low, (6 - open) / 32, 1e-12);
+  EXPECT_NEAR(p.counted.interval.high, (6 + open) / 32, 1e-12);
+  EXPECT_EQ(judged(p.counted, 0.1879), Allowed::not_judged);
+  EXPECT_EQ(judged(p.counted, 0.2), Allowed::kept);
+  v[6] = 0.1;  // one replicate has a seventh: Clopper and Pearson's 1 of 16
+  const LimitProbability one =
+      limit_probability({.values = v, .replicates = 16}, {.bound = Bound::at_least, .value = 0.188});
+  const Interval of_16 = binomial_interval(1, 16, 0.95);
+  EXPECT_NEAR(one.counted.interval.high, (6 + of_16.high) / 32, 1e-12);
+  EXPECT_LT(one.counted.interval.low, (6 + of_16.low) / 32 + 1e-12);
+}
+
+// True shares between two counts of a net: the interval holds them in nine of ten seeds at least.
+TEST(Statistics, a_share_between_two_counts_of_a_net_is_held) {
+  for (const double share : {0.188, 0.2, 0.3125 + 0.01, 0.49}) {
+    int held = 0;
+    constexpr int seeds = 200;
+    for (std::uint64_t seed = 0; seed < seeds; ++seed) {
+      const PointSet points(PointKind::sobol, 1, 512, seed);
+      std::vector<double> v;
+      for (std::uint64_t i = 0; i < points.size(); ++i) v.push_back(points.at(i)[0]);
+      const Sample s{.values = v, .replicates = points.replicates()};
+      held += holds(limit_probability(s, {.bound = Bound::at_least, .value = share}).counted.interval, share);
+    }
+    EXPECT_GE(held, 0.93 * seeds) << share;
+  }
+}
+
 TEST(Statistics, cases_needed_until_it_is_judged) {
   std::vector<double> v(1000, 1.);
   std::fill_n(v.begin(), 12, -1.);
