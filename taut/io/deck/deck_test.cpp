@@ -118,6 +118,27 @@ TEST(Override, PutsValuesOverThoseOfTheDeck) {
   EXPECT_EQ(t.deck->title, "T");
 }
 
+TEST(Override, RefusesANameThatFitsTwoEntries) {
+  auto d = parse(
+      "taut: 1\nmachine:\n  loads: [{at: car, mass: 1 t}, {at: hook, mass: 1 t}, {at: car, mass: 2 t}]\n"
+      "  reevings: [{rope: r, name: one, length: 3 m}, {rope: r, name: two, length: 4 m}]\n",
+      "deck.yaml");
+  const auto refused = [&](const std::string& set) {
+    Diagnostics mistakes;
+    override_value(*d, set, {"taut", "machine"}, mistakes);
+    return to_text(mistakes);
+  };
+  const std::string loads = refused("loads.car.mass=7 t");
+  EXPECT_NE(loads.find("--set:1:7: error: 'car' is the 'at' of 2 entries: write the index of one, [0], [2]"),
+            std::string::npos)
+      << loads;
+  EXPECT_NE(refused("reevings.r.length=7 m").find("'r' is the 'rope' of 2 entries: write the index of one, [0], [1]"),
+            std::string::npos);
+  EXPECT_EQ(follow(d->root, "machine.loads[0].mass").node->text, "1 t");
+  EXPECT_EQ(refused("reevings.two.length=7 m"), "");
+  EXPECT_EQ(follow(d->root, "machine.reevings[1].length").node->text, "7 m");
+}
+
 TEST(Override, FindsWhatASweepsParameterFinds) {
   const auto document = [](const std::string& set) {
     Diagnostics mistakes;

@@ -1,6 +1,7 @@
 #include "taut/io/deck/override.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <charconv>
@@ -142,12 +143,30 @@ class Override {
     const PathStep& step = steps[i - 1];
     std::vector<std::string> known;
     for (const char* key : {"name", "rope", "at", "body"}) {
-      for (Node& one : list.items) {
+      std::vector<std::size_t> found;
+      std::size_t longest = 0;  // "a.b" before "a"
+      for (std::size_t k = 0; k < list.items.size(); ++k) {
+        const Node& one = list.items[k];
         const Node* text = one.kind == Node::Kind::map ? one.find(key) : nullptr;
         if (text == nullptr || text->kind != Node::Kind::scalar) continue;
         known.push_back(text->text);
-        if (const std::size_t count = fits(text->text, steps, i - 1)) return i += count - 1, &one;
+        const std::size_t count = fits(text->text, steps, i - 1);
+        if (count > longest) found.clear(), longest = count;
+        if (count > 0 && count == longest) found.push_back(k);
       }
+      // what has no name of its own is called by its rope, place or body
+      const auto named = [&](std::size_t k) { return list.items[k].find("name") != nullptr; };
+      if (const auto own = std::find_if_not(found.begin(), found.end(), named);
+          own != found.end() && std::all_of(own + 1, found.end(), named)) {
+        found = {*own};
+      }
+      if (found.size() > 1) {
+        add(mistakes_, step.spot,
+            fmt::format("{} is the '{}' of {} entries: write the index of one, [{}]", in_quotes(step.key), key,
+                        found.size(), fmt::join(found, "], [")));
+        return nullptr;
+      }
+      if (!found.empty()) return i += longest - 1, &list.items[found.front()];
     }
     const bool vector = !list.items.empty() && std::all_of(list.items.begin(), list.items.end(), [](const Node& one) {
       return one.kind == Node::Kind::scalar;
@@ -186,10 +205,13 @@ class Override {
   Node* member(Node& map, const std::vector<PathStep>& steps, std::size_t& i) {
     const PathStep& step = steps[i++];
     if (map.kind == Node::Kind::map) {
+      Entry* found = nullptr;
+      std::size_t longest = 0;  // "a.b" before "a"
       for (Entry& e : map.entries) {
-        if (step.key.empty()) break;
-        if (const std::size_t count = fits(e.key, steps, i - 1)) return i += count - 1, &e.value;
+        const std::size_t count = step.key.empty() ? 0 : fits(e.key, steps, i - 1);
+        if (count > longest) found = &e, longest = count;
       }
+      if (found != nullptr) return i += longest - 1, &found->value;
       // a component of {body: .., at: [..]}
       Node* place = map.find("at");
       const bool asked = step.index || component(step.key);

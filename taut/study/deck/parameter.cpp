@@ -1,6 +1,7 @@
 #include "taut/study/deck/parameter.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <charconv>
@@ -163,13 +164,28 @@ class Finder {
     for (const char* key : {"name", "rope", "at", "body"}) {
       const Field* text = f.record->find(key);
       if (text == nullptr || text->kind != FieldKind::text) continue;
+      std::vector<std::size_t> found;
+      std::size_t longest = 0;  // "a.b" before "a"
       for (std::size_t i = 0; i < all.size(); ++i) {
         known.push_back(text_of(*text, changeable(all[i])));
         const std::size_t count = fits(known.back(), at);
-        if (count == 0) continue;
-        enter(i);
-        return in_struct(*f.record, changeable(all[i]), at + count);
+        if (count > longest) found.clear(), longest = count;
+        if (count > 0 && count == longest) found.push_back(i);
       }
+      // what has no name of its own is called by its rope, place or body
+      const Field* name = f.record->find("name");
+      const auto named = [&](std::size_t i) { return name != nullptr && !text_of(*name, changeable(all[i])).empty(); };
+      if (const auto own = std::find_if_not(found.begin(), found.end(), named);
+          own != found.end() && std::all_of(own + 1, found.end(), named)) {
+        found = {*own};
+      }
+      if (found.size() > 1) {
+        return no(at, fmt::format("is the '{}' of {} entries: write the index of one, [{}]", key, found.size(),
+                                  fmt::join(found, "], [")));
+      }
+      if (found.empty()) continue;
+      enter(found.front());
+      return in_struct(*f.record, changeable(all[found.front()]), at + longest);
     }
     return no(at, fmt::format("is not an entry of the list{}", did_you_mean(steps_[at], known)));
   }
@@ -177,18 +193,24 @@ class Finder {
   Found in_named(const Field& f, const NamedRecords& named, std::size_t at) {
     if (at >= steps_.size()) return no(at, "is a map of names: name one");
     std::vector<std::string> known;
-    for (const auto& [name, one] : named.all()) {
+    const std::string* found = nullptr;
+    void* object = nullptr;
+    std::size_t longest = 0;  // "a.b" before "a"
+    const auto all = named.all();
+    for (const auto& [name, one] : all) {
       known.push_back(name);
       const std::size_t count = fits(name, at);
-      if (count == 0) continue;
-      enter(name);
-      const std::size_t next = at + count;
-      auto* const object = const_cast<void*>(one);
-      const Field* alone = f.shorthand.empty() ? nullptr : f.record->find(f.shorthand);
-      const bool short_form = alone != nullptr && (next >= steps_.size() || f.record->find(steps_[next]) == nullptr);
-      return short_form ? in_field(*alone, object, next) : in_struct(*f.record, object, next);
+      if (count <= longest) continue;
+      longest = count;
+      found = &name;
+      object = const_cast<void*>(one);
     }
-    return no(at, fmt::format("is not among them{}", did_you_mean(steps_[at], known)));
+    if (found == nullptr) return no(at, fmt::format("is not among them{}", did_you_mean(steps_[at], known)));
+    enter(*found);
+    const std::size_t next = at + longest;
+    const Field* alone = f.shorthand.empty() ? nullptr : f.record->find(f.shorthand);
+    const bool short_form = alone != nullptr && (next >= steps_.size() || f.record->find(steps_[next]) == nullptr);
+    return short_form ? in_field(*alone, object, next) : in_struct(*f.record, object, next);
   }
 
   /// How many steps from there on are this name, which may have dots; 0: they are not.

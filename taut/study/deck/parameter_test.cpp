@@ -46,6 +46,29 @@ TEST_F(PutNumber, HasOnePlaceUnderAllSpellings) {
   EXPECT_EQ(at("loads.car.force.angle")->place, "loads[0].force.angle");
 }
 
+TEST_F(PutNumber, RefusesANameThatFitsTwoEntries) {
+  machine.loads.resize(3);
+  machine.loads[0].at = "car";
+  machine.loads[2].at = "car";
+  machine.loads[2].mass = 100;
+  const auto found = at("loads.car.mass");
+  ASSERT_FALSE(found.has_value()) << found->place;
+  EXPECT_NE(found.error().find("is the 'at' of 2 entries: write the index of one, [0], [2]"), std::string::npos)
+      << found.error();
+  EXPECT_EQ(at("loads[2].mass")->value, 100);
+  machine.loads[2].name = "car";  // a name goes before a place
+  EXPECT_EQ(at("loads.car.mass")->place, "loads[2].mass");
+}
+
+TEST_F(PutNumber, ANameWithADotGoesBeforeTheOneItBeginsWith) {
+  machine.loads.resize(2);
+  machine.loads[0].at = "mast";
+  machine.loads[1].at = "mast.top";
+  machine.loads[1].mass = 7;
+  EXPECT_EQ(at("loads.mast.top.mass")->value, 7);
+  EXPECT_EQ(at("loads.mast.mass")->value, 900);
+}
+
 TEST_F(PutNumber, AnAngleOfAForceHasNotTheRangeOfItsComponents) {
   const auto angle = at("loads[0].force.angle");
   ASSERT_TRUE(angle.has_value()) << angle.error();
