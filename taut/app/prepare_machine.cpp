@@ -155,7 +155,7 @@ Result compute(const MachineDeck& deck, machine::Model model, study::AskedAll as
   }
   if (report) r.warnings = absurd_machine(deck, run.model);
   results::add_rope_stiffness(deck.machine, r);
-  if (auto warning = terrain_warning(run.model)) r.warnings.push_back(std::move(*warning));
+  for (std::string& text : terrain_warnings(deck.machine, run.model)) r.warnings.push_back(std::move(text));
   std::vector<study::PutUpLine> lines;
   study::note_failure(r, study::install_guys(deck.machine, run.model), "installation");
   if (r.status == Status::ok) study::note_failure(r, study::put_up_lines(run.model, lines), "installation");

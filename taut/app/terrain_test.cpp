@@ -103,6 +103,32 @@ TEST(Terrain, OfASurveyIsThatOfItsProfile) {
   }
 }
 
+/// A rope of 200 m along x, over a survey along the line of `rows`.
+std::string across(const std::string& rows) {
+  return "taut: 1\nmachine:\n  terrain: {" + rows +
+         "}\n  points: {a: [0 m, 3 m, 30 m], b: [200 m, 3 m, 30 m]}\n"
+         "  ropes: {r: {mass: 2 kg/m, stiffness: 20 MN, breaking_force: 300 kN}}\n"
+         "  carriages: {car: {mass: 500 kg, rides: r}}\n"
+         "  reevings: [{rope: r, path: [{anchor: a}, {through: car}, {anchor: b}], length: 202 m}]\n"
+         "analyses: [{equilibrium: {carriage: car, x: 100 m, held: true}}]\n"
+         "checks: {ropes: {r: {safety_factor: 2}}, lines: {r: {least_clearance: 3 m}}}\n";
+}
+
+// A survey whose line runs along y has no ground under a rope along x: the end b is 200 m off it.
+TEST(Terrain, WarnsOfARopeThatRunsFarFromItsLine) {
+  const auto warned = [](const std::string& rows) {
+    const Result r = taut_test::run_text(across(rows));
+    EXPECT_NE(r.status, Status::bad_deck) << to_text(r.errors);
+    std::string all;
+    for (const std::string& one : r.warnings) all += one + "\n";
+    return all;
+  };
+  const std::string wrong = warned("x: [0 m, 0 m, 0 m], y: [0 m, 80 m, 200 m], z: [0 m, 20 m, 0 m]");
+  EXPECT_NE(wrong.find("terrain: rope 'r' is 200 m off the line of the terrain in plan"), std::string::npos) << wrong;
+  const std::string right = warned("x: [0 m, 80 m, 200 m], y: [0 m, 0 m, 0 m], z: [0 m, 10 m, 0 m]");
+  EXPECT_EQ(right.find("off the line of the terrain"), std::string::npos) << "3 m: within the corridor\n" << right;
+}
+
 // As a spreadsheet of a country with decimal commas writes it: "170,00;33,00" are two numbers.
 TEST(Terrain, ADecimalCommaIsNoSeparator) {
   for (const char* text : {"x,z,note\n0,1,start\n50,2\n100,3,end\n", "x,z\n0,1,\n50,2,\n100,3,\n"}) {

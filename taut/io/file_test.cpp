@@ -128,6 +128,14 @@ TEST_F(File, MessagesOfNamedFilesStillHelp) {
                                        "id,d_mm\na,-5\n");
   EXPECT_EQ(rows.message, "'...' is below 0 in column 'd_mm'");
   EXPECT_EQ(rows.source_line, "");
+  // the quotes of two words of taut's own are not around a text of the file
+  const Diagnostic columns = without_text({.file = "g.csv",
+                                           .place = {.line = 1, .column = 1},
+                                           .message = "columns 'x', 'y' and 'z' are expected, not 'x,elevation'",
+                                           .source_line = "x",
+                                           .width = 1},
+                                          "x,elevation\n0,0\n");
+  EXPECT_EQ(columns.message, "columns 'x', 'y' and 'z' are expected, not '...'");
 }
 
 TEST_F(File, NotesWhatItHasRead) {

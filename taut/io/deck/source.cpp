@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 
 namespace taut::io {
 namespace {
@@ -105,10 +106,15 @@ std::string without_words(const std::string& message, std::string_view hidden) {
     const std::string sought = bare(words);
     return sought.size() > 1 && there.find(sought) != std::string::npos;
   };
+  const auto in_word = [&](std::size_t i) {
+    return i < message.size() && std::isalnum(static_cast<unsigned char>(message[i])) != 0;
+  };
   std::string shown;
   for (std::size_t i = 0; i < message.size();) {
-    std::size_t close = message[i] == '\'' ? message.rfind('\'') : i;
-    while (close > i && !stands_there(std::string_view(message).substr(i + 1, close - i - 1))) {
+    const bool opens = message[i] == '\'' && (i == 0 || !in_word(i - 1));
+    std::size_t close = opens ? message.rfind('\'') : i;
+    // the opening quote of the words behind closes nothing
+    while (close > i && (in_word(close + 1) || !stands_there(std::string_view(message).substr(i + 1, close - i - 1)))) {
       close = message.rfind('\'', close - 1);
     }
     if (close > i) shown += instead;

@@ -320,7 +320,7 @@ const Description& Terrain::describe() {
                  "two points: the line runs from the first (chainage 0) to the second; default for a survey: from its "
                  "first to its last row")
           .field(&Terrain::corridor, "corridor", "", si::m,
-                 "a warning names surveyed rows farther off the line than this")
+                 "a warning names surveyed rows, and ropes with a carriage, farther off the line than this")
           .at_least(0)
           .field(&Terrain::from, "from", "", si::m,
                  "place with chainage 0, [x, y] in the ground frame; for lines oblique to the axes")
