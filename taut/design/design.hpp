@@ -18,10 +18,10 @@ namespace taut::design {
 
 /// A rope that is free, with its candidates in the order of what is sought.
 struct RopeCandidates {
-  std::string name;    ///< of the machine's or the method's rope
-  double modulus = 0;  ///< Pa
+  std::string name;  ///< of the machine's or the method's rope
   std::vector<catalogue::RopeRow> rows;
-  std::vector<double> costs;  ///< of a metre, ascending; of `smallest` the diameter
+  std::vector<double> moduli;  ///< by row, Pa, on the metallic area
+  std::vector<double> costs;   ///< of a metre, ascending; of `smallest` the diameter
 };
 
 /// A beam or mast whose section is free, in the order of what is sought.

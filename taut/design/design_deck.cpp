@@ -23,7 +23,10 @@ const Description& DesignRopeRequest::describe() {
                    {"derived", catalogue::Trust::derived},
                    {"verified", catalogue::Trust::verified}},
                   "least trust of the breaking force")
-          .field(&R::modulus, "modulus", "E", si::Pa.in("GPa"), "modulus on the metallic area: the stiffness is E A")
+          .field(
+              &R::modulus, "modulus", "E", si::Pa.in("GPa"),
+              "modulus on the metallic area: the stiffness is E A; default: by its construction, as of a rope of the "
+              "catalogue; in a method 100 GPa")
           .above(1e9)
           .at_most(2.2e11);
   return d;

@@ -21,7 +21,7 @@ struct DesignRopeRequest {
   std::optional<double> least_diameter;                   ///< m
   std::optional<double> most_diameter;                    ///< m
   catalogue::Trust trust = catalogue::Trust::unverified;  ///< of the breaking force, the worst allowed
-  double modulus = 100e9;                                 ///< Pa, on the metallic area
+  std::optional<double> modulus;                          ///< Pa, on the metallic area; else by construction
   static const Description& describe();
 };
 

@@ -55,6 +55,7 @@ std::string cost_words(const DesignRequest& request) {
 struct ChosenRope {
   const RopeCandidates& of;
   const RopeRow& rope;
+  double modulus = 0;  ///< Pa
 };
 
 const Quantities<ChosenRope>& chosen_ropes() {
@@ -71,7 +72,7 @@ const Quantities<ChosenRope>& chosen_ropes() {
       {"breaking_force", "F_min", si::N, "its minimum breaking force",
        [](const Row& r) { return r.rope.breaking_force; }},
       {"stiffness", "EA", si::N, "modulus on the metallic area times that area",
-       [](const Row& r) { return r.of.modulus * r.rope.area; }},
+       [](const Row& r) { return r.modulus * r.rope.area; }},
       {"trust", "", si::one, "trust in its row of the catalogue",
        [](const Row& r) { return std::string(catalogue::to_text(r.rope.trust)); }}};
   return all;
@@ -81,7 +82,8 @@ Table chosen_table(const DesignSpace& space, const SizingCandidate& best) {
   std::vector<ChosenRope> rows;
   rows.reserve(space.ropes.size());
   for (std::size_t k = 0; k < space.ropes.size(); ++k) {
-    rows.push_back({.of = space.ropes[k], .rope = space.ropes[k].rows[best.choice[k]]});
+    const RopeCandidates& of = space.ropes[k];
+    rows.push_back({.of = of, .rope = of.rows[best.choice[k]], .modulus = of.moduli[best.choice[k]]});
   }
   return make_table("design", "The ropes chosen", chosen_ropes(), rows);
 }

@@ -14,6 +14,7 @@
 #include "taut/base/suggest.hpp"
 #include "taut/design/design.hpp"
 #include "taut/study/deck/parameter.hpp"
+#include "taut/study/deck/temperature.hpp"
 
 namespace taut::app {
 namespace {
@@ -255,6 +256,9 @@ MadeCases machine_cases(const ReadMachine& read, const CaseQuestion& question,
                         const DeckParameters<MachineDeck>& parameters) {
   auto model = std::make_shared<MachineModel>();
   model->deck = *read.deck;
+  // lengths hold at the temperature that the deck has, whatever it is in a case
+  const std::optional<double> before = read.deck->machine.temperature;
+  study::keep_references(model->deck.machine, before);
   model->space = read.space;
   model->outputs = question.outputs.size();
   CaseModel made;
@@ -268,6 +272,11 @@ MadeCases machine_cases(const ReadMachine& read, const CaseQuestion& question,
   }
   model->inputs = made.inputs;
   model->parameters = parameters;
+  model->parameters.read = [again = parameters.read, before](const std::vector<std::string>& set) {
+    auto deck = again(set);
+    if (deck) study::keep_references(deck->machine, before);
+    return deck;
+  };
   sort_outputs(question.outputs, *model, wrong);
   if (!wrong.complaints.empty()) return tl::unexpected(std::move(wrong));
   for (const CaseName& one : question.outputs) made.outputs.push_back({.name = one.name, .unit = {}, .label = {}});

@@ -154,6 +154,32 @@ TEST(MachineCases, ParametersAreReadAnewBesideOtherNumbers) {
   EXPECT_NEAR(a.outputs[1], value_with(set, "{equilibrium: {motion: at_rest}}", "car.z"), 1e-7);
 }
 
+/// A light line between two anchors, 99.9 m cut at 15 degC for 100 m; `winter` is a parameter.
+const char* const line =
+    "taut: 1\n"
+    "parameters: {winter: 15 degC}\n"
+    "machine:\n"
+    "  temperature: = winter + 0 K\n"
+    "  points: {a: [0 m, 0 m, 0 m], b: [100 m, 0 m, 0 m]}\n"
+    "  ropes: {r: {mass: 1 g/m, stiffness: 10 MN, breaking_force: 60 kN}}\n"
+    "  reevings: [{rope: r, path: [{anchor: a}, {anchor: b}], length: 99.9 m}]\n"
+    "analyses: [{equilibrium: {}}]\n"
+    "checks: {ropes: {r: {safety_factor: 3}}}\n";
+
+// On paper: L = 99.9 m (1 + 12e-6 (t - 15)), T = EA (100 m/L - 1).
+TEST(MachineCases, LengthsHoldAtTheTemperatureOfTheDeckWhateverItIsInACase) {
+  for (const char* path : {"machine.temperature", "parameters.winter"}) {
+    const CaseModel m = model_of(line, question_of({path}, {"equilibrium.r.T_max"}));
+    EXPECT_NEAR(m.inputs[0].base, 288.15, 1e-9);
+    for (const double t : {-20., 15., 30.}) {
+      const CaseAnswer a = m.answer(std::vector<double>{t + 273.15});
+      ASSERT_TRUE(a.outcome.ok()) << a.outcome.message;
+      const double length = 99.9 * (1 + 12e-6 * (t - 15));
+      EXPECT_NEAR(a.outputs[0], 10e6 * (100 / length - 1), 3) << path << ' ' << t;
+    }
+  }
+}
+
 TEST(MachineCases, ANumberOutsideItsRangeIsACaseWithoutAnAnswer) {
   const CaseModel m = model_of(deck, question_of({"machine.ropes.sky.stiffness"}, {"equilibrium.sky.T_max"}));
   const CaseAnswer a = m.answer(std::vector<double>{-1e6});

@@ -8,11 +8,13 @@
 #include <utility>
 
 #include "taut/app/design/design_space.hpp"
+#include "taut/catalogue/modulus.hpp"
 #include "taut/catalogue/section_search.hpp"
 #include "taut/checks/rope/rope_uses.hpp"
 #include "taut/design/design_checks.hpp"
 #include "taut/io/deck/read.hpp"
 #include "taut/machine/compile.hpp"
+#include "taut/study/deck/temperature.hpp"
 
 namespace taut::app {
 namespace {
@@ -46,7 +48,29 @@ DesignParts parts_of(MachineDeck& deck) {
   }
   if (deck.checks) add_masts(deck.checks->masts, parts.sections);
   parts.parameter = parameters_of(deck);
+  parts.modulus = [](const RopeRow& row) -> std::optional<double> {
+    const auto stiffness = catalogue::stiffness_of(row);
+    return stiffness ? std::optional(stiffness->modulus) : std::nullopt;
+  };
   return parts;
+}
+
+/// Where in the deck the temperature of the machine is free, or another one in a load case.
+std::vector<std::string> temperatures_of(const design::DesignSpace& space, const FindParameter& find) {
+  std::vector<std::string> places;
+  const auto is_temperature = [&](const std::string& path) {
+    const auto found = find(path);
+    return found && found->place == "temperature";
+  };
+  for (const design::UnknownValues& one : space.unknowns) {
+    if (is_temperature(one.parameter)) places.push_back(fmt::format("design.unknowns.{}.parameter", one.name));
+  }
+  for (const design::DesignCase& one : space.cases) {
+    for (const auto& [path, value] : one.settings) {
+      if (is_temperature(path)) places.push_back(fmt::format("design.cases.{}.{}", one.name, path));
+    }
+  }
+  return places;
 }
 
 /// Ropes whose figures say nothing yet are compiled with those of their first candidate.
@@ -157,6 +181,14 @@ double tension_in(const Result& r, const MachineDeck& deck) {
   return most;
 }
 
+/// Whether a mast combines analyses by their names: without one of them there is no such deck.
+bool combines_analyses(const MachineDeck& deck) {
+  if (!deck.checks) return false;
+  const auto& masts = deck.checks->masts;
+  return std::any_of(masts.begin(), masts.end(),
+                     [](const checks::MastCheckRequest& mast) { return !mast.combinations.empty(); });
+}
+
 /// A deck that looks at one place of each load path only, where the rope was worst before. What fails there fails in
 /// the whole: every check takes the worst of all states.
 MachineDeck at_places(const MachineDeck& deck, const std::map<std::size_t, double>& places) {
@@ -167,8 +199,15 @@ MachineDeck at_places(const MachineDeck& deck, const std::map<std::size_t, doubl
     one.steps = 1;
     one.one_place = true;
   }
-  std::erase_if(probe.analyses, [](const study::AnalysisRequest& a) { return !a.load_path && !a.equilibrium; });
+  if (!combines_analyses(deck)) {
+    std::erase_if(probe.analyses, [](const study::AnalysisRequest& a) { return !a.load_path && !a.equilibrium; });
+  }
   return probe;
+}
+
+/// Whether a check fails, which is so in the whole deck too. What a probe does not make or judge says nothing.
+bool any_fails(const Result& probe) {
+  return std::any_of(probe.checks.begin(), probe.checks.end(), [](const Check& c) { return !c.passes; });
 }
 
 /// Where each load path has its largest tension by its table; empty where there is none.
@@ -226,7 +265,13 @@ design::DesignSpace machine_space(const io::Node& input, const MachineDeck& deck
   if (!deck.checks) {
     io::place(input, {{.path = "design", .message = "needs 'checks': a design is what passes them"}}, mistakes);
   }
-  return design_space(input, *deck.design, parts_of(own), mistakes);
+  design::DesignSpace space = design_space(input, *deck.design, parts_of(own), mistakes);
+  std::vector<Complaint> complaints;
+  for (const std::string& place : temperatures_of(space, parameters_of(own))) {
+    study::require_references(own.machine, place, complaints);
+  }
+  io::place(input, complaints, mistakes);
+  return space;
 }
 
 MachineDeck with_design(const MachineDeck& deck, const design::DesignSpace& space, const design::DesignPlace& place,
@@ -242,7 +287,7 @@ MachineDeck with_design(const MachineDeck& deck, const design::DesignSpace& spac
   for (std::size_t k = 0; k < space.ropes.size(); ++k) {
     const design::RopeCandidates& free = space.ropes[k];
     for (auto& rope : own.machine.ropes) {
-      if (rope.name == free.name) put_rope(free.rows[place.choice[k]], free.modulus, rope);
+      if (rope.name == free.name) put_rope(free.rows[place.choice[k]], free.moduli[place.choice[k]], rope);
     }
     own.chosen[free.name] = free.rows[place.choice[k]];
   }
@@ -258,6 +303,9 @@ MachineDeck with_design(const MachineDeck& deck, const design::DesignSpace& spac
     }
   }
   if (load_case != nullptr) put_case(*load_case, parameters_of(own));
+  if (own.machine.temperature != deck.machine.temperature) {
+    study::keep_references(own.machine, deck.machine.temperature);
+  }
   return own;
 }
 
@@ -310,8 +358,7 @@ design::DesignTask machine_task(std::shared_ptr<const MachineDeck> deck, design:
       if (how == design::Depth::quick && !places.empty()) {
         Result probe = run(at_places(whole, places), RunDepth::checks, ask);
         design::disregard(deck->design->disregard, probe);
-        if (!design::trial_of(probe).passes || probe.interrupted)
-          return {.result = std::move(probe), .tension = std::nan("")};
+        if (any_fails(probe) || probe.interrupted) return {.result = std::move(probe), .tension = std::nan("")};
       }
       const RunDepth wanted = how == design::Depth::report ? RunDepth::report : RunDepth::checks;
       design::DesignRun done{.result = run(whole, wanted, ask), .tension = 0};

@@ -237,6 +237,84 @@ TEST(DesignMachine, AQuickLookBeginsWhereTheLastChoiceWasWorst) {
   EXPECT_THAT(analyses, ElementsAre(3, 2, 2, 3)) << "one place has no payload";
 }
 
+// A probe that can't answer, or has not made what is asked, says nothing of the whole.
+TEST(DesignMachine, OnlyACheckThatFailsEndsAQuickLook) {
+  Result failed = with_check(1.5);
+  failed.tables = {{.name = "load_path",
+                    .title = "",
+                    .columns = {{.name = "x", .unit = si::m}, {.name = "skyline.T_max", .unit = si::N}},
+                    .rows = {{135.0, 60e3}, {173.0, 90e3}, {230.0, 70e3}}}};
+  Result unmade = with_check(0.5);
+  unmade.unmade = {"a motion is asked"};
+  Result none;
+  none.status = Status::bad_deck;
+  const Result passed = with_check(0.5);
+  for (const Result& probe : {unmade, none}) {
+    std::vector<const Result*> answers = {&failed, &probe, &passed};
+    const auto task = task_of(skyline(), [&](const MachineDeck&, RunDepth) {
+      const Result* r = answers.front();
+      answers.erase(answers.begin());
+      return *r;
+    });
+    const design::DesignPlace place{.choice = {0}, .values = {}};
+    task.run(place, Depth::quick, {});
+    const Result r = task.run(place, Depth::quick, {}).result;
+    EXPECT_TRUE(answers.empty()) << "the whole has been asked";
+    EXPECT_EQ(r.status, Status::ok);
+    EXPECT_TRUE(r.unmade.empty());
+  }
+}
+
+// A mast combines the equilibrium and the payload's states by their names: no deck has one without the other.
+TEST(DesignMachine, AQuickLookKeepsWhatMastsCombine) {
+  Result failed = with_check(1.5);
+  failed.tables = {{.name = "load_path",
+                    .title = "",
+                    .columns = {{.name = "x", .unit = si::m}, {.name = "skyline.T_max", .unit = si::N}},
+                    .rows = {{135.0, 60e3}, {173.0, 90e3}, {230.0, 70e3}}}};
+  ReadMachine own = skyline();
+  const auto deck = std::make_shared<MachineDeck>(*own.deck);
+  checks::MastCheckRequest mast;
+  mast.combinations = {{.name = "work", .terms = {{.name = "payload", .factor = 1.5}}}};
+  deck->checks->masts = {mast};
+  own.deck = deck;
+  std::vector<std::size_t> analyses;
+  const auto task = task_of(own, [&](const MachineDeck& one, RunDepth) {
+    analyses.push_back(one.analyses.size());
+    return failed;
+  });
+  const design::DesignPlace place{.choice = {0}, .values = {}};
+  task.run(place, Depth::quick, {});
+  task.run(place, Depth::quick, {});
+  EXPECT_THAT(analyses, ElementsAre(3, 3));
+}
+
+// At -40 degC the rope of 15 degC is 12e-6 55 shorter than at 15 degC; without a case nothing is said of its reference.
+TEST(DesignMachine, ALoadCaseOfAnotherTemperatureKeepsTheLengthsOfTheDeck) {
+  const std::string design = "design: {ropes: {" + line + "}, cases: {cold: {temperature: -40 degC}, now: {}}}\n";
+  const std::string plain = deck_with(checks + design);
+  const std::string head = "machine:\n";
+  std::string warm = plain;
+  warm.insert(warm.find(head) + head.size(), "  temperature: 15 degC\n");
+  const ReadMachine own = read(warm);
+  const MachineDeck cold = with_design(*own.deck, own.space, {.choice = {0}, .values = {}}, &own.space.cases.at(0));
+  ASSERT_EQ(cold.machine.ropes.size(), 2U);
+  for (const auto& rope : cold.machine.ropes) EXPECT_DOUBLE_EQ(rope.reference_temperature.value(), 288.15) << rope.name;
+  const MachineDeck now = with_design(*own.deck, own.space, {.choice = {0}, .values = {}}, &own.space.cases.at(1));
+  EXPECT_FALSE(now.machine.ropes.at(0).reference_temperature.has_value());
+  EXPECT_THAT(mistakes_of(plain), HasSubstr("the length of rope 'line' holds at no temperature that is reported"));
+}
+
+// As a rope of the catalogue has it without a stiffness: the middle of 95 to 120 GPa (data/rules/rope_modulus.csv).
+TEST(DesignMachine, AChosenRopeHasTheModulusOfItsConstruction) {
+  const ReadMachine own =
+      read(deck_with(checks + "design: {ropes: {line: {construction: 6x36, core: IWRC, grade: 1960 MPa}}}\n"));
+  const MachineDeck made = with_design(*own.deck, own.space, {.choice = {3}, .values = {}});
+  EXPECT_DOUBLE_EQ(made.machine.ropes.at(0).stiffness.value(), 107.5e9 * own.space.ropes.at(0).rows[3].area);
+  EXPECT_THAT(mistakes_of(deck_with(checks + "design: {ropes: {line: {}}}\n")), testing::IsEmpty())
+      << "one is known for every rope of the catalogue";
+}
+
 TEST(DesignMachine, AReportHasWhatIsDisregardedAndNamesTheRope) {
   std::vector<RunDepth> depths;
   const ReadMachine own = skyline();

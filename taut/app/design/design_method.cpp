@@ -15,6 +15,7 @@ namespace taut::app {
 namespace {
 
 constexpr const char* the_mast = "mast";  // of a method that has one section
+constexpr double method_modulus = 100e9;  // Pa, of steel ropes on the metallic area, as the methods take it themselves
 
 FindParameter parameters_of(MethodDeck& deck) {
   return [&deck](const std::string& path) { return deck.parameter(path); };
@@ -85,6 +86,7 @@ design::DesignSpace method_space(const io::Node& block, const MethodDeck& deck, 
   if (method.put_section) parts.sections.push_back({the_mast, {}, refused});
   if (deck.blocks.checks) add_masts(deck.blocks.checks->masts, parts.sections);
   parts.parameter = parameters_of(own);
+  parts.modulus = [](const catalogue::RopeRow&) -> std::optional<double> { return method_modulus; };
   if (!design.ropes.empty() && !refused.empty())
     io::place(block, {{.path = "design.ropes", .message = refused}}, mistakes);
   return design_space(block, design, parts, mistakes);
@@ -96,7 +98,7 @@ MethodDeck with_design(MethodDeck deck, const design::DesignSpace& space, const 
   for (std::size_t k = 0; k < space.ropes.size(); ++k) {
     const design::RopeCandidates& free = space.ropes[k];
     const catalogue::RopeRow& row = free.rows[place.choice[k]];
-    method.put_rope(deck.input, free.name, row, free.modulus);
+    method.put_rope(deck.input, free.name, row, free.moduli[place.choice[k]]);
     deck.chosen[free.name] = row;
   }
   for (std::size_t k = 0; k < space.sections.size(); ++k) {

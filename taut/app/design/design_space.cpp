@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <tuple>
 #include <utility>
 
@@ -12,6 +13,8 @@
 #include "taut/catalogue/rope_search.hpp"
 #include "taut/io/deck/read.hpp"
 #include "taut/io/file.hpp"
+#include "taut/units/any_quantity.hpp"
+#include "taut/units/display.hpp"
 
 namespace taut::app {
 namespace {
@@ -63,16 +66,74 @@ catalogue::RopeFilter filter_of(const design::DesignRopeRequest& one) {
   return filter;
 }
 
+/// The numbers that unknowns are free by, each once, in whatever spelling of its path.
+class FreeNumbers {
+ public:
+  explicit FreeNumbers(const FindParameter& find) : find_(find) {}
+
+  /// Complains at `key` where the number is one of those before.
+  void take(const std::string& path, const std::string& unknown, const std::string& key,
+            std::vector<Complaint>& complaints) {
+    const auto found = find_(path);
+    if (!found) return;
+    if (const Free* same = at(found->place)) {
+      complaints.push_back({key, fmt::format("'{}' is the same number as '{}', which is free by the unknown '{}': give "
+                                             "it once",
+                                             path, same->path, same->unknown)});
+    } else {
+      all_.push_back({.place = found->place, .path = path, .unknown = unknown});
+    }
+  }
+
+  /// The unknown by which a number of that place is free; null: none.
+  const std::string* unknown_of(const std::string& place) const {
+    const Free* found = at(place);
+    return found == nullptr ? nullptr : &found->unknown;
+  }
+
+ private:
+  struct Free {
+    std::string place, path, unknown;
+  };
+
+  const Free* at(const std::string& place) const {
+    const auto found = std::find_if(all_.begin(), all_.end(), [&](const Free& one) { return one.place == place; });
+    return found == all_.end() ? nullptr : &*found;
+  }
+
+  const FindParameter& find_;
+  std::vector<Free> all_;
+};
+
+/// Where a number is while another one goes from where it is to `value`: as far from it as in the deck.
+double along(const study::Parameter& own, const study::Parameter& with, double value) {
+  const double moved = own.value + (value - with.value);
+  return std::isfinite(moved) ? moved : value;
+}
+
 void complain_of_company(const design::DesignUnknownRequest& one, const study::Parameter& first,
-                         const FindParameter& find, const std::string& path, std::vector<Complaint>& complaints) {
+                         const FindParameter& find, const std::string& path, const design::UnknownValues& range,
+                         std::vector<Complaint>& complaints) {
   for (std::size_t i = 0; i < one.along_with.size(); ++i) {
     const std::string own = fmt::format("{}.along_with[{}]", path, i);
     const auto other = find(one.along_with[i]);
     if (!other) {
       complaints.push_back({own, other.error()});
-    } else if (other->unit.dimension != first.unit.dimension) {
+      continue;
+    }
+    if (!same_kind(other->unit, first.unit)) {
       complaints.push_back(
           {own, fmt::format("'{}' is no quantity of the same kind as '{}'", one.along_with[i], one.parameter)});
+      continue;
+    }
+    for (const double end : {range.low, range.high}) {
+      const double moved = along(*other, first, end);
+      if (other->range().contains(moved)) continue;
+      complaints.push_back(
+          {own, fmt::format("'{}' would go with it to {}, and must be {}: choose 'from' and 'to' so "
+                            "that it stays there",
+                            one.along_with[i], Display().quantity(moved, other->unit), range_text(*other->field))});
+      break;
     }
   }
 }
@@ -95,12 +156,12 @@ design::UnknownValues values_of_unknown(const design::DesignUnknownRequest& one,
     return own;
   }
   own.unit = parameter->unit;
-  complain_of_company(one, *parameter, find, path, complaints);
   const auto from = study::value_of(one.from, *parameter, path + ".from", complaints);
   const auto to = study::value_of(one.to, *parameter, path + ".to", complaints);
   if (!from || !to) return own;
   if (*from == *to) complaints.push_back({path + ".to", "is the same as 'from'"});
   std::tie(own.low, own.high) = std::minmax(*from, *to);
+  complain_of_company(one, *parameter, find, path, own, complaints);
   const int steps = one.steps.value_or(one.start ? 0 : 4);
   for (int i = 0; i <= steps && steps > 0; ++i) own.values.push_back(step_between(*from, *to, i, steps));
   if (!one.start) return own;
@@ -117,11 +178,11 @@ design::UnknownValues values_of_unknown(const design::DesignUnknownRequest& one,
 
 /// The candidates of one rope, in the order of their cost per metre.
 design::RopeCandidates candidates_of_rope(const design::DesignRopeRequest& one, design::Seek seek,
-                                          const std::vector<RopeRow>& rows, std::vector<Complaint>& complaints) {
+                                          const std::vector<RopeRow>& rows, const DesignParts& parts,
+                                          std::vector<Complaint>& complaints) {
   const std::string path = fmt::format("design.ropes.{}", one.name);
   design::RopeCandidates own;
   own.name = one.name;
-  own.modulus = one.modulus;
   own.rows = catalogue::select_ropes(filter_of(one), rows);
   if (own.rows.empty()) complaints.push_back({path, "no rope of the catalogue is so: drop a condition"});
   const bool priced =
@@ -134,13 +195,24 @@ design::RopeCandidates candidates_of_rope(const design::DesignRopeRequest& one, 
     return Key(cost_of(seek, a), a.breaking_force, a.id) < Key(cost_of(seek, b), b.breaking_force, b.id);
   });
   own.costs.reserve(own.rows.size());
-  for (const RopeRow& row : own.rows) own.costs.push_back(cost_of(seek, row));
+  own.moduli.reserve(own.rows.size());
+  for (const RopeRow& row : own.rows) {
+    own.costs.push_back(cost_of(seek, row));
+    const std::optional<double> modulus = one.modulus ? one.modulus : parts.modulus(row);
+    own.moduli.push_back(modulus.value_or(0));
+    if (modulus) continue;
+    complaints.push_back({path, fmt::format("no modulus is known for the construction of '{}': give 'modulus', or "
+                                            "conditions that leave it out",
+                                            row.id)});
+    break;
+  }
   return own;
 }
 
-design::DesignCase case_of(const design::DesignCaseRequest& one, const design::DesignRequest& design,
-                           const FindParameter& find, std::vector<Complaint>& complaints) {
+design::DesignCase case_of(const design::DesignCaseRequest& one, const FreeNumbers& free, const FindParameter& find,
+                           std::vector<Complaint>& complaints) {
   design::DesignCase own{.name = one.name, .settings = {}};
+  std::map<std::string, std::string> set;  // by place the path
   for (const design::DesignSettingRequest& setting : one.settings) {
     const std::string path = fmt::format("design.cases.{}.{}", one.name, setting.name);
     const auto parameter = find(setting.name);
@@ -148,11 +220,13 @@ design::DesignCase case_of(const design::DesignCaseRequest& one, const design::D
       complaints.push_back({path, parameter.error()});
       continue;
     }
-    for (const design::DesignUnknownRequest& unknown : design.unknowns) {
-      const auto& with = unknown.along_with;
-      if (unknown.parameter != setting.name && std::find(with.begin(), with.end(), setting.name) == with.end())
-        continue;
-      complaints.push_back({path, fmt::format("'{}' is free by the unknown '{}'", setting.name, unknown.name)});
+    if (const std::string* unknown = free.unknown_of(parameter->place)) {
+      complaints.push_back({path, fmt::format("'{}' is free by the unknown '{}'", setting.name, *unknown)});
+    }
+    const auto [before, is_new] = set.emplace(parameter->place, setting.name);
+    if (!is_new) {
+      complaints.push_back(
+          {path, fmt::format("'{}' is the same number as '{}': give it once", setting.name, before->second)});
     }
     if (const auto value = study::value_of(setting.value, *parameter, path, complaints)) {
       own.settings.emplace_back(setting.name, *value);
@@ -199,14 +273,20 @@ design::DesignSpace design_space(const io::Node& input, const design::DesignRequ
                                                 : fmt::format("{} has no rope '{}'{}", parts.owner, one.name,
                                                               did_you_mean(one.name, parts.ropes))});
     } else if (unreadable.empty()) {
-      space.ropes.push_back(candidates_of_rope(one, design.seek, rows, complaints));
+      space.ropes.push_back(candidates_of_rope(one, design.seek, rows, parts, complaints));
     }
   }
   for (const design::DesignSectionRequest& one : design.sections) {
     space.sections.push_back(candidates_of_section(one, design.seek, parts.sections, parts.owner, complaints));
   }
   double places = 1;
+  FreeNumbers free(parts.parameter);
   for (const design::DesignUnknownRequest& one : design.unknowns) {
+    const std::string path = fmt::format("design.unknowns.{}", one.name);
+    free.take(one.parameter, one.name, path + ".parameter", complaints);
+    for (std::size_t i = 0; i < one.along_with.size(); ++i) {
+      free.take(one.along_with[i], one.name, fmt::format("{}.along_with[{}]", path, i), complaints);
+    }
     space.unknowns.push_back(values_of_unknown(one, parts.parameter, complaints));
     places *= static_cast<double>(space.unknowns.back().values.size());
   }
@@ -217,7 +297,7 @@ design::DesignSpace design_space(const io::Node& input, const design::DesignRequ
                                         places, most_places)});
   }
   for (const design::DesignCaseRequest& one : design.cases) {
-    space.cases.push_back(case_of(one, design, parts.parameter, complaints));
+    space.cases.push_back(case_of(one, free, parts.parameter, complaints));
   }
   for (Diagnostic& d : unreadable) io::add(mistakes, std::move(d));
   io::place(input, complaints, mistakes);
@@ -229,10 +309,9 @@ void put_values(const design::DesignSpace& space, const std::vector<double>& val
     const design::UnknownValues& one = space.unknowns[k];
     const auto first = parameter(one.parameter);
     if (!first) continue;
-    const double moved = values[k] - first->value;
     for (const std::string& path : one.along_with) {
       const auto other = parameter(path);
-      if (other) other->set(std::isfinite(moved + other->value) ? other->value + moved : values[k]);
+      if (other) other->set(along(*other, *first, values[k]));
     }
     first->set(values[k]);
   }

@@ -28,6 +28,7 @@ struct Numbers {
                                      .field(&Numbers::length, "length", "", si::m, "")
                                      .above(0)
                                      .field(&Numbers::other_length, "other_length", "", si::m, "")
+                                     .at_least(-20)
                                      .field(&Numbers::force, "force", "", si::N, "")
                                      .field(&Numbers::sag, "sag", "", si::m, "");
     return d;
@@ -56,7 +57,10 @@ Made space_of(const std::string& block, const std::string& name = "deck.yaml") {
                           .ropes = {"skyline", "mainline"},
                           .tensions = {"skyline", "mainline"},
                           .sections = {},
-                          .parameter = parameters_of(numbers)};
+                          .parameter = parameters_of(numbers),
+                          .modulus = [](const catalogue::RopeRow& row) -> std::optional<double> {
+                            return row.core == "IWRC" ? std::optional(107.5e9) : std::nullopt;
+                          }};
   made.space = design_space(document->root, request, parts, mistakes);
   made.mistakes = to_text(mistakes);
   return made;
@@ -126,6 +130,32 @@ TEST(DesignSpace, ALoadCaseSetsNumbersThatAreNotFree) {
   EXPECT_THAT(space_of(free + "cases: {full: {force: 2 m}}").mistakes, HasSubstr("design.cases.full.force: "));
 }
 
+TEST(DesignSpace, ANumberIsFreeOnceInWhateverSpelling) {
+  const std::string range = ", from: 2 m, to: 10 m}";
+  const auto mistakes = [](const std::string& block) { return space_of(block).mistakes; };
+  EXPECT_THAT(
+      mistakes("unknowns: {a: {parameter: length" + range + ", b: {parameter: machine.length" + range + "}"),
+      HasSubstr("design.unknowns.b.parameter: 'machine.length' is the same number as 'length', which is free by "
+                "the unknown 'a'"));
+  EXPECT_THAT(mistakes("unknowns: {a: {parameter: length, along_with: [machine.length]" + range + "}"),
+              HasSubstr("design.unknowns.a.along_with[0]: "));
+  const std::string free = "unknowns: {a: {parameter: length" + range + "}, ";
+  EXPECT_THAT(mistakes(free + "cases: {full: {machine.length: 3 m}}"), HasSubstr("is free by the unknown 'a'"));
+  EXPECT_THAT(mistakes(free + "cases: {full: {force: 3 kN, machine.force: 2 kN}}"),
+              HasSubstr("'machine.force' is the same number as 'force'"));
+}
+
+// From 5 m and 20 m: the length is 15 m more.
+TEST(DesignSpace, WhatMovesAlongStaysInItsRange) {
+  const auto mistakes = [](const std::string& from) {
+    return space_of("unknowns: {a: {parameter: other_length, along_with: [length], from: " + from + ", to: 8 m}}")
+        .mistakes;
+  };
+  EXPECT_THAT(mistakes("-10 m"), IsEmpty()) << "length goes to 5 m";
+  EXPECT_THAT(mistakes("-16 m"),
+              HasSubstr("design.unknowns.a.along_with[0]: 'length' would go with it to -1 m, and must be above 0 m"));
+}
+
 class Catalogue : public testing::Test {
  protected:
   Made made(const std::string& rows, const std::string& block) const {
@@ -153,11 +183,23 @@ TEST_F(Catalogue, RopesComeInTheOrderOfWhatIsSought) {
   ASSERT_THAT(lightest.mistakes, IsEmpty());
   EXPECT_THAT(ids(lightest), ElementsAre("light", "thin", "cheap"));
   EXPECT_THAT(lightest.space.ropes[0].costs, ElementsAre(2.8, 3.0, 3.2));
-  EXPECT_EQ(lightest.space.ropes[0].modulus, 90e9);
+  EXPECT_THAT(lightest.space.ropes[0].moduli, ElementsAre(90e9, 90e9, 90e9));
   EXPECT_THAT(ids(made(rows, ", seek: smallest")), ElementsAre("thin", "light", "cheap"));
   const Made cheapest = made(rows, ", seek: cheapest");
   EXPECT_THAT(ids(cheapest), ElementsAre("cheap", "light", "thin"));
   EXPECT_THAT(cheapest.space.ropes[0].costs, ElementsAre(7, 9, 12));
+}
+
+TEST_F(Catalogue, TheModulusIsThatOfTheConstructionWhereNoneIsGiven) {
+  const std::string rows =
+      "a,mine,6x36,IWRC,28,360,3.2,1770,500,verified,\nb,mine,6x36,odd,27,311,2.8,1960,480,verified,\n";
+  EXPECT_THAT(made(rows, "").mistakes, IsEmpty()) << "given for both";
+  const std::string deck = (scratch_.path() / "deck.yaml").string();
+  const Made known = space_of("catalogue: mine.csv, ropes: {skyline: {core: IWRC}}", deck);
+  ASSERT_THAT(known.mistakes, IsEmpty());
+  EXPECT_THAT(known.space.ropes.at(0).moduli, ElementsAre(107.5e9));
+  const Made unknown = space_of("catalogue: mine.csv, ropes: {skyline: {construction: 6x36}}", deck);
+  EXPECT_THAT(unknown.mistakes, HasSubstr("design.ropes.skyline: no modulus is known for the construction of 'b'"));
 }
 
 TEST_F(Catalogue, ThatCannotBeReadIsAMistakeAtItsPlace) {

@@ -8,11 +8,10 @@
 
 #include "taut/base/array.hpp"
 #include "taut/base/expects.hpp"
+#include "taut/units/any_quantity.hpp"
 
 namespace taut::study {
 namespace {
-
-constexpr double zero_celsius = 273.15;
 
 const machine::description::Rope& rope_named(const machine::Machine& machine, const std::string& name) {
   const auto rope =
@@ -34,6 +33,12 @@ void set_temperature(machine::Model& model, const machine::Machine& machine, dou
     const auto& rope = rope_named(machine, i < guys ? machine.reevings[i].rope : machine.guys[i - guys].rope);
     const auto reference = reference_of(machine, rope);
     if (reference) model.reevings[i].thermal_strain = rope.expansion * (temperature - *reference);
+  }
+}
+
+void keep_references(machine::Machine& machine, const std::optional<double>& before) {
+  for (auto& rope : machine.ropes) {
+    if (!rope.reference_temperature) rope.reference_temperature = before;
   }
 }
 

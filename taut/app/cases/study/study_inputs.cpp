@@ -73,6 +73,11 @@ class LawReader {
 
   double sd(const MeanRequest& law, const char* name) {
     if (law.sd) return difference(*law.sd, law_key("sd"));
+    if (input_.unit.dimension == si::K.dimension) {
+      complain(fmt::format("{}.cov", name),
+               "a share of a temperature would depend on the zero of its scale: give 'sd' in K, as in 'sd: 5 K'");
+      return std::nan("");
+    }
     const auto share = parse_quantity(law.cov.value_or(""), si::one);
     if (share) return *share * std::abs(mean_of(law));
     complain(fmt::format("{}.cov", name), share.error().message);

@@ -67,6 +67,8 @@ TEST(StudyInputs, TellsEachMistakeAtItsPath) {
   EXPECT_THAT(complaints_of({normal(load, "1 m", "50 kg")}, {mass()}),
               HasSubstr("study.vary." + load + ".normal.mean: "));
   EXPECT_THAT(complaints_of({normal(load, "1 t", {}, "5 kg")}, {mass()}), HasSubstr(".normal.cov: "));
+  EXPECT_THAT(complaints_of({normal(warm, "20 degC", {}, "10 %")}, {temperature()}),
+              HasSubstr("study.vary." + warm + ".normal.cov: a share of a temperature"));
   EXPECT_THAT(complaints_of({normal(warm, "20 degC", "8 degC")}, {temperature()}),
               HasSubstr("a difference of temperatures is given in K"));
   EXPECT_THAT(complaints_of({normal(load, "-1 t", "50 kg")}, {mass()}), HasSubstr("half of its values are outside"));
