@@ -137,16 +137,18 @@ struct Count {
 /// What counts of replicates that differ by one case at most say of the share. Their mean is between two whole numbers,
 /// and the replicates are so many tries for the larger one. All alike, they do not tell which of both it is.
 Interval of_neighbours(const std::vector<Count>& each, double confidence) {
-  const auto [least, most] =
-      std::minmax_element(each.begin(), each.end(), [](const Count& a, const Count& b) { return a.hits < b.hits; });
-  if (most->hits - least->hits > 1) return {.low = unbounded, .high = -unbounded};
-  const auto larger = std::count_if(each.begin(), each.end(), [&](const Count& c) { return c.hits > least->hits; });
+  const auto fewer_hits = [](const Count& a, const Count& b) { return a.hits < b.hits; };
+  const double least = std::min_element(each.begin(), each.end(), fewer_hits)->hits;
+  const double most = std::max_element(each.begin(), each.end(), fewer_hits)->hits;
+  if (most - least > 1) return {.low = unbounded, .high = -unbounded};
+  const auto larger = std::count_if(each.begin(), each.end(), [&](const Count& c) { return c.hits > least; });
   const Interval of_larger =
       binomial_interval(static_cast<double>(larger), static_cast<double>(each.size()), confidence);
   const auto [fewest, all] =
       std::minmax_element(each.begin(), each.end(), [](const Count& a, const Count& b) { return a.n < b.n; });
+  if (fewest->n == 0) return {.low = 0, .high = 1};
   const double low = larger == 0 ? -of_larger.high : of_larger.low;
-  return {.low = (least->hits + low) / all->n, .high = (least->hits + of_larger.high) / fewest->n};
+  return {.low = (least + low) / all->n, .high = (least + of_larger.high) / fewest->n};
 }
 
 Interval holding_both(const Interval& a, const Interval& b) {
