@@ -263,12 +263,12 @@ bool bring_on_weight(const machine::Model& model, const machine::State& state, c
 }
 
 /// The least tension of a fed rope, N, between one that has an answer and the given one, which has none; 0 where none
-/// was found, or not sought: at each place of a load path, and of a rope with two tensions.
+/// was found, or not sought: at each place of a load path, of a rope with two tensions or with that of another.
 double least_pull(const machine::Model& model, const machine::State& state, const EquilibriumOptions& options,
                   const Solved& failed, int reeving) {
   machine::Model pulled = model;
   machine::Reeving& rope = pulled.reevings[reeving];
-  if (options.prescribed || rope.also) return 0;
+  if (options.prescribed || rope.also || rope.given == machine::Given::equal) return 0;
   double low = rope.value, high = low;
   Solved s = failed;
   const mechanics::System system = system_of(pulled, s.layout, options);

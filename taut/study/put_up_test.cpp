@@ -109,6 +109,29 @@ TEST(DrawEqual, TheLengthsFoundHaveTheSameTensionAtTheirStarts) {
   }
 }
 
+/// A vertical rope has its tension as a loop of a kilometre too, whose weight makes it; that is not what is drawn.
+TEST(DrawEqual, AVerticalRopeIsDrawnTaut) {
+  machine::Model m;
+  const double T = 5e3, EA = 10e6, w = 9.81;
+  m.bodies.push_back(body("bar", {0, 0, 0}, 1000, "z"));
+  m.reevings.push_back(reeve("a", {anchor("A", {-5, 0, 10}), anchor_on("bar", 0)}, 0, w, EA));
+  m.reevings[0].given = machine::Given::tension_at_start;
+  m.reevings[0].value = T;
+  m.reevings.push_back(reeve("b", {anchor("B", {0, 0, 12}), anchor_on("bar", 0)}, 0, w, EA));
+  m.reevings[1].given = machine::Given::equal;
+  m.reevings[1].equal_to = 0;
+  m.reevings.push_back(reeve("c", {anchor("C", {5, 0, 9}), anchor_on("bar", 0)}, 10.3, w, EA));
+  const taut::Outcome drawn = draw_equal(m);
+  ASSERT_TRUE(drawn.ok()) << drawn.message;
+  const solve::EquilibriumResult r = solve::equilibrium(m);
+  ASSERT_TRUE(r.outcome.ok()) << r.outcome.message;
+  EXPECT_NEAR(r.branches[1].T_from / T, 1, 1e-8);
+  // l = L + (T L - w L^2/2)/EA
+  const double l = 12 - r.state.bodies[0].position.z(), L = m.reevings[1].value;
+  EXPECT_LT(L, l);
+  EXPECT_NEAR(L + (T * L - w * L * L / 2) / EA, l, 1e-8);
+}
+
 TEST(DrawEqual, ASlackRopeHasNoTensionToEqual) {
   machine::Model m = side_by_side(1000, "z", {4e6, 1e6, 1e6}, 0);
   m.reevings[0].value = 25;                      // it hangs down

@@ -15,7 +15,7 @@ bool stops_feed(const mechanics::System& s, const mechanics::Layout::Turn& turn)
 }
 
 void add_fed_end(const mechanics::System& s, int r, machine::Given given, double tension, int row, Array<FedEnd>& all) {
-  if (given != machine::Given::tension_at_start && given != machine::Given::tension_at_end) return;
+  if (given == machine::Given::length || given == machine::Given::torque) return;
   if (row == s.layout.coordinate_row || row == s.layout.height_row) return;
   const mechanics::Layout::Rope& rope = s.layout.ropes[r];
   FedEnd end{.rope = r,
@@ -45,7 +45,8 @@ Array<FedEnd> fed_ends(const mechanics::System& s) {
     const bool length_too =
         reeving.also && (reeving.given == machine::Given::length || reeving.also->first == machine::Given::length);
     if (length_too) continue;
-    add_fed_end(s, r, reeving.given, reeving.value, s.layout.ropes[r].row, all);
+    const bool known = reeving.given != machine::Given::equal;
+    add_fed_end(s, r, reeving.given, known ? reeving.value : 0, s.layout.ropes[r].row, all);
     const auto drive = s.layout.ropes[r].drive;
     if (!drive || !reeving.also) continue;
     add_fed_end(s, r, reeving.also->first, reeving.also->second, *s.layout.turns[*drive].row, all);

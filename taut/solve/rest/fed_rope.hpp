@@ -8,13 +8,14 @@
 namespace taut::solve {
 
 /// An end of a rope at which its tension is given: the rope is fed in or taken out there until it has that tension, so
-/// that its length follows. Links first .. last (in the order of the path) take up what is fed in: up to the next
+/// that its length follows. A rope that is drawn to the tension of another (machine::Given::equal) is fed at its start.
+/// Links first .. last (in the order of the path) take up what is fed in: up to the next
 /// clamp, or drive that holds the rope.
 struct FedEnd {
   int rope = 0, row = 0;                             ///< index in the layout's ropes; the equation of the given tension
   int first = 0, last = 0;                           ///< branches
   bool at_end = false;                               ///< at the end of the path, else at its start
-  double tension = 0;                                ///< N
+  double tension = 0;                                ///< N; 0: that of another rope
   int own() const { return at_end ? last : first; }  ///< the branch that ends there
 };
 

@@ -158,7 +158,9 @@ std::optional<int> too_heavy(const mechanics::System& s, const mechanics::Evalua
   if (!iteration.deep) return std::nullopt;
   const int rope = s.layout.branches[*iteration.deep].reeving;
   for (const FedEnd& end : fed_ends(s)) {
-    if (end.rope == rope && e.residual[end.row] > wide_open * end.tension) return rope;
+    const int other = s.model.reevings[rope].equal_to;
+    const double tension = other < 0 ? end.tension : e.branches[s.layout.ropes[as_size(other)].first].T_from;
+    if (end.rope == rope && e.residual[end.row] > wide_open * tension) return rope;
   }
   return std::nullopt;
 }
@@ -167,6 +169,12 @@ Outcome too_heavy_outcome(const mechanics::System& s, int reeving, double least)
   for (const FedEnd& end : fed_ends(s)) {
     if (end.rope != reeving) continue;
     const machine::Reeving& rope = s.model.reevings[reeving];
+    if (rope.given == machine::Given::equal) {
+      return infeasible(
+          fmt::format("rope '{}' does not come down to the tension of '{}' at '{}': its own weight pulls harder, and "
+                      "with more rope harder still; give it a length",
+                      rope.name, s.model.reevings[rope.equal_to].name, rope.nodes.front().name));
+    }
     const std::string known = least > 0 ? fmt::format(" (at least {:.4g} N)", least) : std::string();
     return infeasible(fmt::format(
         "rope '{}' does not come down to {:.6g} N at '{}': its own weight pulls harder{}, and with more rope harder "
