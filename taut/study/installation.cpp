@@ -227,9 +227,7 @@ Installation installation(const EmptyLine& line, const solve::Condition& given,
   if (!i.outcome.ok()) return i;
   solve::Condition condition = given;
   condition.reeving = line.reeving;
-  solve::EquilibriumOptions options;
-  options.band = false;
-  i.at = solve::equilibrium_under(line.model, condition, options, near);
+  i.at = solve::equilibrium_under(line.model, condition, {}, near);
   const solve::EquilibriumResult& r = i.at.result;
   i.outcome = r.outcome;
   if (!i.outcome.ok()) return i;

@@ -112,4 +112,19 @@ TEST(Installation, ARopeThatEndsOnItsCarriageIsNeverEmpty) {
   EXPECT_EQ(empty_line(m, 0).outcome.status, taut::Status::infeasible);
 }
 
+/// The tension is measured at one end; beyond a saddle friction leaves it between T e^-fa and T e^fa.
+TEST(Installation, FrictionLeavesABandBeyondASaddle) {
+  machine::Model m;
+  m.reevings.push_back(
+      reeve("r", {anchor("a", {0, 0, 0}), saddle("top", {20, 0, 20}, 0.25), anchor("b", {40, 0, 0})}, 57, 0, 10e6));
+  const Installation i =
+      installation(empty_line(m, 0), {.kind = Kind::tension_at_start, .reeving = 0, .value = 40e3, .span = 0});
+  ASSERT_TRUE(i.outcome.ok()) << i.outcome.message;
+  EXPECT_NEAR(i.T_end / 40e3, 1, 1e-9) << "the length is that without loss";
+  const double most = std::exp(0.25 * M_PI / 2);
+  EXPECT_NEAR(i.at.result.branches[1].T_to_max / (40e3 * most), 1, 1e-7);
+  EXPECT_NEAR(i.at.result.branches[1].T_to_min * most / 40e3, 1, 1e-7);
+  EXPECT_NEAR(i.at.result.ropes[0].T_max / (40e3 * most), 1, 1e-7);
+}
+
 }  // namespace installation_test
