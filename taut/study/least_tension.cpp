@@ -12,7 +12,9 @@
 #include "taut/machine/compile.hpp"
 #include "taut/machine/compile/guides.hpp"
 #include "taut/math/index.hpp"
+#include "taut/solve/band.hpp"
 #include "taut/solve/condition.hpp"
+#include "taut/solve/running.hpp"
 #include "taut/study/deck/bounds.hpp"
 
 namespace taut::study {
@@ -24,21 +26,49 @@ constexpr double nudge = 1e-6;           ///< of a rope's length, for difference
 constexpr double longest_change = 0.02;  ///< of a rope's length, in one round
 constexpr int most_halves = 12;
 
-/// All cases with the lengths as they are.
-struct CaseSet {
-  Array<machine::Model> models;
-  Array<solve::EquilibriumResult> results;
+/// A case at rest without loss, or with the losses of one direction of motion: friction may hold the machine in any
+/// state between them.
+struct StateOfCase {
+  int of = 0;  ///< the case
+  solve::Motion motion = solve::Motion::at_rest;
 };
 
-/// Solves the cases; the number of the first that fails.
+/// All cases with the lengths as they are.
+struct CaseSet {
+  Array<StateOfCase> states;
+  Array<machine::Model> models;             ///< by state
+  Array<solve::EquilibriumResult> results;  ///< by state
+};
+
+solve::EquilibriumOptions options_of(const StateOfCase& state) {
+  solve::EquilibriumOptions options;
+  options.motion = state.motion;
+  options.band = false;
+  return options;
+}
+
+/// `cases`: those at rest first.
+CaseSet all_states(const Array<machine::Model>& cases) {
+  CaseSet set;
+  for (const solve::Motion motion : {solve::Motion::at_rest, solve::Motion::in, solve::Motion::out}) {
+    for (std::size_t c = 0; c < cases.size(); ++c) {
+      if (motion != solve::Motion::at_rest && !solve::differs_in_motion(cases[c])) continue;
+      set.states.push_back({.of = static_cast<int>(c), .motion = motion});
+      set.models.push_back(motion == solve::Motion::at_rest ? cases[c] : solve::with_loads_held(cases[c]));
+    }
+  }
+  set.results.resize(set.states.size());
+  return set;
+}
+
+/// Solves the states; the number of the first that fails.
 std::optional<int> solve_cases(CaseSet& set) {
-  solve::EquilibriumOptions at_rest;
-  at_rest.band = false;
   for (std::size_t c = 0; c < set.models.size(); ++c) {
+    const solve::EquilibriumOptions options = options_of(set.states[c]);
     std::optional<machine::State> near;
     if (set.results[c].outcome.ok() && !set.results[c].branches.empty()) near = set.results[c].state;
-    set.results[c] = solve::equilibrium(set.models[c], at_rest, near);
-    if (!set.results[c].outcome.ok() && near) set.results[c] = solve::equilibrium(set.models[c], at_rest);
+    set.results[c] = solve::equilibrium(set.models[c], options, near);
+    if (!set.results[c].outcome.ok() && near) set.results[c] = solve::equilibrium(set.models[c], options);
     if (!set.results[c].outcome.ok()) return static_cast<int>(c);
   }
   return std::nullopt;
@@ -51,7 +81,7 @@ void set_length(CaseSet& set, int reeving, double length) {
   }
 }
 
-/// Of each chosen rope: its governing case and tension there.
+/// Of each chosen rope: its governing state and tension there.
 Array<std::pair<int, double>> governing_cases(const CaseSet& set, const Array<int>& chosen) {
   Array<std::pair<int, double>> all;
   for (const int rope : chosen) {
@@ -91,14 +121,12 @@ bool solve_small(Array<Array<double>> A, Array<double> b, Array<double>& x) {
   return std::all_of(x.begin(), x.end(), [](double one) { return std::isfinite(one); });
 }
 
-/// How each chosen rope's tension in its governing case follows the length of each, N/m. A slack one counts as if its
+/// How each chosen rope's tension in its governing state follows the length of each, N/m. A slack one counts as if its
 /// own length alone tightened it.
 Array<Array<double>> tension_slopes(const CaseSet& set, const Array<int>& chosen,
                                     const Array<std::pair<int, double>>& worst) {
   const std::size_t n = chosen.size();
   Array<Array<double>> slopes(n, Array<double>(n, 0.0));
-  solve::EquilibriumOptions at_rest;
-  at_rest.band = false;
   for (std::size_t j = 0; j < n; ++j) {
     const double length = set.models.front().reevings[chosen[j]].value, step = nudge * length;
     Array<std::optional<solve::EquilibriumResult>> nudged(set.models.size());
@@ -108,7 +136,7 @@ Array<Array<double>> tension_slopes(const CaseSet& set, const Array<int>& chosen
       if (!nudged[c]) {
         machine::Model model = set.models[c];
         model.reevings[chosen[j]].value = length - step;
-        nudged[c] = solve::equilibrium(model, at_rest, set.results[c].state);
+        nudged[c] = solve::equilibrium(model, options_of(set.states[c]), set.results[c].state);
       }
       if (nudged[c]->outcome.ok()) slopes[i][j] = (worst[i].second - least_tension_of(*nudged[c], chosen[i])) / step;
     }
@@ -169,10 +197,12 @@ std::optional<machine::Model> model_of_case(const machine::Machine& machine, con
   return std::nullopt;
 }
 
-/// Guys and lines have been put up; they keep those lengths where they are not chosen.
+/// Guys and lines have been put up, parallel ropes drawn to equal tensions; they keep those lengths where they are not
+/// chosen.
 void keep_lengths(const LeastTensionRun& run, const machine::Model& installed, machine::Model& model) {
   for (std::size_t i = 0; i < model.reevings.size(); ++i) {
-    if (i < run.guys_from && !model.reevings[i].put_up) continue;
+    const bool described = !model.reevings[i].put_up && model.reevings[i].given != machine::Given::equal;
+    if (i < run.guys_from && described) continue;
     model.reevings[i].given = installed.reevings[i].given;
     model.reevings[i].value = installed.reevings[i].value;
   }
@@ -195,11 +225,9 @@ LeastTensionResult least_tension(const Array<machine::Model>& cases, const Array
                                  const std::function<bool()>& go_on) {
   expects(!cases.empty() && !chosen.empty() && least > 0, "ropes that are to be taut under some loads");
   LeastTensionResult r;
-  CaseSet set{.models = cases, .results = Array<solve::EquilibriumResult>(cases.size())};
+  CaseSet set = all_states(cases);
   // lengths first: those that the first case gives
-  solve::EquilibriumOptions at_rest;
-  at_rest.band = false;
-  const solve::EquilibriumResult first = solve::equilibrium(cases.front(), at_rest);
+  const solve::EquilibriumResult first = solve::equilibrium(cases.front(), options_of(set.states.front()));
   r.outcome = first.outcome;
   if (!r.outcome.ok()) return r;
   const machine::Model frozen = solve::installed(cases.front(), first);
@@ -238,12 +266,18 @@ LeastTensionResult least_tension(const Array<machine::Model>& cases, const Array
     one.unstretched = set.models.front().reevings[chosen[k]].value;
     one.taken_out = begun[k] - one.unstretched;
     one.T_least = worst[k].second;
-    one.governing = worst[k].first;
-    for (const solve::EquilibriumResult& result : set.results) one.T_min.push_back(least_tension_of(result, chosen[k]));
+    one.governing = set.states[as_size(worst[k].first)].of;
+    one.T_min.assign(cases.size(), std::numeric_limits<double>::infinity());
+    for (std::size_t s = 0; s < set.results.size(); ++s) {
+      double& T_min = one.T_min[as_size(set.states[s].of)];
+      T_min = std::min(T_min, least_tension_of(set.results[s], chosen[k]));
+    }
     r.ropes.push_back(std::move(one));
   }
-  r.at = std::move(set.results);
-  r.models = std::move(set.models);
+  for (std::size_t c = 0; c < cases.size(); ++c) {
+    r.at.push_back(solve::equilibrium(set.models[c], {}, set.results[c].state));
+  }
+  r.models.assign(set.models.begin(), set.models.begin() + static_cast<std::ptrdiff_t>(cases.size()));
   return r;
 }
 
@@ -257,15 +291,17 @@ const Description& LoadCaseRequest::describe() {
 }
 
 const Description& LeastTensionRequest::describe() {
-  static const Description d = Describe<LeastTensionRequest>()
-                                   .field(&LeastTensionRequest::ropes, "ropes", "reevings or guys whose lengths follow")
-                                   .required()
-                                   .field(&LeastTensionRequest::tension, "tension", "s", si::N,
-                                          "smallest tension of each rope, over its length and all cases")
-                                   .above(0)
-                                   .at_most(strongest)
-                                   .required()
-                                   .record(&LeastTensionRequest::cases, "cases", "load cases; without any: as put up");
+  static const Description d =
+      Describe<LeastTensionRequest>()
+          .field(&LeastTensionRequest::ropes, "ropes", "reevings or guys whose lengths follow")
+          .required()
+          .field(&LeastTensionRequest::tension, "tension", "s", si::N,
+                 "smallest tension of each rope, over its length, all cases and both directions of "
+                 "friction")
+          .above(0)
+          .at_most(strongest)
+          .required()
+          .record(&LeastTensionRequest::cases, "cases", "load cases; without any: as put up");
   return d;
 }
 

@@ -46,9 +46,10 @@ struct LeastTensionResult {
 };
 
 /// Lengths of the chosen ropes for which each of them has the tension `least` (N, > 0) where it is slackest in the case
-/// that slackens it most: pretensioned as little as keeps them taut. `cases`: one machine under several loads, with the
-/// same reevings, the first one as it is put up. Newton on all lengths together, each rope by its governing case;
-/// derivatives of tensions by lengths are differences of equilibria. Infeasible where no lengths do.
+/// that slackens it most, whichever way friction acts: pretensioned as little as keeps them taut. `cases`: one machine
+/// under several loads, with the same reevings, the first one as it is put up. Newton on all lengths together, each
+/// rope by its governing case; derivatives of tensions by lengths are differences of equilibria. Infeasible where no
+/// lengths do.
 LeastTensionResult least_tension(const Array<machine::Model>& cases, const Array<int>& chosen, double least,
                                  const std::function<bool()>& go_on = {});
 

@@ -92,6 +92,22 @@ TEST(LeastTension, ThreeHeavyGuysUnderWindFromAllSides) {
   }
 }
 
+/// Friction on a saddle holds one half of the rope slacker than the other: the slacker half keeps s whichever it is.
+TEST(LeastTension, FrictionCountsInBothDirections) {
+  const double s = 5e3, f = 0.3, S = std::sqrt(200.0);
+  machine::Model m;
+  m.reevings.push_back(
+      reeve("rope", {anchor("a", {-10, 0, 0}), saddle("top", {0, 0, 10}, f), anchor("b", {10, 0, 0})}, 28.2, 0, EA));
+  const LeastTensionResult r = least_tension({m}, {0}, s);
+  ASSERT_TRUE(r.outcome.ok()) << r.outcome.message;
+  const double taut = s * std::exp(f * std::numbers::pi / 2);
+  EXPECT_NEAR(r.ropes[0].unstretched, S / (1 + s / EA) + S / (1 + taut / EA), 1e-7);
+  EXPECT_NEAR(r.ropes[0].T_min.at(0), s, 1e-3);
+  ASSERT_EQ(r.at.size(), 1U);
+  EXPECT_NEAR(r.at[0].branches[0].T_from_min, s, 1e-2);
+  EXPECT_NEAR(r.at[0].branches[0].T_from_max, taut, 1e-2);
+}
+
 TEST(LeastTension, WhatCannotBeIsToldWithItsRope) {
   // the ring's left rope is held by its length alone: no length of the right one gives the left one less
   const LeastTensionResult r = least_tension({ring(0), ring(-1e9)}, {1}, 1e9);
