@@ -9,6 +9,7 @@
 #include "taut/base/expects.hpp"
 #include "taut/machine/compile/guides.hpp"
 #include "taut/machine/links/observable.hpp"
+#include "taut/math/index.hpp"
 #include "taut/study/deck/bounds.hpp"
 #include "taut/study/deck/motion_checks.hpp"
 #include "taut/units/parse.hpp"
@@ -18,6 +19,9 @@ namespace {
 
 constexpr double pull_speed = 1e-3;  ///< m/s of rope taken out
 constexpr int pull_steps = 250;
+constexpr double slow_way = 0.5;  ///< m: how far a slow pull goes that does not end before
+
+double longest_of(const PretensionOptions& options) { return options.longest.value_or(slow_way); }
 
 std::string words_of_pull(const machine::Model& model, std::size_t number, const Pull& pull) {
   return fmt::format("pull {}, '{}'", number + 1, model.reevings[pull.reeving].name);
@@ -25,28 +29,24 @@ std::string words_of_pull(const machine::Model& model, std::size_t number, const
 
 // ---- without friction: equilibria ----
 
-PullEnd end_of(const machine::Model& model, const solve::EquilibriumResult& result) {
-  PullEnd end;
-  const std::size_t ropes = model.reevings.size();
-  end.T_start.assign(ropes, 0.0);
-  end.T_end = end.T_start;
-  std::for_each(result.branches.rbegin(), result.branches.rend(),
-                [&](const solve::BranchResult& branch) { end.T_start[branch.reeving] = branch.T_from; });
-  for (const solve::BranchResult& branch : result.branches) end.T_end[branch.reeving] = branch.T_to;
-  for (const solve::RopeResult& rope : result.ropes) end.unstretched.push_back(rope.unstretched);
-  end.at = result;
-  return end;
+/// Whether a tension is given, which holds in every state.
+bool keeps_tension(const machine::Reeving& rope) {
+  return rope.given == machine::Given::tension_at_start || rope.given == machine::Given::tension_at_end;
+}
+
+/// A tension that is given is one in which the machine has to stay; one that a pull has made is not.
+solve::EquilibriumOptions at_rest(const machine::Model& model) {
+  solve::EquilibriumOptions options;
+  options.lengths_kept = std::none_of(model.reevings.begin(), model.reevings.end(), keeps_tension);
+  return options;
 }
 
 PretensionResult pull_at_rest(const machine::Model& given, const Array<Pull>& pulls, const PretensionOptions& options) {
   PretensionResult r;
-  solve::EquilibriumOptions at_rest;
-  at_rest.band = false;
-  at_rest.lengths_kept = true;
-  solve::EquilibriumResult found = solve::equilibrium(given, at_rest);
+  solve::EquilibriumResult found = solve::equilibrium(given, at_rest(given));
   r.outcome = found.outcome;
   if (!r.outcome.ok()) return r;
-  machine::Model model = solve::installed(given, found);
+  machine::Model model = machine::with_sides(given, found.state);
   r.before = end_of(model, found);
   Array<double> taken(model.reevings.size(), 0.0);
   for (std::size_t i = 0; i < pulls.size(); ++i) {
@@ -56,23 +56,33 @@ PretensionResult pull_at_rest(const machine::Model& given, const Array<Pull>& pu
     }
     const Pull& pull = pulls[i];
     machine::Reeving& rope = model.reevings[pull.reeving];
-    const double length = rope.value;
+    const double length = found.ropes[as_size(pull.reeving)].unstretched;
+    const solve::EquilibriumOptions here = at_rest(model);
     if (pull.force) {
       rope.given = pull.at_end ? machine::Given::tension_at_end : machine::Given::tension_at_start;
       rope.value = *pull.force;
     } else {
       expects(pull.take_up.has_value(), "a pull at rest ends at a force or a length");
+      rope.given = machine::Given::length;
       rope.value = length - *pull.take_up;
     }
-    found = solve::equilibrium(model, at_rest, found.state);
+    found = solve::equilibrium(model, here, found.state);
     if (!found.outcome.ok()) {
       r.outcome = {.status = found.outcome.status,
                    .message = fmt::format("{}: {}", words_of_pull(model, i, pull), found.outcome.message)};
       return r;
     }
-    model = solve::installed(model, found);
+    model = machine::with_sides(std::move(model), found.state);
+    machine::Reeving& pulled = model.reevings[pull.reeving];
+    pulled.given = machine::Given::length;
+    pulled.value = found.ropes[as_size(pull.reeving)].unstretched;
     PullEnd end = end_of(model, found);
-    end.taken = length - model.reevings[pull.reeving].value;
+    end.taken = length - pulled.value;
+    if (pull.force && options.longest && std::abs(end.taken) > *options.longest) {
+      r.outcome = infeasible(fmt::format("{}: {:.4g} N need {:.4g} m of rope, more than {:.4g} m ('longest')",
+                                         words_of_pull(model, i, pull), *pull.force, end.taken, *options.longest));
+      return r;
+    }
     taken[pull.reeving] += end.taken;
     end.taken_in_all = taken[pull.reeving];
     r.ends.push_back(std::move(end));
@@ -154,7 +164,7 @@ SlowMachine slow_machine(const machine::Model& given, const PretensionOptions& o
   slow.options.quasi_static = true;
   slow.options.tolerance = options.tolerance;
   slow.options.start = options.start;
-  slow.options.duration = options.longest / pull_speed;
+  slow.options.duration = longest_of(options) / pull_speed;
   slow.options.output_step = slow.options.duration / pull_steps;
   return slow;
 }
@@ -209,7 +219,7 @@ double where_now(const SlowMachine& slow, const Pull& pull) {
 
 Outcome pull_slowly(const Pull& pull, const PretensionOptions& options, SlowMachine& slow, bool& interrupted) {
   const double T = pull.at_end ? slow.last.T_end[pull.reeving] : slow.last.T_start[pull.reeving];
-  double way = options.longest;
+  double way = longest_of(options);
   if (pull.force && T > *pull.force) way = -way;
   if (pull.take_up) way = *pull.take_up;
   slow.options.duration = std::abs(way) / pull_speed;
@@ -294,13 +304,50 @@ void resolve_until(const PullRequest& request, const std::string& path, Names& p
   }
 }
 
-Pull resolved_pull(const PullRequest& request, const std::string& path, Names& p) {
+/// A pull takes over the end at which a tension is given. At the other end that tension would hold against it.
+void check_given_tension(const machine::Reeving& rope, const std::string& path, Names& p, const Pull& pull) {
+  const auto end = pull.at_end ? machine::Given::tension_at_end : machine::Given::tension_at_start;
+  if (rope.also) {
+    p.complaints.push_back({path + ".rope", "has a second given quantity at its drive: it can't be pulled"});
+  } else if (rope.given != end) {
+    p.complaints.push_back({path + ".rope", fmt::format("keeps the tension given at its {} in every state: give it a "
+                                                        "'length' or 'install' in place of that",
+                                                        pull.at_end ? "start" : "end")});
+  }
+}
+
+/// Where a machine moves, only a drum with a pull or a torque keeps a tension; other ropes keep their lengths.
+bool holds_in_motion(const machine::Model& model, const machine::Reeving& rope) {
+  const bool at_end = rope.given == machine::Given::tension_at_end;
+  const std::optional<int> drum = (at_end ? rope.nodes.back() : rope.nodes.front()).drum;
+  if (!drum) return false;
+  const machine::DriveKind kind = model.drums[*drum].drive.kind;
+  return kind == machine::DriveKind::pull || kind == machine::DriveKind::torque;
+}
+
+void check_held_tensions(const Array<Pull>& pulls, const std::string& path, Names& p) {
+  for (std::size_t r = 0; r < p.machine.reevings.size(); ++r) {
+    const machine::Reeving& rope = p.model.reevings[r];
+    const auto pulls_it = [&](const Pull& one) { return as_size(one.reeving) == r; };
+    if (!keeps_tension(rope) || holds_in_motion(p.model, rope)) continue;
+    if (std::any_of(pulls.begin(), pulls.end(), pulls_it)) continue;
+    p.complaints.push_back(
+        {path, fmt::format("'{}' has a given tension, which no slow motion keeps where it has contacts, cylinders or "
+                           "'until': give it a 'length' or 'install', or let a drum with a 'pull' hold it",
+                           rope.name)});
+  }
+}
+
+Pull resolved_pull(const PullRequest& request, std::optional<double> longest, const std::string& path, Names& p) {
   Pull pull;
   const auto reeving = reeving_of(p, request.rope, path + ".rope");
   pull.reeving = reeving.value_or(0);
   pull.at_end = request.end == RopeEnd::end;
   pull.force = request.force;
   pull.take_up = request.take_up;
+  if (pull.take_up && longest && std::abs(*pull.take_up) > *longest) {
+    p.complaints.push_back({path + ".take_up", fmt::format("is more than {:.4g} m, 'longest'", *longest)});
+  }
   resolve_until(request, path, p, pull);
   if (!reeving) return pull;
   const machine::Reeving& rope = p.model.reevings[pull.reeving];
@@ -308,11 +355,26 @@ Pull resolved_pull(const PullRequest& request, const std::string& path, Names& p
     p.complaints.push_back({path + ".rope", "an endless rope has no end to be pulled at: tighten it by 'take_up'"});
   } else if ((pull.at_end ? rope.nodes.back() : rope.nodes.front()).drum) {
     p.complaints.push_back({path + ".rope", "is on a drum at that end, which pulls it: name the other end"});
+  } else if (as_size(pull.reeving) < p.machine.reevings.size() && (keeps_tension(rope) || rope.also)) {
+    check_given_tension(rope, path, p, pull);
   }
   return pull;
 }
 
 }  // namespace
+
+PullEnd end_of(const machine::Model& model, const solve::EquilibriumResult& result) {
+  PullEnd end;
+  const std::size_t ropes = model.reevings.size();
+  end.T_start.assign(ropes, 0.0);
+  end.T_end = end.T_start;
+  std::for_each(result.branches.rbegin(), result.branches.rend(),
+                [&](const solve::BranchResult& branch) { end.T_start[branch.reeving] = branch.T_from; });
+  for (const solve::BranchResult& branch : result.branches) end.T_end[branch.reeving] = branch.T_to;
+  for (const solve::RopeResult& rope : result.ropes) end.unstretched.push_back(rope.unstretched);
+  end.at = result;
+  return end;
+}
 
 bool pulled_slowly(const machine::Model& model, const Array<Pull>& pulls) {
   return !model.contacts.empty() || !model.actuators.empty() ||
@@ -362,7 +424,9 @@ const Description& PretensionRequest::describe() {
                  "number of times that the list of pulls is repeated")
           .at_least(1)
           .at_most(1000)
-          .field(&PretensionRequest::longest, "longest", "dL", si::m, "largest length that a pull may take out")
+          .field(&PretensionRequest::longest, "longest", "dL", si::m,
+                 "largest length that a pull may take out or let in; default: 0.5 m with contacts or cylinders, else "
+                 "any")
           .above(0)
           .at_most(longest_pull)
           .field(&PretensionRequest::tolerance, "tolerance", "", si::one,
@@ -387,13 +451,14 @@ PretensionRun resolve(const PretensionRequest& request, const std::string& path,
   run.options.start = settled ? solve::Start::settled : solve::Start::assembled;
   run.observes = !names.machine.observe.empty();
   for (std::size_t i = 0; i < request.pull.size(); ++i) {
-    run.pulls.push_back(resolved_pull(request.pull[i], fmt::format("{}.pull[{}]", path, i), names));
+    run.pulls.push_back(resolved_pull(request.pull[i], request.longest, fmt::format("{}.pull[{}]", path, i), names));
   }
   if (request.pull.empty()) names.complaints.push_back({path + ".pull", "names no rope"});
   if (pulled_slowly(names.model, run.pulls)) {
     if (!names.machine.beams.empty()) {
       names.complaints.push_back({path, "a machine with beams is pulled without contacts, cylinders and 'until'"});
     } else {
+      check_held_tensions(run.pulls, path, names);
       check_inertia(names.machine, names.model, names.complaints);
       check_guides(names.machine, names.complaints);
       check_masses(names.machine, names.model, {.slowly = true}, names.complaints);

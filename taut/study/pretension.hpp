@@ -31,8 +31,8 @@ struct PretensionRequest {
   std::optional<std::string> name;  ///< ending of its tables' names
   std::vector<PullRequest> pull;    ///< in this order
   std::optional<LeastTensionRequest> least;
-  int rounds = 1;        ///< and again from the first
-  double longest = 0.5;  ///< m
+  int rounds = 1;                 ///< and again from the first
+  std::optional<double> longest;  ///< m
   double tolerance = 1e-9;
   Start start = Start::settled;
   bool judge = true;  ///< false: its states do not count for the verdict
@@ -61,8 +61,11 @@ struct PullEnd {
   std::optional<solve::EquilibriumResult> at;  ///< of a machine without friction
 };
 
+/// A state at rest as such an end.
+PullEnd end_of(const machine::Model& model, const solve::EquilibriumResult& state);
+
 struct PretensionOptions {
-  double longest = 0.5;  ///< m: a pull of more is not right
+  std::optional<double> longest;  ///< m: a pull of more is not right; empty: 0.5 m where it is slow, else any
   double tolerance = 1e-9;
   solve::Start start = solve::Start::settled;  ///< of a machine with friction, before the first pull
   /// Before each pull, with its number; false interrupts.

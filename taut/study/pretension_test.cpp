@@ -201,5 +201,59 @@ TEST(Pretension, CanBeInterrupted) {
   }
 }
 
+/// A counterweight holds its tension while another rope is let in: the third takes what that one loses. As the second
+/// goes slack the third has all of it.
+TEST(Pretension, AGivenTensionStaysAsItIs) {
+  const double EA = 10e6, P = 30e3;
+  machine::Model m;
+  m.bodies.push_back(body("trolley", origin, 0, "x"));
+  m.reevings.push_back(reeve("weight", {anchor("l", {-10, 0, 0}), anchor_on("trolley", 0)}, 0, 0, EA));
+  m.reevings[0].given = machine::Given::tension_at_start;
+  m.reevings[0].value = P;
+  m.reevings.push_back(reeve("near", {anchor("r", {10, 0, 0}), anchor_on("trolley", 0)}, 10, 0, EA));
+  m.reevings.push_back(reeve("far", {anchor("s", {20, 0, 0}), anchor_on("trolley", 0)}, 20, 0, EA));
+  Pull let_in;
+  let_in.reeving = 1;
+  let_in.take_up = -50e-3;
+  const PretensionResult r = pretension(m, {let_in});
+  ASSERT_TRUE(r.outcome.ok()) << r.outcome.message;
+  EXPECT_NEAR(r.before.T_start[2], P / 3, 1e-6 * P);
+  // EA (10 + u - 10.05)/10.05 + EA u/20 = P
+  const double u = (P / EA + 0.05 / 10.05) / (1 / 10.05 + 1 / 20.0);
+  EXPECT_NEAR(r.ends[0].T_start[0], P, 1e-9 * P);
+  EXPECT_NEAR(r.ends[0].T_start[2], EA * u / 20, 1e-6 * P);
+  EXPECT_EQ(r.model.reevings[0].given, machine::Given::tension_at_start);
+  // the one that is pulled itself keeps its length from then on
+  const PretensionResult other = pretension(m, {to_force(0, 2 * P), let_in});
+  ASSERT_TRUE(other.outcome.ok()) << other.outcome.message;
+  EXPECT_NEAR(other.ends[0].T_start[0], 2 * P, 1e-9 * P);
+  EXPECT_LT(other.ends[1].T_start[0], 1.9 * P);
+  EXPECT_EQ(other.ends[1].unstretched[0], other.ends[0].unstretched[0]);
+}
+
+/// Over a saddle that holds it by friction the other part of the rope has any tension between F e^-fa and F e^fa.
+TEST(Pretension, FrictionLeavesABandAsAPullEnds) {
+  const double F = 20e3, f = 0.2;
+  machine::Model m;
+  m.reevings.push_back(
+      reeve("rope", {anchor("a", {-10, 0, 0}), saddle("top", {0, 0, 10}, f), anchor("b", {10, 0, 0})}, 28.25, 0, 10e6));
+  const PretensionResult r = pretension(m, {to_force(0, F)});
+  ASSERT_TRUE(r.outcome.ok()) << r.outcome.message;
+  EXPECT_NEAR(r.ends[0].T_end[0], F, 1e-6 * F);
+  const double most = std::exp(f * M_PI / 2);
+  EXPECT_NEAR(r.ends[0].at->branches[1].T_to_max / (F * most), 1, 1e-6);
+  EXPECT_NEAR(r.ends[0].at->branches[1].T_to_min / (F / most), 1, 1e-6);
+  EXPECT_NEAR(r.ends[0].at->ropes[0].T_max / (F * most), 1, 1e-6);
+}
+
+TEST(Pretension, NoPullIsLongerThanTheLongest) {
+  PretensionOptions options;
+  options.longest = 1e-3;
+  const PretensionResult r = pretension(between_two_ropes(10e3), {to_force(0, 30e3)}, options);
+  EXPECT_FALSE(r.outcome.ok());
+  EXPECT_NE(r.outcome.message.find("'longest'"), std::string::npos) << r.outcome.message;
+  EXPECT_TRUE(r.ends.empty());
+}
+
 }  // namespace
 }  // namespace taut_test::pretension_test
