@@ -17,13 +17,25 @@
 namespace taut::study {
 namespace {
 
+std::string below_machine(const std::string& parameter) {
+  return parameter.starts_with("machine.") ? parameter.substr(8) : parameter;
+}
+
 /// Guys put up once keep their lengths while loads, ropes' lengths and the temperature change; where the machine is
 /// built otherwise they are put up anew. Lines that are put up (`install:`) are so at every value, as in a deck with
 /// that value; while the temperature changes they keep their lengths.
-bool changes_the_building(const std::string& parameter) {
-  const std::string below = parameter.starts_with("machine.") ? parameter.substr(8) : parameter;
+bool changes_the_building(const Parameter& parameter) {
+  const std::string below = below_machine(parameter.place);
   for (const char* kind : {"points", "sheaves", "supports", "guys", "ropes", "terrain", "gravity"}) {
     if (below.starts_with(kind)) return true;
+  }
+  if (!below.starts_with("bodies")) return false;
+  // where a body stands, not what it weighs
+  for (const char* place : {".at", ".turned", ".on"}) {
+    const auto found = below.rfind(place);
+    if (found == std::string::npos) continue;
+    const std::string rest = below.substr(found + std::string(place).size());
+    if (rest.empty() || rest.front() == '.' || rest.front() == '[') return true;
   }
   return false;
 }
@@ -32,10 +44,6 @@ bool changes_the_building(const std::string& parameter) {
 machine::Model placed(const machine::Model& model, const SweepRun& run) {
   if (!run.prescribed) return machine::with_guides_at_start(model);
   return machine::with_carriage_at(model, run.prescribed->carriage, run.prescribed->x, run.prescribed->along);
-}
-
-std::string below_machine(const std::string& parameter) {
-  return parameter.starts_with("machine.") ? parameter.substr(8) : parameter;
 }
 
 tl::expected<machine::Model, Outcome> model_at(const SweepRun& run, const machine::Model& installed, double value) {
@@ -51,7 +59,7 @@ tl::expected<machine::Model, Outcome> model_at(const SweepRun& run, const machin
   auto model = machine::compile(machine, machine::ModelFor::rest);
   if (!model) return tl::unexpected(infeasible(model.error().front().message));
   const std::size_t guys = machine.reevings.size();
-  if (changes_the_building(run.parameter)) {
+  if (changes_the_building(*parameter)) {
     const Outcome outcome = install_guys(machine, *model);
     if (!outcome.ok()) return tl::unexpected(outcome);
   } else {

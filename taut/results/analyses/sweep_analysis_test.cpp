@@ -51,6 +51,33 @@ TEST(SweepAnalysis, EachValueIsASingleRunAndBackIsTheSame) {
   }
 }
 
+/// Guys are put up anew where the body that they hold stands elsewhere, not where it is heavier.
+TEST(SweepAnalysis, ABodyElsewhereIsGuyedAnew) {
+  const auto deck = [](const std::string& analyses) {
+    return R"(taut: 1
+machine:
+  ropes: {guy: {mass: 1.5 kg/m, stiffness: 20 MN, breaking_force: 300 kN}}
+  bodies: {tower: {mass: 2.5 t, at: [0 m, 0 m, 16 m]}}
+  points: {s1: [-22 m, 12 m, 1 m], s2: [-22 m, -12 m, -1 m], s3: [20 m, 0 m, 0 m]}
+  guys:
+    g1: {rope: guy, from: tower, to: s1, install: {tension: 30 kN, at: top}}
+    g2: {rope: guy, from: tower, to: s2, install: {tension: 30 kN, at: top}}
+    g3: {rope: guy, from: tower, to: s3, install: {tension: 30 kN, at: top}}
+analyses:
+)" + analyses;
+  };
+  for (const char* path : {"bodies.tower.at.z", "machine.bodies.tower.at[2]"}) {
+    const Result r =
+        run_text(deck(fmt::format("  - sweep: {{parameter: '{}', from: 16 m, to: 16.2 m, steps: 1}}", path)));
+    ASSERT_EQ(r.status, Status::ok) << r.message << to_text(r.errors);
+    for (const std::size_t i : {0U, 1U}) {
+      for (const char* guy : {"g1.T_max", "g2.T_max", "g3.T_max"}) {
+        EXPECT_NEAR(cell(table_of(r, "sweep"), i, guy), 30e3, 1e-3) << path << ", " << guy;
+      }
+    }
+  }
+}
+
 TEST(SweepAnalysis, TheTemperatureChangesWhatLiesAtAReference) {
   const Result r = run_text(sweep_of("temperature", "-25 degC", "35 degC", 2));
   ASSERT_EQ(r.status, Status::ok) << r.message << to_text(r.errors);
