@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "taut/base/array.hpp"
+#include "taut/solve/drives.hpp"
 #include "taut/study/load_path.hpp"
 
 namespace taut::study {
@@ -14,22 +15,47 @@ namespace {
 /// Heights by the size of what they are measured against, so that one tolerance serves all limits.
 double length_margin(double left, double height) { return left / std::max(1.0, std::abs(height)); }
 
-/// The largest pull at an end of a rope, the band at rest counted, and its node.
-LimitState pull_at(const machine::Model& model, const solve::EquilibriumResult& r, const EndLimit& end) {
-  LimitState state{.kind = LimitKind::pull, .reeving = end.reeving, .node = 0, .value = 0, .limit = end.pull};
+/// The largest tension at an end of a rope, the band at rest counted, of all its copies, N.
+double largest_at(const machine::Model& model, const solve::EquilibriumResult& r, int reeving, bool at_end) {
+  double T = 0;
   for (const solve::BranchResult& s : r.branches) {
-    if (s.reeving != end.reeving) continue;
-    if (!end.at_end) {
-      state.node = s.from;
-      state.value = s.T_from_max;
-      break;
-    }
-    state.node = s.to;
-    state.value = s.T_to_max;
+    if (s.reeving != reeving) continue;
+    T = at_end ? s.T_to_max : s.T_from_max;
+    if (!at_end) break;
   }
-  state.value *= model.reevings[end.reeving].copies;
+  return model.reevings[reeving].copies * T;
+}
+
+/// The pull of the winch at an end of a rope. Ropes that are wound the other way relieve it; that does not count.
+LimitState pull_at(const machine::Model& model, const solve::EquilibriumResult& r,
+                   const Array<solve::DrumResult>& drums, const EndLimit& end) {
+  const int last = static_cast<int>(model.reevings[end.reeving].nodes.size()) - 1;
+  LimitState state{.kind = LimitKind::pull,
+                   .reeving = end.reeving,
+                   .node = end.at_end ? last : 0,
+                   .value = largest_at(model, r, end.reeving, end.at_end),
+                   .limit = end.pull};
+  const auto is_own = [&](const solve::DrumResult& d) { return d.reeving == end.reeving && d.at_end == end.at_end; };
+  const auto own = std::find_if(drums.begin(), drums.end(), is_own);
+  for (const solve::DrumResult& d : drums) {
+    if (own == drums.end() || is_own(d) || d.drum != own->drum || d.sense != own->sense) continue;
+    state.value += largest_at(model, r, d.reeving, d.at_end);
+  }
   state.margin = 1 - state.value / end.pull;
   return state;
+}
+
+/// The ropes at the drum of that end, in words.
+std::string ropes_at(const machine::Model& model, int reeving, int node) {
+  const std::optional<int> drum = model.reevings[reeving].nodes[node].drum;
+  std::string all;
+  for (std::size_t r = 0; r < model.reevings.size(); ++r) {
+    const machine::Reeving& rope = model.reevings[r];
+    const bool there = drum && (rope.nodes.front().drum == drum || rope.nodes.back().drum == drum);
+    if (!there && static_cast<int>(r) != reeving) continue;
+    all += fmt::format("{}'{}'", all.empty() ? "" : ", ", rope.name);
+  }
+  return all;
 }
 
 void add_supports(const machine::Model& model, const PayloadLimits& limits, const solve::EquilibriumResult& r,
@@ -67,7 +93,8 @@ Array<LimitState> limits_at(const machine::Model& model, int body, const Payload
     const double T = r.ropes[k].T_max;
     all.push_back({LimitKind::tension, static_cast<int>(k), {}, T, limits.tension[k], 1 - T / limits.tension[k]});
   }
-  for (const EndLimit& end : limits.ends) all.push_back(pull_at(model, r, end));
+  const Array<solve::DrumResult> drums = limits.ends.empty() ? Array<solve::DrumResult>() : solve::drums(model, r);
+  for (const EndLimit& end : limits.ends) all.push_back(pull_at(model, r, drums, end));
   const Vector3& place = r.state.bodies[body].position;
   const double clearance = place.z() - ground_height(model.terrain, terrain_x(model, place));
   if (std::isfinite(limits.clearance) && std::isfinite(clearance)) {
@@ -121,7 +148,7 @@ std::string limit_words(const machine::Model& model, int body, const LimitState&
     case LimitKind::tension:
       return fmt::format("tension of '{}'", rope());
     case LimitKind::pull:
-      return fmt::format("pull of '{}' at '{}'", rope(), node());
+      return fmt::format("pull of {} at '{}'", ropes_at(model, *l.reeving, *l.node), node());
     case LimitKind::clearance:
       return fmt::format("clearance of '{}'", model.bodies[body].name);
     case LimitKind::rope_clearance:

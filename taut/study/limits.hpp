@@ -9,7 +9,8 @@
 
 namespace taut::study {
 
-/// Limit of the pull of the winch at one end of a rope, of all its copies together.
+/// Limit of the pull of the winch at one end of a rope: of all its copies together, and of the other ropes on its drum
+/// that are wound the same way.
 struct EndLimit {
   int reeving = 0;
   bool at_end = false;                                    ///< true: at the end of the path; false: at its start

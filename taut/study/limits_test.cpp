@@ -212,4 +212,33 @@ TEST(Limits, AWinchPullsAllCopies) {
   EXPECT_NEAR(both.margin, 1 - both.value / 3e3, 1e-12);
 }
 
+/// Two ropes that are wound on one drum the same way pull it together; one that is wound the other way does not add to
+/// that.
+TEST(Limits, AWinchPullsAllRopesOnItsDrum) {
+  machine::Model m;
+  m.bodies.push_back(body("load", {0, 0, 0}, 1000, "z"));
+  m.drums.emplace_back().name = "winch";
+  m.drums[0].core_radius = 0.15;
+  machine::Node on_drum = sheave("winch", {0, 0, 20}, 0.16, 1);
+  on_drum.kind = machine::NodeKind::anchor;
+  on_drum.drum = 0;
+  m.reevings.push_back(reeve("one", {on_drum, anchor_on("load", 0)}, 19.9, 0, 1e6));
+  m.reevings.push_back(reeve("three", {on_drum, anchor_on("load", 0)}, 19.9, 0, 1e6));
+  m.reevings[1].copies = 3;
+  PayloadLimits limits;
+  limits.ends = {{.reeving = 0, .at_end = false, .pull = 9e3}, {.reeving = 1, .at_end = false, .pull = 9e3}};
+  for (const bool crossed : {false, true}) {
+    if (crossed) m.reevings[1].nodes.front().side *= -1;
+    const solve::EquilibriumResult e = solve::equilibrium(m);
+    ASSERT_TRUE(e.outcome.ok()) << e.outcome.message;
+    const auto all = limits_at(m, 0, limits, e);
+    // all four ropes are alike, and but for the radius of the drum they hang straight down
+    const double W = 1000 * m.gravity;
+    EXPECT_NEAR(all.at(0).value / W, crossed ? 0.25 : 1, 1e-3);
+    EXPECT_NEAR(all.at(1).value / W, crossed ? 0.75 : 1, 1e-3);
+    EXPECT_NEAR(all.at(0).margin, 1 - all.at(0).value / 9e3, 1e-12);
+    EXPECT_EQ(limit_words(m, 0, all.at(0)), "pull of 'one', 'three' at 'winch'");
+  }
+}
+
 }  // namespace limits_test
