@@ -111,7 +111,7 @@ TEST(PutUp, WhatHangsOnTheLineMeanwhileCounts) {
   const Result r = run_text(with_load);
   expect_ok(r);
   EXPECT_NEAR(value_of(r, "skyline.T_start"), 60e3, 1e-2) << "nothing has changed since";
-  EXPECT_EQ(text_cell(table_of(r, "put_up"), 0, "state"), "skyline as put up, with car");
+  EXPECT_EQ(text_cell(table_of(r, "put_up"), 0, "state"), "skyline as put up, with car and its load");
   // without the load the carriage alone hangs there, the load comes later
   const Result later = run_text(replaced(with_load, "[car, logs]", "[car]"));
   expect_ok(later);

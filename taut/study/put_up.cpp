@@ -103,7 +103,12 @@ Outcome install_guys(const machine::Machine& machine, machine::Model& model) {
 std::string put_up_words(const machine::Model& model, const PutUpLine& line) {
   const machine::Reeving& rope = model.reevings[line.reeving];
   std::vector<std::string> with;
-  for (const int body : rope.put_up->bodies) with.push_back(model.bodies[body].name);
+  for (const int body : rope.put_up->bodies) {
+    const auto& loads = rope.put_up->loads;
+    const bool loaded =
+        std::any_of(loads.begin(), loads.end(), [&](int load) { return model.loads[as_size(load)].at.body == body; });
+    with.push_back(model.bodies[body].name + (loaded ? " and its load" : ""));
+  }
   return with.empty() ? fmt::format("{} as put up, empty", rope.name)
                       : fmt::format("{} as put up, with {}", rope.name, fmt::join(with, ", "));
 }
