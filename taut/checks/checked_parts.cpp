@@ -79,6 +79,17 @@ void CheckedParts::take_empty(const machine::Model& model, const solve::Equilibr
   for (MastStates& one : masts) checks::take(seen, *deck, one);
 }
 
+void CheckedParts::take_pretension(const Array<double>& T_start, const Array<double>& T_end, const std::string& words) {
+  if (!judged) return;
+  for (GuyStates& one : guys) {
+    const auto guy = std::find_if(deck->machine.guys.begin(), deck->machine.guys.end(),
+                                  [&](const auto& g) { return g.name == reevings[as_size(one.reeving)]; });
+    if (guy == deck->machine.guys.end()) continue;
+    const bool at_anchor = guy->install && guy->install->at == machine::description::InstallAt::anchor;
+    one.pulled.emplace_back((at_anchor ? T_end : T_start)[as_size(one.reeving)], words);
+  }
+}
+
 void CheckedParts::take_moment(const machine::Model& model, const solve::TransientResult& so_far,
                                const solve::TransientFrame& moment, const std::string& words,
                                const std::string& analysis, bool slowly) {

@@ -28,6 +28,9 @@ struct CheckedParts {
   /// ground yet.
   void take_empty(const machine::Model& model, const solve::EquilibriumResult& state, const std::string& line,
                   const std::string& words, bool put_up = false);
+  /// The tensions at both ends of all ropes, by reeving, N, that a `pretension` analysis leaves: of its guys they are
+  /// pretensions.
+  void take_pretension(const Array<double>& T_start, const Array<double>& T_end, const std::string& words);
   /// A motion at an output step or where a rope has a peak: forces and places. `slowly`: each is a state at rest.
   void take_moment(const machine::Model& model, const solve::TransientResult& so_far,
                    const solve::TransientFrame& moment, const std::string& words, const std::string& analysis,

@@ -63,17 +63,22 @@ void check_safety(const GuyStates& guy, const std::string& name, double strength
                      r);
 }
 
-void check_pretension(const GuyCheckRequest& request, const std::string& name, double tension, double strength,
-                      Result& r) {
+/// `tensions`: as put up and as pulled, each with its state.
+void check_pretension(const GuyCheckRequest& request, const std::string& name,
+                      const std::vector<std::pair<double, std::string>>& tensions, double strength, Result& r) {
   const bool own = request.pretension.size() == 2;
   const double low = own ? request.pretension[0] : 0.08, high = own ? request.pretension[1] : 0.15;
-  const std::string words = fmt::format("tension as put up, {:.4g} kN, over the breaking force: {:.3g} to {:.3g}{}",
-                                        tension / 1e3, low, high, own ? "" : ", EN 1993-3-1 practice");
+  const auto words = [&](const std::pair<double, std::string>& state) {
+    return fmt::format("tension {}, {:.4g} kN, over the breaking force: {:.3g} to {:.3g}{}", state.second,
+                       state.first / 1e3, low, high, own ? "" : ", EN 1993-3-1 practice");
+  };
   const std::string trust = own ? "user" : by_recalled_window;
-  add_part_check(name, "pretension_min", tension / strength, si::one,
-                 {.sense = Sense::at_least, .limit = low, .rule = words, .trust = trust}, r);
-  add_part_check(name, "pretension_max", tension / strength, si::one,
-                 {.sense = Sense::at_most, .limit = high, .rule = words, .trust = trust}, r);
+  const auto [least, most] = std::minmax_element(tensions.begin(), tensions.end(),
+                                                 [](const auto& a, const auto& b) { return a.first < b.first; });
+  add_part_check(name, "pretension_min", least->first / strength, si::one,
+                 {.sense = Sense::at_least, .limit = low, .rule = words(*least), .trust = trust}, r);
+  add_part_check(name, "pretension_max", most->first / strength, si::one,
+                 {.sense = Sense::at_most, .limit = high, .rule = words(*most), .trust = trust}, r);
 }
 
 /// Why a rule of the catalogue gives no safety factor; empty when it does.
@@ -224,8 +229,10 @@ void add_guy_checks(const std::vector<GuyStates>& guys, const CheckedDeck& deck,
     const auto guy = std::find_if(deck.machine.guys.begin(), deck.machine.guys.end(),
                                   [&](const auto& g) { return g.name == rope.name; });
     if (!one.request->check_pretension) continue;
-    if (guy->install) {
-      check_pretension(*one.request, rope.name, guy->install->tension, strength, r);
+    auto tensions = one.pulled;
+    if (guy->install) tensions.insert(tensions.begin(), {guy->install->tension, "as put up"});
+    if (!tensions.empty()) {
+      check_pretension(*one.request, rope.name, tensions, strength, r);
     } else if (!one.request->pretension.empty()) {
       r.unmade.push_back(fmt::format(
           "{}: its pretension is not checked: it has a length; give 'install' with the tension", rope.name));

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <limits>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "taut/calc/quantity.hpp"
@@ -23,6 +24,8 @@ struct GuyStates {
   double reserve = HUGE_VAL;        ///< least of mean tension over that of a slack guy
   double T_least = 0, T_slack = 0;  ///< there, N
   std::string where_least;
+  /// What `pretension` analyses have left it at the end at which it is put up, N, and which of them.
+  std::vector<std::pair<double, std::string>> pulled;
 };
 std::vector<GuyStates> guy_states(const std::vector<GuyCheckRequest>& guys, const CheckedDeck& deck,
                                   const machine::Model& model);

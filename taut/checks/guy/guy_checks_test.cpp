@@ -65,6 +65,34 @@ checks: {guys: {g: {safety_factor: 3, dynamic_factor: 2}}, anchors: {a: {strengt
   }
 }
 
+
+/// What the pulls of a `pretension` leave is a pretension too, also of a guy that has a length.
+TEST(GuyChecks, AGuyThatIsPulledKeepsWithinItsWindow) {
+  const auto deck = [](const std::string& own, const std::string& analysis) {
+    return R"(taut: 1
+machine:
+  ropes: {wire: {mass: 1 kg/m, stiffness: 20 MN, breaking_force: 300 kN}}
+  points: {top: [0 m, 0 m, 14 m], stake: [15 m, 0 m, 0 m]}
+  guys: {g: {rope: wire, from: top, to: stake, )" +
+           own + R"(}}
+checks: {guys: {g: {safety_factor: 2, pretension: [0.08, 0.15]}}}
+analyses:
+  - )" + analysis +
+           "\n";
+  };
+  const Result put_up = run_text(deck("install: {tension: 30 kN}", "equilibrium: {}"));
+  EXPECT_NEAR(check_of(put_up, "g.pretension_max").value, 0.1, 1e-9);
+  const std::string to_90 = "pretension: {pull: [{rope: g, force: 10 kN}, {rope: g, force: 90 kN}]}";
+  for (const char* own : {"install: {tension: 30 kN}", "length: 20.5 m"}) {
+    const Result r = run_text(deck(own, to_90));
+    EXPECT_NEAR(check_of(r, "g.pretension_max").value, 0.3, 1e-6);
+    EXPECT_FALSE(check_of(r, "g.pretension_max").passes);
+    EXPECT_TRUE(check_of(r, "g.pretension_min").passes) << "10 kN are on the way";
+  }
+  const Result least = run_text(deck("length: 20.5 m", "pretension: {least: {ropes: [g], tension: 60 kN}}"));
+  EXPECT_FALSE(check_of(least, "g.pretension_max").passes);
+}
+
 TEST(GuyChecks, SlackGuyIsTold) {
   const Result r = run_text(guyed("  guys: {guy: {}}\n", "[90 kN, 0 N, -20 kN]"));
   EXPECT_FALSE(check_of(r, "g3.slackness").passes);

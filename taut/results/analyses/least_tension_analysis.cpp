@@ -48,6 +48,8 @@ void add_least_tension(const study::LeastTensionRun& run, MachineRun& machine, R
         machine.display.brief(one.T_min.front(), si::N), machine.display.brief(one.T_least, si::N)));
   }
   add_answer_line(r, "Lengths", parts);
+  const study::PullEnd put_up = study::end_of(result.models.front(), result.at.front());
+  machine.checked->take_pretension(put_up.T_start, put_up.T_end, fmt::format("as tightened ({})", run.words));
   for (std::size_t c = 0; c < result.at.size(); ++c) {
     machine.checked->take(result.models[c], result.at[c], fmt::format("{}, {}", run.words, run.cases[c]), "pretension");
     machine.others.push_back({fmt::format("{}, {}", run.words, run.cases[c]), result.models[c], result.at[c], false});

@@ -130,7 +130,8 @@ void add_pretension_scene(const study::PretensionRun& run, MachineRun& machine, 
 }
 
 std::string how_words(const study::PretensionRun& run) {
-  if (!run.answer.slowly) return "an equilibrium at rest without loss as each pull ends";
+  if (!run.answer.slowly)
+    return "an equilibrium at rest as each pull ends: without loss, the band of friction in checks";
   const bool settled = run.options.start == solve::Start::settled;
   return fmt::format("slowly, with all friction carried on from pull to pull; starts {}; events and drives stand still",
                      settled ? "settled: at rest in equilibrium, ropes without loss, contacts holding what they can"
@@ -172,6 +173,7 @@ void add_answer(const study::PretensionRun& asked, MachineRun& machine, Result& 
       machine.checked->take(result.model, *end.at, run.words, checks::analysis_name(run.ending, "pretension"));
   }
   const study::PullEnd& last = result.ends.back();
+  machine.checked->take_pretension(last.T_start, last.T_end, fmt::format("as pulled ({})", run.words));
   if (last.at) machine.others.push_back({run.words, result.model, *last.at, false});
 }
 

@@ -101,6 +101,15 @@ TEST(PretensionAnalysis, MistakesAreToldAtTheirPlaces) {
         Case{.deck = "  - pretension: {pull: [{rope: left, force: 30 kN, take_up: 1 mm}]}",
         .words = "force",
         .floor = false},
+        Case{.deck = "  - pretension: {pull: [{rope: left, end: end, force: 30 kN}]}",
+        .words = "keeps the tension given at its start",
+        .floor = false},
+        Case{.deck = "  - pretension: {pull: [{rope: right, end: end, force: 30 kN}]}",
+        .words = "'left' has a given tension, which no slow motion keeps",
+        .floor = true},
+        Case{.deck = "  - pretension: {longest: 1 mm, pull: [{rope: right, take_up: -2 mm}]}",
+        .words = "is more than 0.001 m, 'longest'",
+        .floor = false},
         Case{.deck = "  - pretension: {pull: []}", .words = "list is empty", .floor = false},
         Case{.deck = "  - pretension: {pull: [{rope: left, until: out}]}", .words = "needs 'moves'", .floor = true},
         Case{.deck = "  - pretension: {pull: [{rope: left, until: out, moves: 3 kN}]}", .words = "kN", .floor = true},
@@ -132,6 +141,35 @@ TEST(PretensionAnalysis, MistakesAreToldAtTheirPlaces) {
     EXPECT_EQ(r.status, Status::bad_deck) << c.deck;
     EXPECT_TRUE(has_mistake(r, c.words)) << c.deck << to_text(r.errors);
   }
+}
+
+/// Ropes that are drawn to equal tensions keep their lengths under the loads of the cases: as those lengths given.
+TEST(PretensionAnalysis, RopesDrawnEqualKeepTheirLengthsInEveryCase) {
+  const auto deck = [](const std::string& second) {
+    return fmt::format(R"(taut: 1
+machine:
+  ropes: {{r: {{mass: 0 kg/m, stiffness: 10 MN}}}}
+  bodies: {{bar: {{mass: 0 kg, at: [0 m, 0 m, 0 m], guide: [0, 0, 1]}}}}
+  points: {{A: [0 m, 0 m, 5 m], B: [0 m, 0 m, 20 m], C: [0 m, 0 m, -10 m]}}
+  reevings:
+    - {{rope: r, name: a, path: [{{anchor: A}}, {{anchor: bar}}], length: 4.99 m}}
+    - {{rope: r, name: b, path: [{{anchor: B}}, {{anchor: bar}}], {}}}
+    - {{rope: r, name: d, path: [{{anchor: C}}, {{anchor: bar}}], length: 9.97 m}}
+analyses:
+  - equilibrium: {{}}
+  - pretension:
+      least: {{ropes: [d], tension: 10 kN, cases: [{{name: pulled, loads: [{{at: bar, force: [0 N, 0 N, -100 kN]}}]}}]}}
+)",
+                       second);
+  };
+  const Result r = run_text(deck("tension_equals: a"));
+  ASSERT_EQ(r.status, Status::ok) << r.message << to_text(r.errors);
+  const Result s = run_text(deck(fmt::format("length: {:.17g} m", value_of(r, "b.unstretched"))));
+  ASSERT_EQ(s.status, Status::ok) << s.message << to_text(s.errors);
+  for (const char* name : {"d.pretension_length", "d.pretension_T", "a.T_max", "b.T_max"}) {
+    EXPECT_NEAR(value_of(r, name) / value_of(s, name), 1, 1e-7) << name;
+  }
+  EXPECT_GT(value_of(r, "a.T_max"), 1.2 * value_of(r, "b.T_max")) << "the shorter one is the stiffer";
 }
 
 /// What is asked for can be impossible: that is no mistake of the deck.
