@@ -273,7 +273,7 @@ std::string table_html(const Table& stored, const Display& display, const TableL
 double printed_height(const Table& t, const TableLimits& limits) {
   if (t.rows.empty() || t.columns.empty()) return 0;
   constexpr double row = 4.8, around = 19;  // mm
-  const auto rows = static_cast<double>(std::min(t.rows.size(), limits.rows));
+  const auto rows = static_cast<double>(rows_that_matter(t, limits.rows).size());
   const auto parts = static_cast<double>(std::min(parts_of(t).size(), limits.parts));
   return parts * (around + rows * row);
 }

@@ -8,12 +8,13 @@
 namespace taut::report {
 namespace {
 
-/// Rows chosen so far; takes no more than `most`.
+/// Rows chosen so far: those that have to stay, and others up to `most`.
 struct Chosen {
   std::size_t most;
   std::set<std::size_t> rows = {};
 
   bool full() const { return rows.size() >= most; }
+  void keep(std::size_t row) { rows.insert(row); }
   void add(std::size_t row) {
     if (!full()) rows.insert(row);
   }
@@ -35,7 +36,7 @@ std::vector<std::size_t> changes(const Table& t, std::size_t column) {
   return rows;
 }
 
-void add_extremes(const Table& t, std::size_t column, Chosen& chosen) {
+void keep_extremes(const Table& t, std::size_t column, Chosen& chosen) {
   std::size_t least = t.rows.size(), largest = t.rows.size();
   const auto number = [&](std::size_t row) { return std::get<double>(t.rows[row][column]); };
   for (std::size_t i = 0; i < t.rows.size(); ++i) {
@@ -46,8 +47,8 @@ void add_extremes(const Table& t, std::size_t column, Chosen& chosen) {
     if (largest == t.rows.size() || *x > number(largest)) largest = i;
   }
   if (least == t.rows.size() || number(least) == number(largest)) return;
-  chosen.add(largest);
-  chosen.add(least);
+  chosen.keep(largest);
+  chosen.keep(least);
 }
 
 /// Halves the widest gap until enough rows are there.
@@ -75,15 +76,15 @@ std::vector<std::size_t> rows_that_matter(const Table& t, std::size_t most) {
     for (std::size_t i = 0; i < count; ++i) chosen.rows.insert(i);
     return {chosen.rows.begin(), chosen.rows.end()};
   }
-  chosen.add(0);
-  chosen.add(count - 1);
+  chosen.keep(0);
+  chosen.keep(count - 1);
+  for (std::size_t k = 0; k < t.columns.size(); ++k) keep_extremes(t, k, chosen);
   for (std::size_t k = 0; k < t.columns.size(); ++k) {
     for (const std::size_t row : changes(t, k)) {
       chosen.add(row - 1);
       chosen.add(row);
     }
   }
-  for (std::size_t k = 0; k < t.columns.size(); ++k) add_extremes(t, k, chosen);
   fill_gaps(chosen);
   return {chosen.rows.begin(), chosen.rows.end()};
 }

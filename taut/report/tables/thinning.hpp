@@ -6,9 +6,10 @@
 
 namespace taut::report {
 
-/// At most `most` rows of a table by which a reader judges it, in their order: the first and the last, those before and
-/// behind which a text changes ("governs", the limit that decides), those with the least and the largest number of each
-/// column, and evenly spaced ones between. All rows when they are no more than that. `most` is at least 2.
+/// The rows of a table by which a reader judges it, in their order: the first and the last, those with the least and
+/// the largest number of each column; up to `most` of them also those before and behind which a text changes
+/// ("governs", the limit that decides), and evenly spaced ones between. All rows when they are no more than that.
+/// `most` is at least 2.
 std::vector<std::size_t> rows_that_matter(const Table& t, std::size_t most);
 
 /// Whether each row begins with words of its own: a list, not a series.

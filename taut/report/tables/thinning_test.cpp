@@ -34,6 +34,16 @@ TEST(Thinning, SpreadsTheOtherRows) {
   EXPECT_THAT(rows_that_matter(t, 5), ElementsAre(0, 25, 50, 75, 100));
 }
 
+// A text that changes from row to row fills the table: the extremes stay all the same.
+TEST(Thinning, ExtremesStayWhereTextsChangeOften) {
+  Table t = series(200);
+  for (std::size_t i = 0; i < t.rows.size(); ++i) t.rows[i][2] = std::string(i / 3 % 2 == 0 ? "a" : "b");
+  for (const std::size_t most : {2U, 4U, 12U}) {
+    const auto rows = rows_that_matter(t, most);
+    for (const std::size_t row : {0U, 199U, 31U, 94U}) EXPECT_THAT(rows, Contains(row)) << most;
+  }
+}
+
 TEST(Thinning, GapsAndRaggedRowsAreNoExtremes) {
   Table t = series(50);
   t.rows[10][1] = std::nan("");
