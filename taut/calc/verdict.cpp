@@ -113,11 +113,11 @@ std::vector<std::string> unsafe_of(const Result& r) {
   return all;
 }
 
-/// The check nearest to its limit, facts among them only where there is nothing else.
+/// The check nearest to its limit, of all that have a utilisation: what can fail, as D/d does, is a limit here too.
 std::string governing(const Result& r) {
   const Check* top = nullptr;
   for (const Check& c : r.checks) {
-    if (!c.limits) continue;
+    if (c.refused || std::isnan(c.utilisation)) continue;
     if (top == nullptr || severity(c) > severity(*top)) top = &c;
   }
   if (top == nullptr) return "every check passes";

@@ -60,6 +60,18 @@ TEST(VerdictOf, FactsAloneAreNoLimit) {
   EXPECT_EQ(kind_of(r), VerdictKind::fails) << "they can fail";
 }
 
+TEST(VerdictOf, AFactIsNearestToItsLimitToo) {
+  Result r = good();
+  r.checks.push_back(check("hoist.sheave_ratio", 0.98));
+  r.checks.back().limits = false;
+  EXPECT_EQ(kind_of(r), VerdictKind::passes);
+  EXPECT_NE(verdict_of(r)->reason.find("nearest to its limit is hoist.sheave_ratio, utilisation 0.98"),
+            std::string::npos)
+      << verdict_of(r)->reason;
+  r.checks.back().utilisation = std::nan("");
+  EXPECT_EQ(verdict_of(r)->reason.find("sheave_ratio"), std::string::npos) << "no measure";
+}
+
 TEST(VerdictOf, AnUnverifiedLimitDecidesFromHalfOn) {
   Result r;
   r.checks = {check("a", 0.49, "UNVERIFIED: recalled")};
