@@ -9,6 +9,7 @@
 
 #include "taut/app/fingerprint.hpp"
 #include "taut/calc/answers.hpp"
+#include "taut/io/deck/deck.hpp"
 #include "taut/io/deck/include.hpp"
 #include "taut/io/deck/override.hpp"
 #include "taut/io/deck/parameters.hpp"
@@ -80,6 +81,7 @@ ComparedSet read_compared(const Job& job, io::Document& document, Result& r) {
     io::add(r.errors, document.root.spot, "there is nothing to compare: 'compare' has 'source' and 'values'");
     return set;
   }
+  r.display = io::read_display(document.root, r.errors).units();
   io::read(compare->value, ComparedSet::describe(), &set, "compare", r.errors);
   return set;
 }
@@ -382,12 +384,13 @@ Result compare(const Job& job) {
   files.insert(files.end(), runs.hashes.begin(), runs.hashes.end());
   r.deck_hash = fingerprint(job.text, files, job.set);
   r.overrides = job.set;
-  add_compared_table(rows, Display(), r);
+  const Display display(r.display);
+  add_compared_table(rows, display, r);
   add_compared_checks(rows, r);
   add_deviation_plot(rows, r);
   if (!r.figures.empty()) r.key_figure = "deviations";
-  add_compared_answers(rows, Display(), r);
-  tell_misses(rows, Display(), r);
+  add_compared_answers(rows, display, r);
+  tell_misses(rows, display, r);
   for (const ComparedRow& row : rows) {
     if (row.message.empty()) continue;
     std::string reported = fmt::format("{}: {}", row.deck, row.message);  // once for all values of a deck

@@ -30,9 +30,9 @@ machine:
   }
   void TearDown() override { fs::remove_all(folder_); }
   void write(const std::string& name, const std::string& text) { std::ofstream(folder_ / name) << text; }
-  taut::Result run(const std::string& values) {
-    write("compare.part.yaml",
-          "taut: 1\ntitle: A set\ncompare:\n  source: a paper\n  values:\n" + values + "  errata: [the paper errs]\n");
+  taut::Result run(const std::string& values, const std::string& display = {}) {
+    write("compare.part.yaml", "taut: 1\ntitle: A set\n" + display + "compare:\n  source: a paper\n  values:\n" +
+                                   values + "  errata: [the paper errs]\n");
     const auto job = taut::app::read_set(folder_.string());
     EXPECT_TRUE(job.has_value());
     return taut::app::compare(*job);
@@ -40,6 +40,16 @@ machine:
 
   fs::path folder_;
 };
+
+TEST_F(Compare, ShowsTheUnitsOfItsDisplay) {
+  const std::string row = "    - {what: b, deck: hanging.yaml, value: T_max, published: 9 kN, tolerance: 1 %}\n";
+  const taut::Result r = run(row, "display: {force: kgf}\n");
+  ASSERT_EQ(r.warnings.size(), 1U) << r.message << to_text(r.errors);
+  EXPECT_EQ(r.warnings[0], "b: 1000 kgf instead of 917.74 kgf (published); no reason is stated");
+  EXPECT_EQ(text_cell(table_of(r, "compared"), 0, "taut"), "1000 kgf");
+  EXPECT_EQ(r.display.at("force"), "kgf") << "of the checks and the page";
+  expect_mistake(run(row, "display: {force: kgm}\n"), "display: ");
+}
 
 TEST_F(Compare, PutsPublishedReferenceAndResultBesideEachOther) {
   const taut::Result r =

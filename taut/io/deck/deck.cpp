@@ -61,6 +61,35 @@ std::string read_method(const Node& root, const std::vector<std::string>& method
   return {};
 }
 
+Node read_input(const Node& root, bool has_method, Diagnostics& mistakes) {
+  const Entry* e = root.find_entry("input");
+  Node empty;
+  empty.kind = Node::Kind::map;
+  empty.spot = e != nullptr ? e->key_spot : root.spot;
+  if (e == nullptr) {
+    // with a method the fields that it needs are reported one by one
+    if (!has_method) add(mistakes, root.spot, "the deck lacks 'input', the data of the method");
+    return empty;
+  }
+  return e->value.kind == Node::Kind::null ? empty : e->value;
+}
+
+/// The keys of a machine's deck as the one map that is read.
+Node read_machine(const Node& root, Diagnostics& mistakes) {
+  Node both;
+  both.kind = Node::Kind::map;
+  both.spot = root.spot;
+  for (const Entry& e : root.entries) {
+    const bool block = std::find(block_keys.begin(), block_keys.end(), e.key) != block_keys.end();
+    if (e.key == "machine" || e.key == "analyses" || block) both.entries.push_back(e);
+    if (e.key != "method" && e.key != "input") continue;
+    add(mistakes, e.key_spot, fmt::format("'{}' belongs to a published method; this deck has a machine", e.key));
+  }
+  return both;
+}
+
+}  // namespace
+
 Display read_display(const Node& root, Diagnostics& mistakes) {
   const Node* n = root.find("display");
   if (n == nullptr) return {};
@@ -91,35 +120,6 @@ Display read_display(const Node& root, Diagnostics& mistakes) {
   }
   return Display(units);
 }
-
-Node read_input(const Node& root, bool has_method, Diagnostics& mistakes) {
-  const Entry* e = root.find_entry("input");
-  Node empty;
-  empty.kind = Node::Kind::map;
-  empty.spot = e != nullptr ? e->key_spot : root.spot;
-  if (e == nullptr) {
-    // with a method the fields that it needs are reported one by one
-    if (!has_method) add(mistakes, root.spot, "the deck lacks 'input', the data of the method");
-    return empty;
-  }
-  return e->value.kind == Node::Kind::null ? empty : e->value;
-}
-
-/// The keys of a machine's deck as the one map that is read.
-Node read_machine(const Node& root, Diagnostics& mistakes) {
-  Node both;
-  both.kind = Node::Kind::map;
-  both.spot = root.spot;
-  for (const Entry& e : root.entries) {
-    const bool block = std::find(block_keys.begin(), block_keys.end(), e.key) != block_keys.end();
-    if (e.key == "machine" || e.key == "analyses" || block) both.entries.push_back(e);
-    if (e.key != "method" && e.key != "input") continue;
-    add(mistakes, e.key_spot, fmt::format("'{}' belongs to a published method; this deck has a machine", e.key));
-  }
-  return both;
-}
-
-}  // namespace
 
 const std::vector<std::string>& deck_keys() {
   static const std::vector<std::string> keys = {"taut",    "title",      "project", "method",   "display",

@@ -31,6 +31,9 @@ struct Deck {
 /// The keys that a deck may have at its top.
 const std::vector<std::string>& deck_keys();
 
+/// The units of `display:`; those of print where there is none. Mistakes are added with their place.
+Display read_display(const Node& root, Diagnostics& mistakes);
+
 /// A deck as one document: its text with what it includes, and with the values that are set over it. Expressions stand
 /// in it as they were written. The arguments are those of read_deck; empty when the text is not YAML.
 std::optional<Document> read_document(std::string_view text, const std::string& name,
