@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <numbers>
 #include <utility>
 
 #include "taut/base/suggest.hpp"
@@ -97,11 +98,15 @@ std::vector<rope::RopeUse> ropes_of_drive(const friction_drive::Input& in, const
   if (r != nullptr) {
     for (const char* value : {"P_tight", "T_1", "T_1_no_slip", "T_tight_exact", "T_1_exact"}) raise_to(use, *r, value);
   }
-  if (in.sheave_radius) {
-    use.bends.push_back({"driving sheave", rope::BendKind::sheave, 2 * *in.sheave_radius, use.tension, in.wrap, 1});
-  } else {
-    use.unmeasured = {"its driving sheave"};
-  }
+  const auto bend = [&](const char* name, const std::optional<double>& radius, double wrap) {
+    if (radius) {
+      use.bends.push_back({name, rope::BendKind::sheave, 2 * *radius, use.tension, wrap, 1});
+    } else {
+      use.unmeasured.push_back(fmt::format("its {}", name));
+    }
+  };
+  bend("driving sheave", in.sheave_radius, in.wrap);
+  bend("idler", in.idler_radius, std::numbers::pi);  // about: it is far more than a touch
   return {use};
 }
 

@@ -62,6 +62,27 @@ TEST(MethodChecks, WhatNeedsASheaveIsNotJudged) {
   EXPECT_THAT(verdict_of(r)->reason, HasSubstr("extension: D/d is not checked"));
 }
 
+/// The saw rope runs over two sheaves: both bend it.
+TEST(MethodChecks, TheIdlerOfADriveBendsItsRopeToo) {
+  const auto saw = [](const std::string& idler) {
+    return run_text(
+        "taut: 1\nmethod: friction_drive\ninput: {cutting_force: 4 kN, friction: 0.35, wrap: 180 deg, rope_mass: 0.6 "
+        "kg/m, speed: 15 m/s, sheave_radius: 250 mm, rope: 6x36-IWRC 12 mm 1960 MPa" +
+        idler +
+        "}\nchecks: {ropes: {rope: {safety_factor: 2, diameter_ratio: 30, duty: [{name: cut, cycles: 1000}]}}}\n");
+  };
+  const Result unknown = saw("");
+  EXPECT_THAT(unknown.unmade, testing::Contains(HasSubstr("no diameter is known of its idler"))) << unknown.message;
+  EXPECT_THAT(unknown.unmade, testing::Contains(HasSubstr("its life leaves out the bends over its idler")));
+  const Result large = saw(", idler_radius: 250 mm"), small = saw(", idler_radius: 150 mm");
+  EXPECT_TRUE(large.unmade.empty());
+  EXPECT_NEAR(check_of(large, "rope.sheave_ratio").value, 500. / 12, 1e-9);
+  EXPECT_NEAR(check_of(small, "rope.sheave_ratio").value, 300. / 12, 1e-9);
+  EXPECT_FALSE(check_of(small, "rope.sheave_ratio").passes);
+  EXPECT_NEAR(check_of(large, "rope.life").value, 2 * check_of(unknown, "rope.life").value, 1e-9);
+  EXPECT_GT(check_of(small, "rope.life").value, check_of(large, "rope.life").value);
+}
+
 /// A loop uphill that is hauled in; with its ropes by weight, or by name with the same weight.
 Result loop(const std::string& ropes) {
   return run_text(

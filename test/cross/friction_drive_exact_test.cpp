@@ -72,6 +72,24 @@ TEST(FrictionDriveExact, PaperPullSlipsAndPassesOnWhatTheMethodSays) {
   EXPECT_TRUE(fails);
 }
 
+// The pull that holds m times the cutting force passes, one that holds the cutting force alone does not.
+TEST(FrictionDriveExact, TheTakeUpHasToHoldTheReserve) {
+  Input in = saw();
+  in.grip_reserve = 1.3;
+  const auto grip_with = [&](double pull) {
+    in.take_up = weight(pull);
+    const Result r = completed(in);
+    const auto grip = std::find_if(r.checks.begin(), r.checks.end(),
+                                   [](const Check& c) { return c.name == "grip with the take-up, exact"; });
+    EXPECT_NE(grip, r.checks.end());
+    return std::pair(grip->passes, number(r, "slips_exact"));
+  };
+  const double needed = solved(in).takeup_no_slip;
+  EXPECT_EQ(grip_with(needed * (1 + 1e-6)), std::pair(true, 0.));
+  EXPECT_EQ(grip_with(needed * (1 - 1e-3)), std::pair(false, 0.)) << "it holds, but without the reserve";
+  EXPECT_EQ(grip_with(needed / 1.4), std::pair(false, 1.));
+}
+
 TEST(FrictionDriveExact, WithoutTakeUpTheMethodsPullIsTried) {
   Input in = saw();
   in.grip_reserve = 1.3;

@@ -108,6 +108,33 @@ solve::BeltDrive belt_drive(const friction_drive::Input& in, const friction_driv
 
 namespace {
 
+/// Whether the take-up of the deck holds the cutting force with its reserve: m P_p in the place of P_p.
+void check_grip(const friction_drive::Input& in, const solve::BeltDrive& drive, Result& r) {
+  solve::BeltDrive d = drive;
+  d.load = in.grip_reserve * in.cutting_force;
+  solve::BeltDriveState s;
+  const char* const name = "grip with the take-up, exact";
+  const std::string reserve = fmt::format("with the reserve m = {:.4g}", in.grip_reserve);
+  if (!solve::solve(d, s).ok()) {
+    r.unmade.push_back(fmt::format("{}: no state of the drive is found {}", name, reserve));
+    r.warnings.push_back(r.unmade.back());
+  } else if (s.slips) {
+    r.checks.push_back(
+        make_check(name, d.load, si::N,
+                   {.sense = Sense::at_most,
+                    .limit = s.load,
+                    .rule = fmt::format("cutting force {} against what the slipping drive passes on", reserve),
+                    .trust = "derived"}));
+  } else {
+    r.checks.push_back(
+        make_check(name, s.slip_arc, si::rad,
+                   {.sense = Sense::at_most,
+                    .limit = d.working_arc,
+                    .rule = fmt::format("slip arc ln((T_1 - c)/(T_2 - c))/mu {} against the working arc", reserve),
+                    .trust = "derived"}));
+  }
+}
+
 /// Adds the exact column to the method's result.
 void complete_friction_drive(const friction_drive::Input& in, const friction_drive::Output& out, Result& r) {
   const solve::BeltDrive d = belt_drive(in, out);
@@ -121,21 +148,7 @@ void complete_friction_drive(const friction_drive::Input& in, const friction_dri
   const FrictionDriveExact e = values_from(in, d, s);
   add_words(in, d, s, r);
   add_comparisons(out, e, r);
-  if (in.take_up) {
-    if (s.slips) {
-      r.checks.push_back(make_check("grip with the take-up, exact", in.cutting_force, si::N,
-                                    {.sense = Sense::at_most,
-                                     .limit = s.load,
-                                     .rule = "cutting force against what the slipping drive passes on",
-                                     .trust = "derived"}));
-    } else {
-      r.checks.push_back(make_check("grip with the take-up, exact", s.slip_arc, si::rad,
-                                    {.sense = Sense::at_most,
-                                     .limit = d.working_arc,
-                                     .rule = "slip arc ln((T_1 - c)/(T_2 - c))/mu against the working arc",
-                                     .trust = "derived"}));
-    }
-  }
+  if (in.take_up) check_grip(in, d, r);
   const auto values = values_of(FrictionDriveExact::describe(), &e);
   r.values.insert(r.values.end(), values.begin(), values.end());
 }

@@ -1,6 +1,7 @@
 #include "taut/checks/rope/rope_life.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -220,6 +221,14 @@ void add_life(const RopeCheckRequest& request, const rope::RopeUse& use, const r
         "{}: its life is not computed: no sheave or drum of known diameter bends it under tension", use.name));
     r.warnings.push_back(r.unmade.back());
     return;
+  }
+  // a duty that names its rounds names known ones
+  const bool over_all =
+      std::any_of(request.duty.begin(), request.duty.end(), [](const auto& d) { return d.over.empty(); });
+  if (over_all && !use.unmeasured.empty()) {
+    r.unmade.push_back(fmt::format("{}: its life leaves out the bends over {}, of which no diameter is known", use.name,
+                                   fmt::join(use.unmeasured, ", ")));
+    r.warnings.push_back(r.unmade.back());
   }
   add_life_check(*worst, life_rules, trust_of_life(request, *worst, rules), use, r);
   add_table(lives, use, r);

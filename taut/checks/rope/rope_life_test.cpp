@@ -33,6 +33,15 @@ checks: {ropes: {hoist: )" +
          checks + "}}\n";
 }
 
+TEST(RopeLife, ASheaveOfNoKnownDiameterIsNotLeftOutInSilence) {
+  std::string deck = lift("{duty: [{name: lifts, cycles: 20000}]}");
+  const std::string diameter = ", diameter: 400 mm";
+  deck.erase(deck.find(diameter), diameter.size());
+  const Result r = run_text(deck);
+  EXPECT_THAT(r.unmade, testing::ElementsAre(HasSubstr("hoist: its life leaves out the bends over 'head'")));
+  EXPECT_TRUE(run_text(lift("{duty: [{name: lifts, cycles: 20000}]}")).unmade.empty());
+}
+
 // One bending at the sheave and half of one at the drum, both with D/d = 25 and nearly the same pull; f_C = 0.81.
 TEST(RopeLife, by_hand) {
   const Result r = run_text(lift("{duty: [{name: lifts, cycles: 20000}]}"));

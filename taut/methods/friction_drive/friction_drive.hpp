@@ -57,6 +57,7 @@ struct Input {
   std::optional<TakeUp> take_up;
   std::optional<double> rope_stiffness;   ///< EA, N
   std::optional<double> centre_distance;  ///< of the sheaves, m
+  std::optional<double> idler_radius;     ///< to the rope's centre, m; for checks of the rope
   CutPlace cut = CutPlace::at_idler;
 
   static const Description& describe();

@@ -73,6 +73,9 @@ void describe_exact(Inputs& d) {
           "distance of driving sheave and idler, for the length of the rope with a screw; with sheave_radius the arcs "
           "count too")
       .above(0);
+  d.field(&Input::idler_radius, "idler_radius", "", si::m,
+          "radius of the idler to the rope's centre: `checks` need it for D/d, groove pressure and life")
+      .above(0);
   d.choice(&Input::cut, "cut", {{"at_idler", CutPlace::at_idler}, {"in_tight_branch", CutPlace::in_tight_branch}},
            "place of the cutting force in the exact solution: at_idler (the idler feels the whole tight tension, as in "
            "the method), or in the middle of the tight branch");
