@@ -121,6 +121,7 @@ void add_checks(const CheckedDeck& deck, const machine::Model& model, const Chec
     add_yarder_checks(seen.yarders, r);
   }
   add_carriage_checks(seen.carriages, r);
+  for (const std::string& words : seen.ropes.growing()) warn_unsafe(r, words);
   r.warnings.insert(r.warnings.end(), seen.unseen.begin(), seen.unseen.end());
   r.unmade.insert(r.unmade.end(), seen.unseen.begin(), seen.unseen.end());
   const std::vector<std::string> parts = parts_of(model);

@@ -119,10 +119,8 @@ class RopeChecker {
       } else if (check.passes || is_efficiency) {
         out_.checks.push_back(std::move(check));
       } else {
-        out_.left_out.push_back(
-            fmt::format("{} is not checked: the motion reaches {}, more than twice the tension at rest, {}; add an "
-                        "analysis at rest with the full load",
-                        check.name, kilonewton(use_.peak), kilonewton(use_.tension)));
+        out_.left_out.push_back(fmt::format("{} is not checked: {}; add an analysis at rest with the full load",
+                                            check.name, why_rest_is_unknown(use_)));
       }
     }
     std::move(at_peak.out_.left_out.begin(), at_peak.out_.left_out.end(), std::back_inserter(out_.left_out));
@@ -402,9 +400,28 @@ std::string trust_with_rope(const std::string& limit, const catalogue::RopeRow& 
   return "UNVERIFIED: breaking force of the rope";
 }
 
+namespace {
+
+constexpr double sudden_load = 2;     ///< what a load does that is put on an elastic rope at once
+constexpr double still_moves = 0.05;  ///< by which a motion may end above the tension at rest: friction, small swings
+
+}  // namespace
+
 bool rest_is_known(const RopeUse& use) {
-  constexpr double sudden_load = 2;
-  return use.peak <= sudden_load * use.tension;
+  return use.peak <= sudden_load * use.tension && !goes_beyond_rest(use.last, use.tension);
+}
+
+bool goes_beyond_rest(double tension, double at_rest) { return tension > (1 + still_moves) * at_rest; }
+
+std::string why_rest_is_unknown(const RopeUse& use) {
+  if (use.peak > sudden_load * use.tension) {
+    return fmt::format("the motion reaches {}, more than twice the tension at rest, {}", kilonewton(use.peak),
+                       kilonewton(use.tension));
+  }
+  return fmt::format(
+      "the motion ends with {} on average, more than the largest tension at rest, {}, and not for long "
+      "enough to tell whether it stays",
+      kilonewton(use.last), kilonewton(use.tension));
 }
 
 RopeUse at_peak(RopeUse use) {

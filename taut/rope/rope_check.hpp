@@ -67,8 +67,14 @@ std::string trust_with_rope(const std::string& limit, const catalogue::RopeRow& 
 
 /// Whether rules for the tension at rest can be applied to the largest one of the states at rest. A load that is put on
 /// an elastic rope at once gives it twice its tension at rest. Where a calculated motion gives it more than that, it
-/// takes loads that no state at rest has.
+/// takes loads that no state at rest has. So it may where it ends with more than the tension at rest.
 bool rest_is_known(const RopeUse& use);
+
+/// Where it is not: why, "the motion reaches 64 kN, more than twice the tension at rest, 15 kN".
+std::string why_rest_is_unknown(const RopeUse& use);
+
+/// Whether a tension with which a motion ends is more than friction and small swings make of that at rest, N.
+bool goes_beyond_rest(double tension, double at_rest);
 
 /// The same rope with the peak of the calculated motions in place of all tensions at rest, which are not more.
 RopeUse at_peak(RopeUse use);

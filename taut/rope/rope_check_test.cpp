@@ -273,6 +273,25 @@ TEST(RopeCheck, beyond_a_sudden_load_the_tension_at_rest_is_not_known) {
   EXPECT_FALSE(find(broken, "hoist.safety_factor")->passes);
 }
 
+/// A motion that ends with more than the tension at rest has no state at rest with that load.
+TEST(RopeCheck, what_a_motion_ends_with_may_stay) {
+  RopeRules rules;
+  rules.safety_factors = {{.value = 3.5, .rule = "a rule", .trust = "verified"}};
+  RopeUse use = hoist_rope();  // 160 kN over 40 kN at rest
+  use.peak = 60e3;
+  use.peak_where = "lift, t = 1 s";
+  use.last = 41e3;
+  EXPECT_DOUBLE_EQ(value_of(check_rope(use, rules), "hoist.safety_factor"), 4) << "friction and small swings";
+  use.last = 55e3;
+  const RopeChecks unknown = check_rope(use, rules);
+  EXPECT_EQ(find(unknown, "hoist.safety_factor"), nullptr);
+  ASSERT_FALSE(unknown.left_out.empty());
+  EXPECT_NE(unknown.left_out[0].find("the motion ends with 55 kN on average"), std::string::npos)
+      << unknown.left_out[0];
+  rules.safety_factors[0].value = 2.5;  // 160/60 = 2.67 at the peak
+  EXPECT_TRUE(find(check_rope(use, rules), "hoist.safety_factor")->passes);
+}
+
 TEST(RopeCheck, what_has_no_tension_in_it_is_judged_at_any) {
   RopeRules rules;
   rules.termination = Limit{.value = 0.75, .rule = "wedge", .trust = "verified"};

@@ -1,22 +1,37 @@
 #include "taut/checks/rope/lasting_tension.hpp"
 
+#include <algorithm>
+
 namespace taut::checks {
 
 void LastingTension::take(double t, double T, long steps) {
-  const bool unseen = !times_.empty() && t - times_.back() > gap && steps - steps_ > 2;
-  if (unseen || (!times_.empty() && t <= times_.back())) {
-    times_.clear();
+  const bool unseen = !all_.empty() && t - all_.back().t > gap && steps - steps_ > 2;
+  if (unseen || (!all_.empty() && t <= all_.back().t)) {
+    all_.clear();
     rising_.clear();
   }
   steps_ = steps;
-  times_.push_back(t);
+  all_.push_back({.t = t, .T = T});
   while (!rising_.empty() && rising_.back().T >= T) rising_.pop_back();
   rising_.push_back({.t = t, .T = T});
-  while (times_.size() > 1 && times_[1] <= t - lasts) times_.pop_front();
-  while (rising_.front().t < times_.front()) rising_.pop_front();
-  if (times_.front() > t - lasts || rising_.front().T <= largest_) return;
+  while (all_.size() > 1 && all_[1].t <= t - lasts) all_.pop_front();
+  while (rising_.front().t < all_.front().t) rising_.pop_front();
+  if (all_.front().t > t - lasts || rising_.front().T <= largest_) return;
   largest_ = rising_.front().T;
   when_ = t;
+}
+
+double LastingTension::at_end() const {
+  if (all_.empty()) return 0;
+  double impulse = 0, most = 0, mean = all_.back().T;
+  for (std::size_t i = all_.size() - 1; i > 0; --i) {
+    const Moment &from = all_[i - 1], &to = all_[i];
+    impulse += (to.t - from.t) * (from.T + to.T) / 2;
+    const double span = all_.back().t - from.t;
+    mean = impulse / span;
+    if (span >= gap) most = std::max(most, mean);
+  }
+  return most > 0 ? most : mean;
 }
 
 }  // namespace taut::checks

@@ -16,13 +16,17 @@ class LastingTension {
   void take(double t, double T, long steps);
   double largest() const { return largest_; }  ///< N; 0: none has lasted
   double when() const { return when_; }        ///< where that interval ends, s
+  /// The largest mean from some moment to the last one, of all in the interval that are at least `gap` before it, N:
+  /// of a motion that has come to rest its tension there. Of a shorter motion the mean of all of it.
+  double at_end() const;
+  double last_moment() const { return all_.empty() ? 0 : all_.back().t; }  ///< s
 
  private:
   struct Moment {
     double t = 0, T = 0;
   };
   long steps_ = 0;
-  std::deque<double> times_;   ///< of all moments in the interval
+  std::deque<Moment> all_;     ///< in the interval
   std::deque<Moment> rising_;  ///< those below all later ones
   double largest_ = 0, when_ = 0;
 };

@@ -43,6 +43,20 @@ TEST(LastingTension, WhatIsNotSeenSaysNothing) {
   EXPECT_EQ(of(60, 2.0, constant).largest(), 1e3) << "steps of 2 s";
 }
 
+// A load that comes 0.5 s before the end has not lasted; the mean from there on tells it. A swing is as high as its
+// mean over whole periods, and higher from its trough on.
+TEST(LastingTension, AtItsEndAMotionMayHaveMore) {
+  const auto comes = [](double t) { return t < 8 ? 1e3 : 1.8e3; };
+  EXPECT_NEAR(of(8.5, 0.01, comes).at_end(), 1.8e3, 1);
+  EXPECT_EQ(of(8.5, 0.01, comes).largest(), 1e3);
+  EXPECT_NEAR(of(20, 0.1, [](double) { return 2e3; }).at_end(), 2e3, 1e-9);
+  EXPECT_NEAR(of(0.1, 0.05, [](double t) { return 1e3 + 1e4 * t; }).at_end(), 1.5e3, 1e-9) << "all of a short motion";
+  const auto swings = [](double t) { return 5e3 + 1e3 * std::sin(2 * std::numbers::pi * t); };
+  EXPECT_GE(of(20, 0.01, swings).at_end(), 4.99e3);
+  EXPECT_LT(of(20, 0.01, swings).at_end(), 6e3);
+  EXPECT_EQ(LastingTension().at_end(), 0);
+}
+
 TEST(LastingTension, ANewMotionBeginsAnew) {
   LastingTension lasting;
   for (const double T : {2e3, 3e3}) {

@@ -184,6 +184,13 @@ void RopeUses::take_motion(int reeving, const solve::RopeExtreme& extreme, bool 
   const LastingTension& lasting = lasting_[reeving];
   at_rest(lasting.largest(),
           fmt::format("{}, for {:g} s until t = {:.4g} s", words, LastingTension::lasts, lasting.when()));
+  use.last = std::max(use.last, lasting.at_end());
+  if (T.t_max >= lasting.last_moment() && rope::goes_beyond_rest(T.max, use.tension)) {
+    growing_.push_back(fmt::format(
+        "{}: the tension of {} is largest where the motion ends, {:.4g} kN at t = {:.4g} s: its peak may lie "
+        "behind the end; give a longer 'duration'",
+        words, use.name, T.max / 1e3, T.t_max));
+  }
   if (T.max <= use.peak) return;
   use.peak = T.max;
   use.peak_where = peak_words;

@@ -28,6 +28,9 @@ class RopeUses {
   /// Of a calculated motion as a whole: its tension at rest and its peak. `slowly`: all its steps are at rest.
   void take_motion(int reeving, const solve::RopeExtreme& extreme, bool slowly, const std::string& words);
 
+  /// Motions that end while a tension grows, in words.
+  const std::vector<std::string>& growing() const { return growing_; }
+
   /// As in the model. Each round and end has no less than a tension of its rope that lasts in a motion.
   std::vector<rope::RopeUse> all() const;
 
@@ -48,7 +51,8 @@ class RopeUses {
   Array<rope::RopeUse> uses_;                // without bends
   Array<LastingTension> lasting_;            // of motions
   Array<std::map<std::string, Met>> bends_;  // [reeving], by name and occurrence
-  Array<Vector3> axes_;                      // of the first round of each rope: the senses of the others follow from it
+  std::vector<std::string> growing_;
+  Array<Vector3> axes_;  // of the first round of each rope: the senses of the others follow from it
 };
 
 /// The rope of a description with the deck's own figures over those of the catalogue: a breaking force of the deck
