@@ -229,6 +229,27 @@ Array<DrumResult> drums(const machine::Model& model, const EquilibriumResult& re
   return all;
 }
 
+std::optional<double> length_on_drums(const machine::Model& model, int reeving) {
+  const machine::Reeving& rope = model.reevings[reeving];
+  double wound = 0;
+  if (rope.closed) return wound;
+  for (const machine::Node* end : {&rope.nodes.front(), &rope.nodes.back()}) {
+    if (!end->drum) continue;
+    const std::optional<double> own = model.drums[*end->drum].length_on_drum;
+    if (!own) return std::nullopt;
+    wound += *own;
+  }
+  return wound;
+}
+
+std::optional<double> whole_length(const machine::Model& model, const EquilibriumResult& result, int reeving) {
+  const machine::Reeving& rope = model.reevings[reeving];
+  if (rope.closed || !(rope.nodes.front().drum || rope.nodes.back().drum)) return result.ropes[reeving].unstretched;
+  const std::optional<double> wound = length_on_drums(model, reeving);
+  if (!wound || rope.given != machine::Given::length) return std::nullopt;
+  return rope.value + *wound;
+}
+
 Array<DrumResult> drums(const machine::Model& model, const TransientFrame& frame) {
   Array<DrumResult> all;
   for_each_end_on_drum(model, [&](int r, bool at_end, int on) {

@@ -58,6 +58,13 @@ struct DrumResult {
 /// where an answer has another free length, the rest is on the drum.
 Array<DrumResult> drums(const machine::Model& model, const EquilibriumResult& result);
 
+/// What lies on the drums at the ends of a rope with its given length, unstretched, m: 0 without drums, none where the
+/// `length_on_drum` of one is not given.
+std::optional<double> length_on_drums(const machine::Model& model, int reeving);
+
+/// The whole rope: free and on its drums, unstretched, m. None where what lies on a drum is not known.
+std::optional<double> whole_length(const machine::Model& model, const EquilibriumResult& result, int reeving);
+
 /// The same at a moment of a motion: what its rope and its drive do there. Of drums whose content is not given, the
 /// length is what the motion has wound, and left out.
 Array<DrumResult> drums(const machine::Model& model, const TransientFrame& frame);

@@ -115,7 +115,7 @@ std::string Display::quantity(double si, const Unit& unit) const {
 namespace {
 
 constexpr int brief_digits = 4;
-constexpr double centimetre = 0.01;
+constexpr double centimetre = 0.01;  // m
 
 /// The place of the last digit that is shown; whole digits are kept.
 double last_place(double size) {
@@ -130,9 +130,15 @@ double on_grid(double x, double step, Rounding side) {
   return step * (side == Rounding::down ? std::floor(steps) : std::ceil(steps));
 }
 
-/// A length to the centimetre, without zeros at its end: "382.42", "170".
-std::string to_the_centimetre(double metres) {
-  std::string text = fmt::format("{:.2f}", metres);
+/// The decimals by which a length is shown to the centimetre in a unit of so many metres: 2 in m and ft, 0 in mm.
+int decimals_to_the_centimetre(double unit) {
+  return std::max(0, static_cast<int>(std::ceil(std::log10(unit / centimetre))));
+}
+
+/// Without zeros at its end: "382.42", "170".
+std::string without_end_zeros(double x, int decimals) {
+  std::string text = fmt::format("{:.{}f}", x, decimals);
+  if (decimals == 0) return text;
   text.erase(text.find_last_not_of('0') + 1);
   if (text.back() == '.') text.pop_back();
   return text;
@@ -141,15 +147,16 @@ std::string to_the_centimetre(double metres) {
 }  // namespace
 
 std::string Display::brief(double si, const Unit& unit, Rounding rounding) const {
-  constexpr double long_way = 100, longest_way = 1e5;  // m
+  constexpr double long_way = 10, longest_way = 1e5;  // m
   const std::string shown = this->unit(unit);
   double x = from_si(si, unit);
   const double size = std::abs(x);
-  const bool is_way = shown == "m" && size >= long_way && size < longest_way;
+  const bool is_way = unit.kind == si::m.kind && std::abs(si) >= long_way && std::abs(si) < longest_way;
+  const int decimals = is_way ? decimals_to_the_centimetre(factor(unit, shown)) : 0;
   if (rounding != Rounding::nearest && std::isfinite(x) && x != 0) {
-    x = on_grid(x, is_way ? centimetre : last_place(size), rounding);
+    x = on_grid(x, is_way ? std::pow(10., -decimals) : last_place(size), rounding);
   }
-  const std::string text = is_way ? to_the_centimetre(x) : short_number(x, brief_digits);
+  const std::string text = is_way ? without_end_zeros(x, decimals) : short_number(x, brief_digits);
   return shown.empty() || !std::isfinite(si) ? text : fmt::format("{} {}", text, shown);
 }
 

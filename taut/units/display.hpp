@@ -47,8 +47,8 @@ class Display {
   /// Number and unit, "63 kN"; the unit stands away for a plain number, for NaN and for an infinity.
   std::string quantity(double si, const Unit& unit) const;
   /// The same as an engineer writes a result, "138.9 kN": four significant digits, whole digits kept up to 10 million;
-  /// a length of 100 m and more to the centimetre, "382.42 m". `rounding`: what a machine carries is rounded down, what
-  /// it needs up.
+  /// a length of 10 m and more to the centimetre or finer in every unit, "382.42 m", "1254.66 ft". `rounding`: what a
+  /// machine carries is rounded down, what it needs up.
   std::string brief(double si, const Unit& unit, Rounding rounding = Rounding::nearest) const;
 
   const std::map<std::string, std::string>& units() const { return units_; }

@@ -54,6 +54,13 @@ TEST(Display, ABriefQuantityHasFourDigits) {
   EXPECT_EQ(d.brief(0.88563, si::m), "0.8856 m");
   EXPECT_EQ(d.brief(382.4199, si::m), "382.42 m") << "a rope is cut to the centimetre";
   EXPECT_EQ(d.brief(170, si::m), "170 m");
+  for (const char* unit : {"ft", "in", "cm", "yd", "km"}) {
+    const Display own({{"length", unit}});
+    for (const double length : {12.3456, 67.0199, 382.4199, 1234.5678}) {
+      const std::string text = own.brief(length, si::m);
+      EXPECT_NEAR(*parse_quantity(text, si::m), length, 0.0051) << text;
+    }
+  }
   EXPECT_EQ(d.brief(std::nan(""), si::m), "-");
   EXPECT_EQ(d.brief(0, si::N), "0 kN");
 }
