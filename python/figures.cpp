@@ -1,6 +1,7 @@
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>
 
+#include <cmath>
 #include <utility>
 
 #include "python/native_result.hpp"
@@ -81,6 +82,7 @@ struct ShapeData {
     py::dict d = kind("arrow", a.role);
     d["at"] = pair_of(a.at);
     d["force"] = py::make_tuple(a.fx, a.fy);
+    d["whole"] = a.whole.value_or(std::hypot(a.fx, a.fy));
     d["label"] = a.label;
     d["towards"] = a.towards;
     return d;

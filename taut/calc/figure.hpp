@@ -35,7 +35,8 @@ struct Circle {
   bool filled = false;
 };
 /// A force of (fx, fy), N, drawn as an arrow that starts at `at`, to the force scale of the drawing. `label` names it;
-/// the report adds the value. With `towards` the arrow ends at `at`.
+/// the report adds the value: `whole`, where the force does not lie in the plane of the drawing. With `towards` the
+/// arrow ends at `at`.
 struct ForceArrow {
   Point at;
   double fx = 0;
@@ -43,6 +44,7 @@ struct ForceArrow {
   std::string label;
   Role role = Role::force;
   bool towards = false;
+  std::optional<double> whole = std::nullopt;  ///< N; none: the force that is drawn
 };
 /// A dimension line with its text ("l", "200 m"; empty: the length), to which the report adds the length where
 /// `with_length` says so ("span 200 m"). `offset`, m: how far the line is moved to the left of the direction from ->

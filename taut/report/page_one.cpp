@@ -212,22 +212,35 @@ double room_for_pictures(const Result& r, const PrintedSheet& sheet) {
   return sheet.height - gaps - reserve - foot_height - used - below_picture(r, sheet).height;
 }
 
-/// Adds a figure to page 1, where nothing was found with its caption, so that nobody takes it for an answer; its height
-/// in print, mm, 0 when there is nothing to draw.
+/// The words below a figure of page 1. That of a drawing says which state it shows, and of a machine without an answer
+/// that it is none; what else a plot says stands with it on its own page.
+std::string words_below(const Figure& figure, const Result& r) {
+  const FigureWords w = words_of(figure);
+  const std::string title = short_html(w.title, longest_line), caption = short_html(w.caption, longest_caption);
+  if (r.status != Status::ok) return fmt::format("<b>{}.</b> {}", title, caption);
+  const bool plot = std::holds_alternative<Plot>(figure) || caption.empty();
+  return plot ? title : fmt::format("{}. {}", title, caption);
+}
+
+/// Lines that they take in print.
+double lines_below(const Figure& figure, const Result& r, const PrintedSheet& sheet) {
+  const FigureWords w = words_of(figure);
+  const bool plot = r.status == Status::ok && std::holds_alternative<Plot>(figure);
+  const std::string words = plot ? w.title : w.title + w.caption;
+  return lines_in(words + w.scale, longest_line + longest_caption, sheet.width, small_character);
+}
+
+/// Adds a figure to page 1; its height in print, mm, 0 when there is nothing to draw.
 double add_figure(const Figure& figure, const Result& r, const PrintedSheet& sheet, PageOne& page) {
   const std::string picture = figure_svg(figure, display_of(r));
   if (!picture.starts_with("<svg")) return 0;
   const double aspect = aspect_of(picture);
-  const FigureWords w = words_of(figure);
-  const std::string title = short_html(w.title, longest_line);
-  const std::string words =
-      r.status == Status::ok ? title : fmt::format("<b>{}.</b> {}", title, short_html(w.caption, longest_caption));
   page.html += fmt::format(
       "<figure class=\"key\" style=\"flex-grow:{:.0f};--aspect:{:.3f}\"><div class=\"frame\">{}</div>"
       "<figcaption>{} {}</figcaption></figure>\n",
-      std::max(1.0, 100 * aspect), aspect, picture, words, escape(w.scale));
+      std::max(1.0, 100 * aspect), aspect, picture, words_below(figure, r), escape(words_of(figure).scale));
   page.figures.push_back(&figure);
-  return sheet.width * aspect + caption_height + block_gap;
+  return sheet.width * aspect + caption_height + small_line * (lines_below(figure, r, sheet) - 1) + block_gap;
 }
 
 void add_pictures(const Result& r, const PrintedSheet& sheet, PageOne& page) {

@@ -52,6 +52,14 @@ TEST(PageOne, ShowsTheFigureThatTheResultNames) {
   EXPECT_TRUE(page_one(r).figures.empty());
 }
 
+TEST(PageOne, ADrawingSaysWhichStateItShows) {
+  Result r = passing();
+  Drawing d = std::get<Drawing>(r.figures[0]);
+  d.caption = "Equilibrium, inhaul.";
+  r.figures[0] = d;
+  EXPECT_THAT(page_one(r).html, HasSubstr("Equilibrium, inhaul."));
+}
+
 TEST(PageOne, OnlyWhatPassesIsSigned) {
   Result r = passing();
   r.project.checked_by = "B. Keller";

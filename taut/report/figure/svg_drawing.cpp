@@ -157,7 +157,7 @@ struct Drawer {
     const Pen& p = pen(s.role);
     c.roles.insert(s.role);
     const double force = std::hypot(s.fx, s.fy);
-    const std::string value = quantity_shown(force, si::N, c.display, 4);
+    const std::string value = quantity_shown(s.whole.value_or(force), si::N, c.display, 4);
     const std::string text = named(s.label, value);
     const Pixel at = c.layout.fit.of(s.at);
     // Along the stretched rope, not across it; the length shows the force whatever the direction.

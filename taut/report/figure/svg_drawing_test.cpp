@@ -53,6 +53,19 @@ TEST(SvgDrawing, IsToScaleWithUpUp) {
   EXPECT_NEAR(y / x, -40.0 / 30.0, 0.01);
 }
 
+// A force of 3, 4, 12 kN seen from above: an arrow of 5 kN, and the number 13 kN.
+TEST(SvgDrawing, AForceThatIsSeenAslantHasItsWholeNumber) {
+  ForceArrow slant{.at = {}, .fx = 3e3, .fy = 4e3, .label = "F a", .role = Role::force, .towards = false};
+  const Polyline line{.points = {{.x = 0, .y = 0}, {.x = 30, .y = 0}}, .role = Role::structure};
+  EXPECT_NE(svg({line, slant}).find("5 kN"), std::string::npos);
+  slant.whole = 13e3;
+  EXPECT_NE(svg({line, slant}).find("13 kN"), std::string::npos);
+  EXPECT_EQ(svg({line, slant}).find("5 kN"), std::string::npos);
+  slant.fx = slant.fy = 0;
+  EXPECT_NE(svg({line, slant}).find("13 kN"), std::string::npos)
+      << "along the line of sight: a number without an arrow";
+}
+
 TEST(SvgDrawing, StretchesHeightsAndSaysSo) {
   const Drawing d{.name = "d",
                   .title = "",
