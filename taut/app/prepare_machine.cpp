@@ -84,7 +84,8 @@ void warn_of_senses(const machine::Machine& machine, const machine::Model& model
   study::RopeSenses senses(study::winches_of(model, machine, one.way.carriage));
   for (const study::LoadPathPart& part : one.parts) senses.take(part.model, part.result.points);
   if (const auto contrary = study::contrary_senses(senses.all())) {
-    warn_unsafe(r, fmt::format("load path, {}: {}", one.words, *contrary));
+    std::string words = fmt::format("load path, {}: {}", one.words, *contrary);
+    one.judged ? warn_unsafe(r, std::move(words)) : r.warnings.push_back(std::move(words));
   }
 }
 
@@ -122,10 +123,11 @@ Result solve_more(const std::vector<study::Asked>& asked, results::MachineRun& r
   for (const study::Asked& one : asked) {
     if (r.interrupted || more.interrupted) break;
     run.checked->judged = one.judged;
-    const std::size_t values = more.values.size(), tables = more.tables.size();
+    const std::size_t values = more.values.size(), tables = more.tables.size(), states = run.others.size();
     std::visit([&](const auto& question) { results::add_answer(question, run, more); }, one.question);
     if (run.several) put_under(one.heading, values, tables, more);
     run.checked->judged = true;
+    for (std::size_t i = states; i < run.others.size(); ++i) run.others[i].judged = one.judged;
     if (!one.judged) more.left_out.push_back(one.name);
   }
   if (r.status == Status::ok) {

@@ -191,6 +191,12 @@ std::string gap_words(const std::string& what, const study::TerrainGap& gap) {
       what, gap.missing(), gap.before, gap.after);
 }
 
+std::string slack_words(const std::string& rope, const std::string& where) {
+  return fmt::format(
+      "{}: its clearance is not judged where it is slack ({}): without mass it has no shape there; give its 'mass'",
+      rope, where);
+}
+
 std::string analysis_name(const std::string& ending, const char* kind) {
   return is_numbered(ending) ? std::string(kind) : ending.substr(1);
 }

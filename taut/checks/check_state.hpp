@@ -70,6 +70,12 @@ CheckState state_of(const machine::Model& model, const solve::TransientResult& m
 /// Why a clearance that is asked for is not judged everywhere: "skyline: its clearance is not judged on 12 m ...".
 std::string gap_words(const std::string& what, const study::TerrainGap& gap);
 
+/// Behind an answer of an analysis with `judge: false`.
+inline constexpr const char* not_judged_words = "left out of the verdict";
+
+/// Why a clearance that is asked for is not judged of a rope without mass that is slack there.
+std::string slack_words(const std::string& rope, const std::string& where);
+
 /// The name of an analysis by the ending of its tables: "_drop" is "drop"; "" and "_2" have no name of their own, but
 /// `kind`.
 std::string analysis_name(const std::string& ending, const char* kind);

@@ -10,6 +10,7 @@
 #include "taut/checks/described.hpp"
 #include "taut/checks/rope/rope_uses.hpp"
 #include "taut/math/index.hpp"
+#include "taut/solve/drives.hpp"
 #include "taut/study/line/rope_clearance.hpp"
 #include "taut/study/load_path.hpp"
 
@@ -105,6 +106,11 @@ void WorstOf::take(double x, const std::string& words, bool least) {
   when = words;
 }
 
+void RopeLengthsSeen::take(const machine::Model& model, const solve::EquilibriumResult& state, int reeving) {
+  free.take(state.ropes[reeving].unstretched);
+  whole.take(solve::whole_length(model, state, reeving).value_or(none));
+}
+
 Judge::Judge(const CheckedDeck& deck, const machine::Model& model)
     : deck_(std::make_shared<const CheckedDeck>(deck)), model_(&model), beams_(model.beams.size()) {}
 
@@ -129,6 +135,7 @@ void Judge::take_heights(const machine::Model& m, const solve::EquilibriumResult
   for (const solve::BranchResult& branch : e.branches) {
     const study::RopeClearance own = study::rope_clearance(m, branch);
     const std::string& rope = m.reevings[branch.reeving].name;
+    if (branch.slack) slack_over_ground_.insert(rope);
     take_height(rope, between(m, branch), own.height, terrain_x(m, own.place), words, rope_heights_);
   }
   warn_of_buried(m, words);
@@ -258,7 +265,6 @@ void Judge::take_empty(const machine::Model& m, const solve::EquilibriumResult& 
 }
 
 void Judge::take_ropes(const machine::Model& m, const solve::EquilibriumResult& e, const std::string& words) {
-  shown_ = true;
   for (std::size_t i = 0; i < m.reevings.size(); ++i) {
     RopeWorst& worst = take_tension(m.reevings[i], e.ropes[i].T_max, words);
     if (worst.where_of_share == words) worst.where_of_share += too_short(m, e, i);
@@ -282,17 +288,12 @@ Judge::RopeWorst& Judge::take_tension(const machine::Reeving& rope, double T, co
 }
 
 void Judge::take_rest(const machine::Model& m, const solve::TransientResult& still, const std::string& words) {
-  shown_ = true;
   for (std::size_t i = 0; i < m.reevings.size(); ++i) take_tension(m.reevings[i], still.ropes[i].T.max, words);
 }
 
 void Judge::take(const machine::Model& m, const solve::EquilibriumResult& e, const std::string& words) {
   take_ropes(m, e, words);
-  for (std::size_t i = 0; i < m.reevings.size(); ++i) {
-    RopeWorst& rope = ropes_[m.reevings[i].name];
-    rope.shortest = std::fmin(rope.shortest, e.ropes[i].unstretched);  // fmin and fmax pass over NaN
-    rope.longest = std::fmax(rope.longest, e.ropes[i].unstretched);
-  }
+  for (int i = 0; i < static_cast<int>(m.reevings.size()); ++i) ropes_[m.reevings[i].name].lengths.take(m, e, i);
   take_heights(m, e, words);
   take_beams(e, words);
   take_contacts(m, e, words);
@@ -309,9 +310,7 @@ void Judge::take(const machine::Model& m, const solve::TransientResult& motion, 
     broken = event.t;
     preface_ = fmt::format("The deck breaks {} at {:.4g} s", event.where, event.t);
   }
-  for (std::size_t i = 0; i < motion.ropes.size(); ++i) {
-    if (motion.ropes[i].T.max > 0) ropes_[m.reevings[i].name].carries = true;
-  }
+  take_peaks(m, motion, words);
   // Before the machine has broken nothing is thrown about: a rope that goes slack, or leaves its support, is news.
   for (const solve::TransientEvent& event : motion.events) {
     const bool slack = event.what == "slack";
@@ -320,6 +319,17 @@ void Judge::take(const machine::Model& m, const solve::TransientResult& motion, 
     warn(event.what + " " + event.where,
          fmt::format("{}: {} {} at t = {:.4g} s", words, event.where, slack ? "goes slack" : "lifts off", event.t),
          true);
+  }
+}
+
+void Judge::take_peaks(const machine::Model& m, const solve::TransientResult& motion, const std::string& words) {
+  for (std::size_t i = 0; i < motion.ropes.size(); ++i) {
+    const solve::Extreme& T = motion.ropes[i].T;
+    RopeWorst& worst = ropes_[m.reevings[i].name];
+    worst.carries |= T.max > 0;
+    if (!(T.max > worst.peak)) continue;
+    worst.peak = T.max;
+    worst.where_of_peak = fmt::format("{}, t = {:.4g} s", words, T.t_max);
   }
 }
 
@@ -348,6 +358,11 @@ void Judge::take_moment(const machine::Model& m, const solve::TransientResult& s
     take_height(car.name, "carriage " + car.name, p.z() - study::ground_height(m.terrain, x), x, when, carriages_);
   }
   if (moment.t <= so_far.frames.front().t) warn_of_buried(m, words);
+  for (const solve::TransientFrame::Branch& branch : moment.branches) {
+    const std::string& rope = m.reevings[branch.reeving].name;
+    const bool slack = branch.whole && std::max(branch.T_from, branch.T_to) <= 0;
+    if (slack && !broken_.contains(rope)) slack_over_ground_.insert(rope);
+  }
   for (const FreeRope& one : free) {
     const machine::Reeving& rope = m.reevings[one.reeving];
     if (broken_.contains(rope.name)) continue;
@@ -370,56 +385,62 @@ std::string Judge::strength_trust(std::size_t reeving) const {
   return row.trust_text.empty() ? "UNVERIFIED: breaking force of the rope" : "UNVERIFIED: " + row.trust_text;
 }
 
-std::vector<std::string> Judge::strength_trusts() const {
-  std::vector<std::string> all;
-  all.reserve(model_->reevings.size());
-  for (std::size_t i = 0; i < model_->reevings.size(); ++i) all.push_back(strength_trust(i));
-  return all;
-}
-
 std::vector<RopeSeen> Judge::ropes() const {
   std::vector<RopeSeen> all;
   for (const machine::Reeving& rope : model_->reevings) {
     const auto found = ropes_.find(rope.name);
     if (found == ropes_.end() || !found->second.seen) continue;
     const RopeWorst& own = found->second;
-    all.push_back(
-        {.name = rope.name, .T = own.T, .where = own.where, .shortest = own.shortest, .longest = own.longest});
+    all.push_back({.name = rope.name, .T = own.T, .where = own.where, .lengths = own.lengths});
   }
   return all;
+}
+
+/// The largest share of the breaking force: at rest, of the state whose rope is the weakest for it, or in a motion.
+void Judge::add_strength(std::size_t reeving, const RopeWorst& own, Result& r) const {
+  const machine::Reeving& rope = model_->reevings[reeving];
+  const bool at_rest = own.breaking_force > 0 && own.T_of_share > 0;
+  if (at_rest) {
+    const ValueKind& factor = named(value_kinds(), "ROPE.safety_factor");
+    r.values.push_back(make_value(factor, rope.name, "", own.breaking_force / own.T_of_share,
+                                  fmt::format("{} of {}", factor.about.words, rope.name)));
+  }
+  const bool moves = rope.breaking_force > 0 && own.peak > 0 &&
+                     !(at_rest && own.T_of_share * rope.breaking_force >= own.peak * own.breaking_force);
+  if (!at_rest && !moves) return;
+  Check c = make_check(fmt::format("{}.T_max", rope.name), moves ? own.peak : own.T_of_share, si::N,
+                       {.sense = Sense::at_most,
+                        .limit = moves ? rope.breaking_force : own.breaking_force,
+                        .rule = "minimum breaking force of the rope",
+                        .trust = strength_trust(reeving)});
+  c.part = rope.name;
+  c.limits = false;
+  c.where = moves ? own.where_of_peak : own.where_of_share;
+  r.checks.push_back(std::move(c));
 }
 
 void Judge::add_tensions(Result& r) const {
   double worst = 0;
   std::string where;
   for (std::size_t i = 0; i < model_->reevings.size(); ++i) {
-    const machine::Reeving& rope = model_->reevings[i];
-    const auto found = ropes_.find(rope.name);
-    if (found == ropes_.end() || !found->second.seen) continue;
+    const std::string& name = model_->reevings[i].name;
+    const auto found = ropes_.find(name);
+    if (found == ropes_.end()) continue;
     const RopeWorst& own = found->second;
-    if (own.T >= worst) {
-      worst = own.T;
-      where = fmt::format("{}, {}", rope.name, own.where);
+    const bool moves = own.peak > 0 && !(own.seen && own.T >= own.peak);
+    if (!own.seen && !moves) continue;
+    const double T = moves ? own.peak : own.T;
+    const std::string& state = moves ? own.where_of_peak : own.where;
+    if (T >= worst) {
+      worst = T;
+      where = fmt::format("{}, {}", name, state);
     }
-    const std::string symbol = fmt::format("{}.T_max", rope.name);
     const ValueKind& tension = named(value_kinds(), "ROPE.T_max");
-    r.values.push_back(make_value(tension, rope.name, "", own.T,
-                                  fmt::format("{} of {} ({})", tension.about.words, rope.name, own.where)));
-    if (own.breaking_force <= 0 || own.T_of_share <= 0) continue;
-    const ValueKind& factor = named(value_kinds(), "ROPE.safety_factor");
-    r.values.push_back(make_value(factor, rope.name, "", own.breaking_force / own.T_of_share,
-                                  fmt::format("{} of {}", factor.about.words, rope.name)));
-    Check c = make_check(symbol, own.T_of_share, si::N,
-                         {.sense = Sense::at_most,
-                          .limit = own.breaking_force,
-                          .rule = "minimum breaking force of the rope",
-                          .trust = strength_trust(i)});
-    c.part = rope.name;
-    c.limits = false;
-    c.where = own.where_of_share;
-    r.checks.push_back(std::move(c));
+    r.values.push_back(
+        make_value(tension, name, "", T, fmt::format("{} of {} ({})", tension.about.words, name, state)));
+    add_strength(i, own, r);
   }
-  if (model_->reevings.empty()) return;
+  if (where.empty()) return;
   const ValueKind& largest = named(value_kinds(), "T_max");
   r.values.insert(r.values.begin(),
                   make_value(largest, "", "", worst, fmt::format("{} ({})", largest.about.words, where)));
@@ -455,7 +476,7 @@ void Judge::add_heights(Result& r) const {
 }
 
 void Judge::add_values(Result& r) const {
-  if (shown_) add_tensions(r);
+  add_tensions(r);
   add_heights(r);
   for (const Warned& one : warned_) {
     if (one.unsafe) {
@@ -501,6 +522,11 @@ void Judge::add_scope(Result& r) const {
   add_beside("supports", names_of_all(deck_->machine.supports));
   add_beside("carriages", names_of_all(deck_->machine.carriages));
   add_beside("anchors", anchors_in_ground(*model_));
+  add_beside("contacts", names_of_all(model_->contacts));
+  for (const std::string& rope : slack_over_ground_) {
+    r.beside.push_back(fmt::format("the ground below {} where it is slack", rope));
+  }
+  add_beside("cylinders", names_of_all(deck_->machine.actuators));
 }
 
 }  // namespace taut::checks

@@ -1,4 +1,5 @@
 #pragma once
+#include <cmath>
 #include <limits>
 #include <map>
 #include <memory>
@@ -33,13 +34,30 @@ struct BeamWorst {
   WorstOf together;          ///< least alpha_cr of all beams that are pressed together with it
 };
 
+/// Least and largest of a length over several states, m; NaN: no state has it.
+struct LengthRange {
+  double least = std::numeric_limits<double>::quiet_NaN(), most = std::numeric_limits<double>::quiet_NaN();
+
+  void take(double length) {
+    least = std::fmin(least, length);  // fmin and fmax pass over NaN
+    most = std::fmax(most, length);
+  }
+};
+
+/// Unstretched lengths of one rope while the machine works.
+struct RopeLengthsSeen {
+  LengthRange free;   ///< between its ends
+  LengthRange whole;  ///< with what lies on its drums, of states in which that is known
+
+  void take(const machine::Model& model, const solve::EquilibriumResult& state, int reeving);
+};
+
 /// One rope over all states that are judged.
 struct RopeSeen {
   std::string name;
   double T = 0;       ///< largest tension at rest, N
   std::string where;  ///< the state that has it
-  /// Least and largest unstretched length while the machine works, m; NaN: no such state.
-  double shortest = std::numeric_limits<double>::quiet_NaN(), longest = std::numeric_limits<double>::quiet_NaN();
+  RopeLengthsSeen lengths = {};
 };
 
 /// What the verdict keeps of every state of every judged analysis: the largest tension of each rope, what is below the
@@ -69,11 +87,8 @@ class Judge {
   /// Ropes that a state was shown of, in the order of the model.
   std::vector<RopeSeen> ropes() const;
 
-  /// By reeving: how far its breaking force may be trusted, "user" where the deck gives it.
-  std::vector<std::string> strength_trusts() const;
-
-  /// The values T_max, NAME.T_max, NAME.safety_factor, clearance_min, rope_clearance_min over all states, the checks
-  /// that can only fail (breaking force, ground), and the warnings of states.
+  /// The values T_max, NAME.T_max, clearance_min, rope_clearance_min over all states, NAME.safety_factor over those at
+  /// rest, the checks that can only fail (breaking force, ground), and the warnings of states.
   void add_values(Result& r) const;
 
   /// What the verdict speaks of, once all checks are there: parts without a limit, parts that the deck exempts, parts
@@ -82,12 +97,13 @@ class Judge {
 
  private:
   struct RopeWorst {
-    double T = 0;  ///< N
+    double T = 0;  ///< at rest, N
     std::string where;
+    double peak = 0;  ///< of motions, at all their steps, N
+    std::string where_of_peak;
     double breaking_force = 0;  ///< of the state in which T is the largest share of it, N; 0: not known
-    double T_of_share = 0;      ///< N
-    double shortest = std::numeric_limits<double>::quiet_NaN();  ///< m, as in RopeSeen
-    double longest = std::numeric_limits<double>::quiet_NaN();
+    double T_of_share = 0;      ///< at rest, N
+    RopeLengthsSeen lengths;
     std::string where_of_share;
     bool seen = false;
     bool carries = false;
@@ -103,6 +119,7 @@ class Judge {
   };
 
   RopeWorst& take_tension(const machine::Reeving& rope, double T, const std::string& words);
+  void take_peaks(const machine::Model& model, const solve::TransientResult& motion, const std::string& words);
   void take_height(const std::string& part, const std::string& words, double height, double x, const std::string& where,
                    std::map<std::string, Height>& all);
   void take_heights(const machine::Model& model, const solve::EquilibriumResult& state, const std::string& words);
@@ -120,14 +137,15 @@ class Judge {
   std::string strength_trust(std::size_t reeving) const;
   bool may_slack(const std::string& reeving) const;
   void add_tensions(Result& r) const;
+  void add_strength(std::size_t reeving, const RopeWorst& own, Result& r) const;
   void add_heights(Result& r) const;
   void add_scope_of(const std::string& part, const Result& r, std::vector<std::string>& unjudged) const;
 
   std::shared_ptr<const CheckedDeck> deck_;
   const machine::Model* model_;
-  bool shown_ = false;
   std::map<std::string, RopeWorst> ropes_;  ///< by the name of a reeving or guy
   std::map<std::string, Height> carriages_, rope_heights_;
+  std::set<std::string> slack_over_ground_;  ///< ropes that were slack over terrain: how low they hang is not known
   std::vector<BeamWorst> beams_;
   OffGroove off_groove_;
   TwoBlocked two_blocked_;

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <string>
 
 #include "taut/calc/verdict.hpp"
@@ -159,6 +160,96 @@ checks: )" + checks + "\n"));
   }
   EXPECT_EQ(judged("{ropes: {sky: {safety_factor: 1.2}}, lines: {sky: {clearance: true}}}")->kind, VerdictKind::passes);
   EXPECT_EQ(judged("{ropes: {sky: {safety_factor: 3}}, lines: {sky: {clearance: true}}}")->kind, VerdictKind::fails);
+}
+
+
+/// A load whose winch takes in with a jerk, at rest before it.
+std::string jerked(const std::string& analyses) {
+  return R"(taut: 1
+machine:
+  signals: {haul: {ramp: {to: 2 m/s, start: 0.2 s, duration: 0.05 s, smooth: true}}}
+  ropes: {hoist: {diameter: 14 mm, mass: 0.8 kg/m, stiffness: 9.8 MN, breaking_force: 30 kN, damping_ratio: 0.02}}
+  bodies: {hook: {mass: 1.5 t, at: [0 m, 0 m, 1 m], free: [z]}}
+  drums: {winch: {at: [0.2 m, 0 m, 12 m], core_diameter: 400 mm, drive: {speed: haul}}}
+  reevings: [{rope: hoist, path: [{drum: winch}, {anchor: hook}], length: 11 m}]
+checks: {ropes: {hoist: {safety_factor: 2}}, confirmed: [elastic_limit]}
+analyses:
+)" + analyses;
+}
+
+constexpr const char* at_rest = "  - equilibrium: {motion: at_rest}\n";
+const std::string jerk = "  - transient: {duration: 0.6 s, output_step: 10 ms, name: jerk";
+
+// One name, one number: the largest of all states that are judged, and the check of that number.
+TEST(Judge, ThePeakOfAMotionIsTheLargestTension) {
+  const Result r = run_text(jerked(at_rest + jerk + "}\n"));
+  const taut::Value* T = r.find_value("hoist.T_max");
+  ASSERT_NE(T, nullptr) << r.message << to_text(r.errors);
+  EXPECT_GT(T->value, 30e3);
+  EXPECT_THAT(T->label, HasSubstr("jerk, t = "));
+  EXPECT_EQ(r.find_value("T_max")->value, T->value);
+  EXPECT_EQ(std::count_if(r.checks.begin(), r.checks.end(), [](const Check& c) { return c.name == "hoist.T_max"; }), 1);
+  EXPECT_EQ(check_of(r, "hoist.T_max").value, T->value);
+  EXPECT_FALSE(check_of(r, "hoist.T_max").passes);
+  EXPECT_FALSE(has_check(r, "hoist.T_max_jerk"));
+  // 1.5 t and half of 11 m of rope in a motion, all of it at rest
+  EXPECT_NEAR(30e3 / r.find_value("hoist.safety_factor")->value, 1.509e3 * 9.80665, 30);
+}
+
+TEST(Judge, AMotionThatIsNotJudgedHasNoPeak) {
+  const Result rest = run_text(jerked(at_rest)), r = run_text(jerked(at_rest + jerk + ", judge: false}\n"));
+  ASSERT_NE(r.find_value("hoist.T_max"), nullptr) << r.message << to_text(r.errors);
+  EXPECT_EQ(r.find_value("hoist.T_max")->value, rest.find_value("hoist.T_max")->value);
+  EXPECT_EQ(r.find_value("T_max")->value, rest.find_value("T_max")->value);
+  EXPECT_EQ(r.checks.size(), rest.checks.size());
+  EXPECT_EQ(verdict_of(r)->kind, verdict_of(rest)->kind) << verdict_of(r)->reason;
+  EXPECT_GT(r.find_value("hoist.dynamic_factor_jerk")->value, 2) << "the motion itself is there";
+}
+
+// The winch takes in until the end: no one knows how far the tension would go.
+TEST(Judge, AMotionThatEndsWhileATensionGrowsIsUnsafe) {
+  const auto pulled = [](const std::string& duration) {
+    return run_text(R"(taut: 1
+machine:
+  signals: {haul: {sequence: [{at: 0.1 s, to: 0.05 m/s, over: 0.1 s}, {at: 1 s, to: 0 m/s, over: 0.1 s}]}}
+  points: {stump: [10 m, 0 m, 0 m]}
+  ropes: {line: {diameter: 14 mm, mass: 0 kg/m, stiffness: 1 MN, breaking_force: 100 kN, damping_ratio: 0.05}}
+  drums: {winch: {at: [0 m, 0 m, 0 m], core_diameter: 400 mm, drive: {speed: haul}}}
+  reevings: [{rope: line, path: [{drum: winch}, {anchor: stump}], length: 10 m}]
+checks: {ropes: {line: {dynamic_safety_factor: 3}}, confirmed: [elastic_limit]}
+analyses: [transient: {duration: )" +
+                    duration + ", output_step: 10 ms}]\n");
+  };
+  EXPECT_THAT(pulled("0.8 s").unsafe, ElementsAre(HasSubstr("the tension of line is largest where the motion ends")));
+  EXPECT_THAT(pulled("3 s").unsafe, IsEmpty());
+}
+
+// What no state shows is named: a rope without mass has no shape where it is slack.
+TEST(Judge, NamesWhatIsNotPartOfTheVerdict) {
+  const Result r = run_text(R"(taut: 1
+machine:
+  points: {a: [0 m, 0 m, 10 m], b: [50 m, 0 m, 12 m], c: [60 m, 0 m, 12 m], d: [70 m, 0 m, 12 m]}
+  ropes: {loose: {stiffness: 10 MN, breaking_force: 100 kN}, sky: {mass: 1 kg/m, stiffness: 20 MN}}
+  reevings:
+    - {rope: loose, path: [{anchor: a}, {anchor: b}], length: 80 m, may_slack: true}
+    - {rope: sky, path: [{anchor: c}, {anchor: d}], length: 10.1 m}
+  terrain: {x: [0 m, 100 m], z: [0 m, 0 m]}
+checks: {lines: {loose: {least_clearance: 2 m}}}
+)");
+  EXPECT_THAT(r.beside, Contains("the ground below loose where it is slack")) << r.message << to_text(r.errors);
+  EXPECT_THAT(r.unmade, ElementsAre(HasSubstr("loose: its clearance is not judged where it is slack")));
+  const Result deck = run_text(R"(taut: 1
+machine:
+  points: {top: [0 m, 0 m, 9 m], eye: {body: box, at: [0 m, 0 m, 1 m]}}
+  markers: {foot: {body: box, at: [0 m, 0 m, 0 m]}}
+  faces: {floor: {at: [0 m, 0 m, 0 m], normal: [0, 0, 1]}}
+  contacts: [{point: foot, face: floor, stiffness: 1 MN/m, damping: 1 kN s/m}]
+  ropes: {line: {mass: 0 kg/m, stiffness: 1 MN, breaking_force: 100 kN, damping_ratio: 0.1}}
+  bodies: {box: {mass: 100 kg, at: [0 m, 0 m, 0.1 m], free: [z]}}
+  reevings: [{rope: line, path: [{anchor: top}, {anchor: eye}], length: 7.9 m}]
+analyses: [transient: {duration: 0.1 s}]
+)");
+  EXPECT_THAT(deck.beside, Contains(HasSubstr("contacts foot"))) << deck.message << to_text(deck.errors);
 }
 
 }  // namespace taut::checks::judge_test

@@ -126,7 +126,8 @@ Kinds kinds_of_ropes() {
           {.about = {.name = "ROPE.cut_length",
                      .symbol = "",
                      .unit = si::m,
-                     .words = "length to cut: unstretched, at the temperature at which the line is put up"},
+                     .words = "length to cut: unstretched, with what is on drums, at the temperature at which the line "
+                              "is put up"},
            .of = "a line with `install:`",
            .page = "theory/installation.md"}};
 }

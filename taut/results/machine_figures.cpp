@@ -35,6 +35,17 @@ struct View {
   Vector3 above = up();
   bool plan = false;
   Point point(const Vector3& v) const { return {.x = v.dot(right), .y = v.dot(above)}; }
+  bool shows(const Vector3& force) const { return std::hypot(force.dot(right), force.dot(above)) > 0; }
+  /// As long as the part of the force in this view, with the whole force as its number.
+  ForceArrow arrow(const Vector3& place, const Vector3& force, const std::string& label, Role role) const {
+    return {.at = point(place),
+            .fx = force.dot(right),
+            .fy = force.dot(above),
+            .label = label,
+            .role = role,
+            .towards = false,
+            .whole = force.norm()};
+  }
 };
 
 struct Box {
@@ -290,13 +301,11 @@ void draw_holders(Drawing& d, const machine::Model& m, const solve::EquilibriumR
                   double size) {
   for (const auto& [name, h] : held_of(m, e)) {
     draw_round(d, view.point(h.at), view.plan ? 0 : h.radius, size);
-    const Point f = view.point(h.force);
-    if (h.moves || std::hypot(f.x, f.y) <= 0) {  // the ropes of what moves are in balance with its weight
+    if (h.moves || h.force.norm() <= 0) {  // the ropes of what moves are in balance with its weight
       d.shapes.emplace_back(Label{.at = view.point(h.at), .text = name});
       continue;
     }
-    d.shapes.emplace_back(ForceArrow{
-        .at = view.point(h.at), .fx = f.x, .fy = f.y, .label = "F " + name, .role = Role::force, .towards = false});
+    d.shapes.emplace_back(view.arrow(h.at, h.force, "F " + name, Role::force));
   }
 }
 
@@ -331,25 +340,15 @@ void draw_rope_loads(Drawing& d, const solve::EquilibriumResult& e, const machin
       place += e.rope_loads[last].at;
     }
     place /= static_cast<double>(last - i);
-    const Point f = view.point(force);
-    if (std::hypot(f.x, f.y) > 0) {
-      d.shapes.emplace_back(ForceArrow{
-          .at = view.point(place), .fx = f.x, .fy = f.y, .label = name, .role = Role::second_force, .towards = false});
-    }
+    if (view.shows(force)) d.shapes.emplace_back(view.arrow(place, force, name, Role::second_force));
     i = last;
   }
 }
 
 void draw_weights(Drawing& d, const machine::Model& m, const solve::EquilibriumResult& e, const View& view) {
   const auto draw = [&](const machine::Place& place, const Vector3& force, const std::string& label) {
-    const Point f = view.point(force);
-    if (std::hypot(f.x, f.y) <= 0) return;
-    d.shapes.emplace_back(ForceArrow{.at = view.point(machine::in_ground(e.state, place)),
-                                     .fx = f.x,
-                                     .fy = f.y,
-                                     .label = label,
-                                     .role = Role::second_force,
-                                     .towards = false});
+    if (!view.shows(force)) return;
+    d.shapes.emplace_back(view.arrow(machine::in_ground(e.state, place), force, label, Role::second_force));
   };
   for (std::size_t i = 0; i < m.bodies.size(); ++i) {
     const machine::Body& body = m.bodies[i];
@@ -377,9 +376,9 @@ struct FigureText {
 FigureText text_of_answer(const std::string& words) {
   return {.title = "Side view",
           .plan_title = "Plan",
-          .caption = fmt::format("{}. T: largest tension of a rope. F: ropes on what holds them, W and P: weights and "
-                                 "loads, as they are seen in this view.",
-                                 words)};
+          .caption = fmt::format("{}. T: largest tension of a rope. F: ropes on what holds them. W and P: weights and "
+                                 "loads. {}",
+                                 words, whole_forces)};
 }
 
 FigureText text_of_description(const std::string& why) {
@@ -387,8 +386,9 @@ FigureText text_of_description(const std::string& why) {
   return {.title = title,
           .plan_title = title + ", plan",
           .caption =
-              "This is not an answer: ropes are drawn straight, and no tension is known. W and P: weights and "
-              "loads that are given, as they are seen in this view."};
+              fmt::format("This is not an answer: ropes are drawn straight, and no tension is known. W and P: weights "
+                          "and loads that are given. {}",
+                          whole_forces)};
 }
 
 Drawing drawing_of(const machine::Model& m, const solve::EquilibriumResult& e, const View& view,
@@ -484,10 +484,25 @@ void add_plots(const machine::Model& m, const study::LoadPathRun& run, Result& r
   r.figures.emplace_back(std::move(clearance));
 }
 
-double largest_tension(const solve::EquilibriumResult& e) {
-  double T = 0;
-  for (const auto& rope : e.ropes) T = std::max(T, rope.T_max);
-  return T;
+/// The largest share of its breaking force that a rope of a state bears, by which states are compared; where no
+/// breaking force is known, its largest tension.
+std::pair<double, double> strain_of(const Answer& state) {
+  double share = 0, T = 0;
+  for (std::size_t i = 0; i < state.model->reevings.size(); ++i) {
+    const double own = state.result->ropes[i].T_max, strength = state.model->reevings[i].breaking_force;
+    T = std::max(T, own);
+    if (strength > 0) share = std::max(share, own / strength);
+  }
+  return {share, T};
+}
+
+/// The state that decides: of those that are judged, if any are, the one that strains its ropes most.
+const Answer& deciding(const std::vector<Answer>& all) {
+  const bool any_judged = std::any_of(all.begin(), all.end(), [](const Answer& one) { return one.judged; });
+  return *std::max_element(all.begin(), all.end(), [&](const Answer& a, const Answer& b) {
+    if (any_judged && a.judged != b.judged) return b.judged;
+    return strain_of(a) < strain_of(b);
+  });
 }
 
 /// The direction that the ground or a load path follows, where the deck says one across the axes.
@@ -541,18 +556,17 @@ void add_figures(MachineRun& run, Result& r) {
     }
     return;
   }
-  const bool has_equilibrium = all.front().point == nullptr && !run.equilibria.empty();
-  const Answer drawn =
-      has_equilibrium ? all.front() : *std::max_element(all.begin(), all.end(), [](const Answer& a, const Answer& b) {
-        return largest_tension(*a.result) < largest_tension(*b.result);
-      });
+  const Answer& drawn = deciding(all);
+  const bool is_equilibrium = std::any_of(run.equilibria.begin(), run.equilibria.end(),
+                                          [&](const auto& one) { return &one.result == drawn.result; });
+  const std::string words = (is_equilibrium ? "Equilibrium, " : "") + drawn.words;
   add_drawings(*drawn.model, *drawn.result, line_of(run),
-               text_of_answer((has_equilibrium ? "Equilibrium, " : "Where the tension is largest: ") + drawn.words), r);
+               text_of_answer(all.size() == 1 ? words : "The state that strains its ropes most: " + words), r);
   run.key_figure.offer(Pictured::machine, "machine");
   for (const study::LoadPathRun& path : run.paths) {
     Profile profile = load_path_profile(run, path);
     if (profile.places.size() > 1) {
-      run.key_figure.offer(Pictured::load_path, profile.name);
+      run.key_figure.offer(Pictured::load_path, profile.name, path.judged);
       r.figures.emplace_back(std::move(profile));
     }
     add_plots(run.model, path, r);

@@ -8,6 +8,9 @@
 
 namespace taut::results {
 
+/// For the captions of drawings with forces.
+inline constexpr const char* whole_forces = "A number is the whole force, an arrow its part in this view.";
+
 /// Drawings of the machine, side view and, where it has a width, plan, at its first equilibrium (else where a load path
 /// has its largest tension), with the forces of the ropes on what holds them; for each load path the profile of the
 /// line, the tensions and the clearance. Offers profile and drawing for page 1. Of a result that is not ok, of a run

@@ -24,20 +24,21 @@ std::string state_words(const char* kind, const std::string& ending, const std::
 std::vector<Answer> answers_of(const MachineRun& run) {
   std::vector<Answer> all;
   for (const study::EquilibriumRun& one : run.equilibria) {
-    if (one.result.outcome.ok()) all.push_back({&one.model, &one.result, nullptr, one.words});
+    if (one.result.outcome.ok()) all.push_back({&one.model, &one.result, nullptr, one.words, one.judged});
   }
   for (const study::LoadPathRun& one : run.paths) {
     for (const study::LoadPathPart& part : one.parts) {
       for (const auto& point : part.result.points) {
         if (!point.at.outcome.ok()) continue;
-        all.push_back({&part.model, &point.at, &point, fmt::format("load path, {}, x = {:.6g} m", one.words, point.x)});
+        all.push_back({&part.model, &point.at, &point, fmt::format("load path, {}, x = {:.6g} m", one.words, point.x),
+                       one.judged});
       }
     }
   }
   for (const bool explores : {false, true}) {
     for (const OtherAnswer& one : run.others) {
       if (one.explores == explores && (!explores || all.empty())) {
-        all.push_back({&one.model, &one.result, nullptr, one.words});
+        all.push_back({&one.model, &one.result, nullptr, one.words, one.judged});
       }
     }
   }

@@ -25,6 +25,7 @@ struct OtherAnswer {
   machine::Model model;
   solve::EquilibriumResult result;
   bool explores = false;
+  bool judged = true;  ///< whether its analysis counts for the verdict
 };
 
 /// Everything that was computed of a machine.
@@ -50,6 +51,7 @@ struct Answer {
   const solve::EquilibriumResult* result = nullptr;
   const study::LoadPathPoint* point = nullptr;  ///< of a load path
   std::string words;                            ///< "hoist", "load path at x = 12 m"
+  bool judged = true;                           ///< whether it counts for the verdict
 };
 
 /// All that were found, equilibria first.

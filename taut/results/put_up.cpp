@@ -7,6 +7,7 @@
 
 #include "taut/checks/checked_parts.hpp"
 #include "taut/results/described.hpp"
+#include "taut/solve/drives.hpp"
 
 namespace taut::results {
 namespace {
@@ -50,10 +51,16 @@ void add_put_up(const machine::Model& model, const std::vector<study::PutUpLine>
     const ValueKind& base = named(value_kinds(), "ROPE.base_tension");
     r.values.push_back(make_value(base, name, "", one.at_end ? one.at.T_end : one.at.T_start,
                                   fmt::format("{}: at its {}, {}", base.about.words, end_name(one.at_end), words)));
-    r.values.push_back(make_value(
-        named(value_kinds(), "ROPE.cut_length"), name, "", one.at.cut,
-        fmt::format("length of {} to cut: unstretched, at the temperature at which it is put up; kept from there on",
-                    name)));
+    const double warmth = one.at.cut / one.at.unstretched;
+    const auto wound = solve::length_on_drums(model, one.reeving);
+    r.values.push_back(
+        make_value(named(value_kinds(), "ROPE.cut_length"), name, "", one.at.cut + wound.value_or(0) * warmth,
+                   fmt::format("length of {} to cut: unstretched, at the temperature at which it is put up{}; kept "
+                               "from there on",
+                               name,
+                               !wound       ? "; what is on its drum is not known: give the drum its 'length_on_drum'"
+                               : *wound > 0 ? ", with what is on its drum"
+                                            : "")));
   }
   r.tables.push_back(
       make_table("put_up",

@@ -67,6 +67,7 @@ struct LineStates {
   int reeving = 0;
   LineExtreme tail_angle, off_line;  ///< rad
   LineExtreme clearance;             ///< over the ground, at rest, m
+  std::string slack;                 ///< the first state at rest in which a part of it is slack: it hangs anywhere
   study::TerrainGap gap;             ///< of the line in plan, the largest over all states
   struct Bend {
     std::string support;

@@ -133,6 +133,7 @@ void take_clearance(const CheckState& state, LineStates& line) {
   take_gap(study::terrain_gap(*state.model, state.rest->branches, line.reeving), line);
   for (const solve::BranchResult& branch : state.rest->branches) {
     if (branch.reeving != line.reeving) continue;
+    if (branch.slack && line.slack.empty()) line.slack = state.words;
     const study::RopeClearance found = study::rope_clearance(*state.model, branch);
     if (std::isnan(found.height)) continue;
     line.clearance.least(found.height, fmt::format("{}, at x = {:.4g} m", state.words, found.place.x()));
@@ -144,7 +145,13 @@ void check_clearance(const LineStates& line, Result& r) {
   if (!request.clearance && !request.least_clearance) return;
   RuleLimit limit = rule_limit("layout.ground_clearance", true);
   if (request.least_clearance) limit = {.value = *request.least_clearance, .words = "the deck's own", .trust = "user"};
+  const std::string slack = line.slack.empty() ? std::string() : slack_words(request.name, line.slack);
+  if (!slack.empty()) {
+    r.unmade.push_back(slack);
+    r.warnings.push_back(slack);
+  }
   if (std::isnan(line.clearance.value)) {
+    if (!slack.empty()) return;
     r.unmade.push_back(
         fmt::format("{}: its clearance is not checked: no state of the deck has it over the terrain", request.name));
     r.warnings.push_back(r.unmade.back());

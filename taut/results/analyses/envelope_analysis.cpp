@@ -46,7 +46,9 @@ void add_answer(const study::EnvelopeRun& asked, MachineRun& machine, Result& r)
                [&](const machine::Model& model, const solve::EquilibriumResult& state, const std::string& words) {
                  machine.checked->take(model, state, words, checks::analysis_name(run.ending, "envelope"));
                });
-  for (const std::string& sentence : run.contrary) warn_unsafe(r, sentence);
+  for (const std::string& sentence : run.contrary) {
+    machine.checked->judged ? warn_unsafe(r, sentence) : r.warnings.push_back(sentence);
+  }
   watch.note(r);
   run.missing.note(r, "envelope" + run.ending, machine.checked->judged);
   if (run.on_support) r.warnings.emplace_back("envelope: positions on a support are left out");

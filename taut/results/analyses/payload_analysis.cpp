@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <numeric>
+#include <set>
 
 #include "taut/calc/answers.hpp"
 #include "taut/calc/none.hpp"
@@ -75,7 +77,7 @@ Profile payload_profile(const MachineRun& machine, const study::PayloadRun& run,
 /// A limit that is exceeded without payload, and where.
 struct NothingCarried {
   std::string limit;
-  std::string where;  ///< "from x = 12 m to 22 m"
+  std::string where;  ///< "from x = 12 m to 22 m, at x = 40 m"
   std::size_t places = 0;
 };
 
@@ -130,6 +132,7 @@ void add_carried(const MachineRun& machine, const study::PayloadRun& run, const 
     parts.push_back(fmt::format("at {} of {} places; the others have no answer", least.answered, places));
   const std::string besides = load_besides(machine.model, run, machine.display);
   if (!besides.empty()) parts.push_back(fmt::format("on top of the {} that the deck hangs on the carriage", besides));
+  if (!machine.checked->judged) parts.emplace_back(checks::not_judged_words);
   if (!run.ending.empty()) parts.front() = fmt::format("{}: {}", run.ending.substr(1), parts.front());
   add_answer_line(r, carries_label, parts);
 }
@@ -193,6 +196,21 @@ void add_limits(const machine::Model& model, const study::PayloadRun& run, Resul
   }
 }
 
+/// Where a rope has to be clear of the ground and hangs slack, without mass.
+void add_slack(const machine::Model& model, const study::PayloadRun& run, Result& r) {
+  std::set<int> told;
+  for (const study::PayloadPosition& one : run.positions) {
+    if (!one.answered()) continue;
+    for (const solve::BranchResult& branch : one.point.payload.at.branches) {
+      if (!branch.slack || !std::isfinite(run.limits.rope_clearance[as_size(branch.reeving)])) continue;
+      if (!told.insert(branch.reeving).second) continue;
+      r.unmade.push_back(checks::slack_words(model.reevings[branch.reeving].name,
+                                             fmt::format("payload{}, x = {:.6g} m", run.ending, one.point.x)));
+      r.warnings.push_back(r.unmade.back());
+    }
+  }
+}
+
 /// Where a clearance is asked and the terrain does not reach the carriage or the rope.
 void add_gaps(const machine::Model& model, const study::PayloadRun& run, Result& r) {
   const auto worse = [](study::TerrainGap& worst, const study::TerrainGap& gap) {
@@ -223,24 +241,59 @@ void add_gaps(const machine::Model& model, const study::PayloadRun& run, Result&
   for (std::size_t i = 0; i < ropes.size(); ++i) tell(model.reevings[i].name, ropes[i]);
 }
 
+/// Neighbouring places at which the same limit is exceeded without payload.
+struct Stretch {
+  double from = 0, to = 0;  ///< m
+  std::size_t places = 0;
+};
+
+/// By limit. A place that carries, that has no answer or where another limit governs ends a stretch; one on a support,
+/// which has no answer of its own, does not.
+std::map<std::string, std::vector<Stretch>> nothing_by_limit(const study::PayloadRun& run) {
+  std::map<std::string, std::vector<Stretch>> all;
+  std::string last;  // the limit of the place before
+  for (const study::PayloadPosition& one : run.positions) {
+    if (!one.support.empty()) continue;
+    const bool nothing = one.answered() && !one.point.payload.outcome.ok();
+    const std::string limit = nothing ? one.point.payload.governing : std::string();
+    if (nothing) {
+      std::vector<Stretch>& own = all[limit];
+      if (own.empty() || limit != last) own.push_back({.from = one.point.x, .to = one.point.x});
+      own.back().to = one.point.x;
+      ++own.back().places;
+    }
+    last = limit;
+  }
+  return all;
+}
+
+/// "from x = 12 m to 22 m, at x = 40 m and on 3 more stretches".
+std::string where_words(const std::vector<Stretch>& stretches, const Display& display) {
+  constexpr std::size_t most_stretches = 3;
+  std::string text;
+  for (std::size_t i = 0; i < std::min(most_stretches, stretches.size()); ++i) {
+    const Stretch& one = stretches[i];
+    const std::string low = display.brief(std::min(one.from, one.to), si::m),
+                      high = display.brief(std::max(one.from, one.to), si::m);
+    text += i > 0 ? ", " : "";
+    text += one.places == 1 ? "at x = " + low : fmt::format("from x = {} to {}", low, high);
+  }
+  if (stretches.size() <= most_stretches) return text;
+  const std::size_t more = stretches.size() - most_stretches;
+  return text + fmt::format(" and on {} more stretch{}", more, more == 1 ? "" : "es");
+}
+
 /// Where a limit is exceeded without payload: warnings, and checks that fail.
 std::vector<NothingCarried> add_nothing(const MachineRun& machine, const study::PayloadRun& run, Result& r) {
-  std::map<std::string, std::vector<double>> by_limit;
-  for (const study::PayloadPosition& one : run.positions) {
-    if (one.answered() && !one.point.payload.outcome.ok()) by_limit[one.point.payload.governing].push_back(one.point.x);
-  }
   std::vector<NothingCarried> all;
-  for (const auto& [limit, places] : by_limit) {
-    const auto [low, high] = std::minmax_element(places.begin(), places.end());
-    const auto at = [&](double x) { return machine.display.brief(x, si::m); };
-    all.push_back({.limit = limit,
-                   .where = places.size() == 1 ? fmt::format("at x = {}", at(*low))
-                                               : fmt::format("from x = {} to {}", at(*low), at(*high)),
-                   .places = places.size()});
+  for (const auto& [limit, stretches] : nothing_by_limit(run)) {
+    const auto places = std::accumulate(stretches.begin(), stretches.end(), std::size_t{0},
+                                        [](std::size_t sum, const Stretch& one) { return sum + one.places; });
+    all.push_back({.limit = limit, .where = where_words(stretches, machine.display), .places = places});
     const std::string words = fmt::format(
         "nothing can be carried {} ({} place{}): without any payload the limit is exceeded already: {}; raise the "
         "line, give it more rope or a stronger one",
-        all.back().where, places.size(), places.size() == 1 ? "" : "s", limit);
+        all.back().where, places, places == 1 ? "" : "s", limit);
     r.warnings.push_back("payload: " + words);
     if (!machine.checked->judged) continue;
     Check c = make_check("payload_min" + run.ending, 0, si::kg.in("t"),
@@ -287,9 +340,10 @@ void add_results(MachineRun& machine, const study::PayloadRun& run, Result& r) {
   r.tables.push_back(payload_table(machine.model, run));
   if (judged) add_limits(machine.model, run, r);
   if (judged) add_gaps(machine.model, run, r);
+  if (judged) add_slack(machine.model, run, r);
   if (run.positions.size() > 1) {
     Profile profile = payload_profile(machine, run, *least.of_all);
-    machine.key_figure.offer(Pictured::payload, profile.name);
+    machine.key_figure.offer(Pictured::payload, profile.name, judged);
     r.figures.emplace_back(std::move(profile));
     Plot used = used_plot(machine.model, run);
     if (!used.curves.empty()) r.figures.emplace_back(std::move(used));

@@ -167,6 +167,33 @@ TEST(PayloadAnalysis, NothingCanBeCarriedIsAnAnswer) {
   EXPECT_EQ(exit_code(r), 4) << "a line that carries nothing at some place fails";
 }
 
+// Two hills of 16 m, 15 m wide at half height, under a line that is clear of the ground between them.
+TEST(PayloadAnalysis, WhatLiesBetweenTwoHillsCarries) {
+  const Result r = run_text(R"(taut: 1
+machine:
+  points: {a: [0 m, 0 m, 20 m], b: [200 m, 0 m, 20 m]}
+  ropes: {sky: {mass: 1.6 kg/m, stiffness: 20 MN, breaking_force: 250 kN}}
+  carriages: {car: {mass: 300 kg, rides: sky, hold: clamped, at: [100 m, 0 m, 10 m]}}
+  reevings: [{rope: sky, path: [{anchor: a}, {through: car}, {anchor: b}], length: 201.5 m}]
+  terrain: {x: [-10 m, 20 m, 30 m, 40 m, 160 m, 170 m, 180 m, 210 m], z: [0 m, 0 m, 16 m, 0 m, 0 m, 16 m, 0 m, 0 m]}
+analyses:
+  - payload: {carriage: car, from: 10 m, to: 190 m, steps: 36, limits: {sky: {safety_factor: 3}, clearance: 2 m}}
+)");
+  ASSERT_EQ(r.status, Status::ok) << r.message << to_text(r.errors);
+  const Table& t = table_of(r, "payload");
+  for (std::size_t i = 0; i < t.rows.size(); ++i) {
+    const double x = cell(t, i, "x");
+    if (x > 45 && x < 155) EXPECT_GT(cell(t, i, "payload"), 100) << x;
+  }
+  const std::string& text = r.answers.front().text;
+  EXPECT_EQ(text.find("nothing from x = 30 m to 170 m"), std::string::npos) << text;
+  EXPECT_EQ(std::count(text.begin(), text.end(), '('), 1) << text;
+  EXPECT_EQ(text.find("nothing "), 0U) << text;
+  EXPECT_NE(text.find("x = 30 m"), std::string::npos) << text;
+  EXPECT_NE(text.find(", "), std::string::npos) << text;
+  EXPECT_NE(text.find("x = 170 m"), std::string::npos) << text;
+}
+
 TEST(PayloadAnalysis, TellsEachMistakeAtItsPlace) {
   const std::vector<std::pair<std::string, std::string>> rows = {
       {"skylin: {tension: 70 kN}", "limits.skylin: there is no rope and no drum 'skylin'; did you mean 'skyline'?"},

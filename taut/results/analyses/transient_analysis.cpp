@@ -90,7 +90,7 @@ std::vector<EndValue> end_values(const study::TransientRun& run) {
 }
 
 /// The largest tensions with their times, and what is observed at the end.
-void add_motion(const study::TransientRun& run, const Display& display, Result& r) {
+void add_motion(const study::TransientRun& run, const Display& display, bool judged, Result& r) {
   const solve::TransientResult& result = run.result;
   std::vector<std::size_t> order(result.ropes.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
@@ -105,6 +105,7 @@ void add_motion(const study::TransientRun& run, const Display& display, Result& 
                                 display.brief(rope.T.max, si::N), rope.T.t_max, still));
   }
   if (!run.ending.empty() && !parts.empty()) parts.front() = fmt::format("{}: {}", run.ending.substr(1), parts.front());
+  if (!judged) parts.emplace_back(checks::not_judged_words);
   add_answer_line(r, "Motion", parts);
   std::vector<std::string> end = {fmt::format("t = {:.4g} s", result.t_end)};
   for (const EndValue& one : end_values(run))
@@ -131,10 +132,10 @@ void add_answer(const study::TransientRun& asked, MachineRun& machine, Result& r
                     : fmt::format("{}: at t = {:.6g} s {}", words_of(run), result.t_end, result.outcome.message);
   }
   if (result.frames.empty()) return;
-  add_transient_tables(run, machine.checked->judge.strength_trusts(), r);
+  add_transient_tables(run, machine.checked->judged, r);
   add_transient_figures(run, r);
-  add_motion(run, machine.display, r);
-  machine.key_figure.offer(Pictured::motion, key_figure_of_motion(run, r));
+  add_motion(run, machine.display, machine.checked->judged, r);
+  machine.key_figure.offer(Pictured::motion, key_figure_of_motion(run, r), machine.checked->judged);
   if (run.request.save) r.attachments.push_back({*run.request.save, to_json(result.state, run.model)});
 }
 

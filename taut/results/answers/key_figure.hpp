@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <string>
 
 namespace taut::results {
@@ -11,8 +12,10 @@ struct KeyFigure {
   Pictured shows = Pictured::nothing;
   std::string name;  ///< of a figure of the result
 
-  /// Takes the figure where it goes before the one that is there; of equals the first stays.
-  void offer(Pictured other, const std::string& figure) {
+  /// Takes the figure where it goes before the one that is there; of equals the first stays. One of an analysis that
+  /// is not judged goes behind all that are.
+  void offer(Pictured other, const std::string& figure, bool judged = true) {
+    if (!judged) other = std::max(other, Pictured::machine);
     if (other >= shows || figure.empty()) return;
     shows = other;
     name = figure;

@@ -16,4 +16,14 @@ TEST(KeyFigure, TheFirstOfTheMostWantedKindIsTaken) {
   EXPECT_EQ(key.name, "load_path_profile") << "a figure without a name can't be found";
 }
 
+TEST(KeyFigure, WhatIsNotJudgedGoesBehindWhatIs) {
+  KeyFigure key;
+  key.offer(Pictured::payload, "payload_profile", false);
+  EXPECT_EQ(key.name, "payload_profile") << "there is nothing else";
+  key.offer(Pictured::machine, "machine");
+  EXPECT_EQ(key.name, "payload_profile");
+  key.offer(Pictured::modes, "mode_1");
+  EXPECT_EQ(key.name, "mode_1");
+}
+
 }  // namespace taut::results::key_figure_test

@@ -56,12 +56,24 @@ const RopeSeen* seen_of(const std::vector<RopeSeen>& seen, const std::string& na
   return at == seen.end() ? nullptr : &*at;
 }
 
-/// "cut 382 m", "102 m to 148 m between its ends"; empty where no state tells.
-std::string length_words(double shortest, double longest, const Display& display) {
-  if (std::isnan(longest)) return {};
-  const std::string to = display.brief(longest, si::m);
-  if (longest - shortest <= same_length * longest) return "cut " + to;
-  return fmt::format("{} to {} between its ends", display.brief(shortest, si::m), to);
+bool is_one(const checks::LengthRange& range) { return range.most - range.least <= same_length * range.most; }
+
+/// "148 m", "102 m to 148 m".
+std::string range_words(const checks::LengthRange& range, const Display& display) {
+  const std::string from = display.brief(range.least, si::m), to = display.brief(range.most, si::m);
+  return from == to ? to : fmt::format("{} to {}", from, to);
+}
+
+/// "cut 382 m", "cut 190 m (102 m to 148 m between its ends)", "102 m to 148 m between its ends"; empty where no state
+/// tells.
+std::string length_words(const checks::RopeLengthsSeen& lengths, const Display& display) {
+  if (std::isnan(lengths.free.most)) return {};
+  const std::string between = range_words(lengths.free, display) + " between its ends";
+  if (std::isnan(lengths.whole.most)) return between + " and what is on the drum";
+  if (!is_one(lengths.whole)) return between;
+  const std::string cut = "cut " + display.brief(lengths.whole.most, si::m);
+  const bool wound = lengths.whole.most - lengths.free.least > same_length * lengths.whole.most;
+  return wound ? fmt::format("{} ({})", cut, between) : cut;
 }
 
 std::string rope_line(const Rove& one, const RopeSeen* seen, const Result& r, const Display& display) {
@@ -70,7 +82,7 @@ std::string rope_line(const Rove& one, const RopeSeen* seen, const Result& r, co
   const double cut = number_of(r, one.name + ".cut_length");
   const std::string length = !std::isnan(cut)  ? "cut " + display.brief(cut, si::m)
                              : seen == nullptr ? std::string()
-                                               : length_words(seen->shortest, seen->longest, display);
+                                               : length_words(seen->lengths, display);
   if (!length.empty()) parts.push_back(length);
   const double base = number_of(r, one.name + ".base_tension");
   if (!std::isnan(base)) parts.push_back("base tension " + display.brief(base, si::N));
@@ -80,20 +92,17 @@ std::string rope_line(const Rove& one, const RopeSeen* seen, const Result& r, co
 /// Guys of one rope in one part: they differ by their lengths.
 std::string guys_line(const std::vector<const Rove*>& guys, const std::vector<RopeSeen>& seen, const Display& display) {
   std::vector<std::string> names;
-  double shortest = none, longest = none;
+  checks::LengthRange lengths;
   for (const Rove* one : guys) {
     names.push_back(one->name);
     const RopeSeen* own = seen_of(seen, one->name);
     if (own == nullptr) continue;
-    shortest = std::fmin(shortest, own->shortest);
-    longest = std::fmax(longest, own->longest);
+    lengths.take(own->lengths.free.least);
+    lengths.take(own->lengths.free.most);
   }
   std::string text = fmt::format("guys {}", fmt::join(names, ", "));
   if (!guys.front()->designation.empty()) text += ": " + guys.front()->designation;
-  if (std::isnan(longest)) return text;
-  const bool same = longest - shortest <= same_length * longest;
-  return text + fmt::format(", {}{} unstretched", same ? "" : display.brief(shortest, si::m) + " to ",
-                            display.brief(longest, si::m));
+  return std::isnan(lengths.most) ? text : text + fmt::format(", {} unstretched", range_words(lengths, display));
 }
 
 /// A line of the answer before it is known how many there are.
@@ -150,8 +159,7 @@ std::vector<RopeSeen> seen_in_all(const MachineRun& run) {
         own->T = rope.T_max;
         own->where = state.words;
       }
-      own->shortest = std::fmin(own->shortest, rope.unstretched);
-      own->longest = std::fmax(own->longest, rope.unstretched);
+      own->lengths.take(*state.model, *state.result, static_cast<int>(i));
     }
   }
   return all;

@@ -37,6 +37,27 @@ TEST(MachineAnswers, RopesHaveDesignationAndLength) {
   EXPECT_TRUE(lines_of(r, "Build").empty());
 }
 
+// 37 m between its ends and 30 m on the drum: 67 m to order. What the winch takes in is no other rope.
+TEST(MachineAnswers, WhatLiesOnTheDrumIsCutToo) {
+  const auto given = [](const std::string& on_drum, const std::string& rope, const std::string& analyses) {
+    const Result r = run_text(R"(taut: 1
+machine:
+  sheaves: {head: {at: [0 m, 0 m, 20 m], diameter: 400 mm}}
+  drums: {winch: {at: [-6 m, 0 m, 1 m], core_diameter: 400 mm, face_width: 500 mm)" +
+                              on_drum + R"(}}
+  ropes: {hoist: {diameter: 16 mm, mass: 1 kg/m, stiffness: 13 MN}}
+  bodies: {hook: {mass: 2 t, at: [0.2 m, 0 m, 3 m], free: [x, z]}}
+  reevings: [{rope: hoist, path: [{drum: winch}, {over: head}, {anchor: hook}], )" +
+                              rope + "}]\nanalyses: [" + analyses + "]\n");
+    EXPECT_EQ(r.status, Status::ok) << r.message << to_text(r.errors);
+    return lines_of(r, "Given");
+  };
+  const std::string rest = "equilibrium: {motion: at_rest}";
+  EXPECT_TRUE(has(given(", length_on_drum: 30 m", "length: 37 m", rest), "cut 67 m (37 m between its ends)"));
+  EXPECT_TRUE(has(given("", "length: 37 m", rest), "37 m between its ends and what is on the drum"));
+  EXPECT_FALSE(has(given("", "length: 37 m", rest), "cut"));
+}
+
 TEST(MachineAnswers, AreInTheUnitsOfTheDeck) {
   const std::string deck = "display: {force: kgf, length: ft}\n" + skyline_deck("  - equilibrium: {motion: at_rest}");
   const Result r = run_text(deck);

@@ -69,7 +69,10 @@ Drawing drawing_of(const study::TransientRun& run, std::size_t index, const Plan
   Drawing d;
   d.name = fmt::format("motion{}_{}", run.ending, index);
   d.title = title;
-  d.caption = "F: forces of the ropes on what holds them and on what they move.";
+  d.caption = fmt::format(
+      "F: forces of the ropes on what holds them and on what they move, at the output step next to "
+      "that moment. {}",
+      whole_forces);
   d.across = view.right == 0 ? "x" : "y";
   d.upward = view.above == 2 ? "z" : "y";
   d.legend = {{Role::rope, m.reevings.front().name},
@@ -96,9 +99,14 @@ Drawing drawing_of(const study::TransientRun& run, std::size_t index, const Plan
                                  .to = 0,
                                  .filled = !round});
     const Point f = view.point(part.force);
-    if (std::hypot(f.x, f.y) > 0) {
-      d.shapes.emplace_back(
-          ForceArrow{.at = at, .fx = f.x, .fy = f.y, .label = "F " + part.name, .role = Role::force, .towards = false});
+    if (part.force.norm() > 0) {
+      d.shapes.emplace_back(ForceArrow{.at = at,
+                                       .fx = f.x,
+                                       .fy = f.y,
+                                       .label = "F " + part.name,
+                                       .role = Role::force,
+                                       .towards = false,
+                                       .whole = part.force.norm()});
     } else {
       d.shapes.emplace_back(Label{.at = at, .text = part.name});
     }

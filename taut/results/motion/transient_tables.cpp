@@ -7,7 +7,6 @@
 
 #include "taut/base/expects.hpp"
 #include "taut/catalogue/rule.hpp"
-#include "taut/checks/described.hpp"
 #include "taut/results/described.hpp"
 
 namespace taut::results {
@@ -121,68 +120,44 @@ void add_energy(const study::TransientRun& run, Result& r) {
   }
 }
 
-/// What the steps leave open beyond the tolerance.
-void warn_of_errors(const study::TransientRun& run, Result& r) {
+/// What the steps leave open beyond the tolerance: unsafe where the motion is judged.
+void warn_of_errors(const study::TransientRun& run, bool judged, Result& r) {
+  const auto warn = [&](std::string words, bool counts) {
+    counts&& judged ? warn_unsafe(r, std::move(words)) : r.warnings.push_back(std::move(words));
+  };
   const solve::TransientResult& result = run.result;
   const double tolerance = energy_tolerance(run);
   const bool in_steps = run.options.step > 0 || run.options.quasi_static;
   const char* const better = in_steps ? "take a shorter 'step'" : "compare 'method: reference'";
   if (!(result.open <= tolerance)) {
-    warn_unsafe(r, fmt::format("{}: the energy ledger is open by {:.2g} % of the turnover at t = {:.4g} s, tolerance "
-                               "{:.2g} %: {}",
-                               words_of(run), 100 * result.open, result.t_open, 100 * tolerance, better));
+    warn(
+        fmt::format("{}: the energy ledger is open by {:.2g} % of the turnover at t = {:.4g} s, tolerance {:.2g} %: {}",
+                    words_of(run), 100 * result.open, result.t_open, 100 * tolerance, better),
+        true);
   }
   if (result.spent > 1) {
-    std::string words = fmt::format(
-        "{}: the errors of its steps add up to {:.2g}, tolerance {:.2g}: ropes shake fast, undamped; give a "
-        "'damping_ratio', a coarser 'tolerance' or a 'step'",
-        words_of(run), result.spent * tolerance, tolerance);
-    const bool counts = result.spent * tolerance > study::coarse_tolerance;
-    counts ? warn_unsafe(r, std::move(words)) : r.warnings.push_back(std::move(words));
+    warn(fmt::format("{}: the errors of its steps add up to {:.2g}, tolerance {:.2g}: ropes shake fast, undamped; give "
+                     "a 'damping_ratio', a coarser 'tolerance' or a 'step'",
+                     words_of(run), result.spent * tolerance, tolerance),
+         result.spent * tolerance > study::coarse_tolerance);
   }
   if (result.tension_error > tolerance) {
-    warn_unsafe(r,
-                fmt::format("{}: Verlet's steps leave an error of up to {:.2g} % in the tensions, tolerance {:.2g} %: "
-                            "{}",
-                            words_of(run), 100 * result.tension_error, 100 * tolerance, better));
+    warn(fmt::format("{}: Verlet's steps leave an error of up to {:.2g} % in the tensions, tolerance {:.2g} %: {}",
+                     words_of(run), 100 * result.tension_error, 100 * tolerance, better),
+         true);
   }
 }
 
-void add_ropes(const study::TransientRun& run, const std::vector<std::string>& strength_trust, Result& r) {
+void add_ropes(const study::TransientRun& run, Result& r) {
   std::vector<study::DynamicRow> rows;
-  double worst = 0;
-  std::string where;
   for (std::size_t i = 0; i < run.result.ropes.size(); ++i) {
-    const solve::RopeExtreme& e = run.result.ropes[i];
-    const machine::Reeving& rope = run.model.reevings[i];
     rows.push_back({run, static_cast<int>(i)});
-    const Value factor = make_value(named(study::dynamic_quantities(), "dynamic_factor"), rows.back(), rope.name,
-                                    run.ending, words_of(run));
+    const Value factor = make_value(named(study::dynamic_quantities(), "dynamic_factor"), rows.back(),
+                                    run.model.reevings[i].name, run.ending, words_of(run));
     if (std::isfinite(factor.value)) r.values.push_back(factor);
-    if (e.T.max > worst) {
-      worst = e.T.max;
-      where = fmt::format("{}, {}, at t = {:.6g} s", rope.name, study::branch_words(rope, e.branch), e.T.t_max);
-    }
-    if (rope.breaking_force > 0) {
-      Check c = make_check(fmt::format("{}.T_max{}", rope.name, run.ending), e.T.max, si::N,
-                           {.sense = Sense::at_most,
-                            .limit = rope.breaking_force,
-                            .rule = "minimum breaking force of the rope",
-                            .trust = strength_trust[i]});
-      c.part = rope.name;
-      c.limits = false;
-      c.where = fmt::format("{}, t = {:.4g} s", words_of(run), e.T.t_max);
-      r.checks.push_back(std::move(c));
-    }
   }
   r.tables.push_back(
       make_table("dynamic" + run.ending, "Ropes: peak over static tension", study::dynamic_quantities(), rows));
-  const auto known = std::find_if(r.values.begin(), r.values.end(), [](const Value& v) { return v.name == "T_max"; });
-  if (known != r.values.end() && known->value >= worst) return;
-  if (known != r.values.end()) r.values.erase(known);
-  const ValueKind& largest = named(checks::value_kinds(), "T_max");
-  r.values.insert(r.values.begin(), make_value(largest, "", "", worst,
-                                               fmt::format("{} ({}; {})", largest.about.words, where, words_of(run))));
 }
 
 /// How much of the way of each driven rim its rope did not go along with, over all steps.
@@ -344,15 +319,15 @@ std::vector<double> times_of(const study::TransientRun& run) {
   return t;
 }
 
-void add_transient_tables(const study::TransientRun& run, const std::vector<std::string>& strength_trust, Result& r) {
+void add_transient_tables(const study::TransientRun& run, bool judged, Result& r) {
   add_series(run, r);
-  add_ropes(run, strength_trust, r);
-  check_hoist_factor(run, r);
+  add_ropes(run, r);
+  if (judged) check_hoist_factor(run, r);
   add_slip_shares(run, r);
   add_envelope(run, r);
   add_events(run, r);
   add_energy(run, r);
-  warn_of_errors(run, r);
+  warn_of_errors(run, judged, r);
   add_words(run, r);
 }
 

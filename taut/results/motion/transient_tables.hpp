@@ -8,10 +8,9 @@
 namespace taut::results {
 
 /// The series `time` (t and every observed quantity), the tables `events`, `envelope`, `energy`, `dynamic` (peak over
-/// static by rope), the values NAME_min, NAME_max, NAME_end and ROPE.dynamic_factor, the check of each rope against its
-/// breaking force, what the numbers rest on, and warnings. All names end as the run does. `strength_trust`, by reeving:
-/// of its breaking force.
-void add_transient_tables(const study::TransientRun& run, const std::vector<std::string>& strength_trust, Result& r);
+/// static by rope), the values NAME_min, NAME_max, NAME_end and ROPE.dynamic_factor, what the numbers rest on, and
+/// warnings. All names end as the run does. `judged`: whether it has checks and its warnings can be unsafe.
+void add_transient_tables(const study::TransientRun& run, bool judged, Result& r);
 
 /// A column of what is observed.
 QuantityWords observed_words(const std::string& name, const Unit& unit);
