@@ -55,7 +55,7 @@ TEST(Display, ABriefQuantityHasFourDigits) {
   EXPECT_EQ(d.brief(382.4199, si::m), "382.42 m") << "a rope is cut to the centimetre";
   EXPECT_EQ(d.brief(170, si::m), "170 m");
   for (const char* unit : {"ft", "in", "cm", "yd", "km"}) {
-    const Display own({{"length", unit}});
+    const Display own(std::map<std::string, std::string>{{"length", unit}});
     for (const double length : {12.3456, 67.0199, 382.4199, 1234.5678}) {
       const std::string text = own.brief(length, si::m);
       EXPECT_NEAR(*parse_quantity(text, si::m), length, 0.0051) << text;

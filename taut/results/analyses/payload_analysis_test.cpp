@@ -183,7 +183,9 @@ analyses:
   const Table& t = table_of(r, "payload");
   for (std::size_t i = 0; i < t.rows.size(); ++i) {
     const double x = cell(t, i, "x");
-    if (x > 45 && x < 155) EXPECT_GT(cell(t, i, "payload"), 100) << x;
+    if (x > 45 && x < 155) {
+      EXPECT_GT(cell(t, i, "payload"), 100) << x;
+    }
   }
   const std::string& text = r.answers.front().text;
   EXPECT_EQ(text.find("nothing from x = 30 m to 170 m"), std::string::npos) << text;

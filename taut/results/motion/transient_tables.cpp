@@ -123,7 +123,8 @@ void add_energy(const study::TransientRun& run, Result& r) {
 /// What the steps leave open beyond the tolerance: unsafe where the motion is judged.
 void warn_of_errors(const study::TransientRun& run, bool judged, Result& r) {
   const auto warn = [&](std::string words, bool counts) {
-    counts&& judged ? warn_unsafe(r, std::move(words)) : r.warnings.push_back(std::move(words));
+    const bool unsafe = judged && counts;
+    unsafe ? warn_unsafe(r, std::move(words)) : r.warnings.push_back(std::move(words));
   };
   const solve::TransientResult& result = run.result;
   const double tolerance = energy_tolerance(run);
