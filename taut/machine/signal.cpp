@@ -9,6 +9,9 @@
 #include "taut/base/expects.hpp"
 #include "taut/units/jet.hpp"
 
+#include "taut/units/expression.hpp"
+#include "taut/units/formula_turns.hpp"
+
 namespace taut::machine {
 namespace {
 
@@ -119,7 +122,8 @@ double integral_by_halves(const Signal& signal, double from, double to, double e
          integral_by_halves(signal, middle, to, enough / 2, halvings - 1);
 }
 
-double integral_of_formula(const Signal& signal, double from, double to) {
+/// Between two turns of the formula: it only rises or only falls.
+double integral_between_turns(const Signal& signal, double from, double to) {
   constexpr double share = 1e-12;
   constexpr int pieces = 16, most_halvings = 40;
   const auto place = [&](int i) { return from + (to - from) * i / pieces; };
@@ -130,6 +134,15 @@ double integral_of_formula(const Signal& signal, double from, double to) {
     sum += integral_by_halves(signal, a, b, share * largest * (b - a), most_halvings);
   }
   return sum;
+}
+
+double integral_of_formula(const Signal& signal, double from, double to) {
+  double sum = 0, last = from;
+  for (const Turn& turn : turns(*std::get<TimeFormula>(signal.law), from, to)) {
+    sum += integral_between_turns(signal, last, turn.at);
+    last = turn.at;
+  }
+  return sum + integral_between_turns(signal, last, to);
 }
 
 }  // namespace
@@ -168,6 +181,30 @@ Array<double> breakpoints(const Signal& signal) {
     times = curve->t;
   }
   times.erase(std::unique(times.begin(), times.end()), times.end());
+  return times;
+}
+
+Array<double> breakpoints(const Signal& signal, double from, double to) {
+  Array<double> times;
+  if (const auto* formula = std::get_if<TimeFormula>(&signal.law)) {
+    for (const Turn& turn : turns(**formula, from, to)) {
+      if (turn.kink) times.push_back(turn.at);
+    }
+    return times;
+  }
+  for (const double t : breakpoints(signal)) {
+    if (t > from && t < to) times.push_back(t);
+  }
+  return times;
+}
+
+Array<double> extremes(const Signal& signal, double from, double to) {
+  Array<double> times;
+  if (const auto* formula = std::get_if<TimeFormula>(&signal.law)) {
+    for (const Turn& turn : turns(**formula, from, to)) {
+      if (!turn.kink) times.push_back(turn.at);
+    }
+  }
   return times;
 }
 

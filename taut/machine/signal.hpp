@@ -74,8 +74,16 @@ SignalValue at(const Signal& signal, double t);
 /// largest value. It is the rope that a drum with a given speed takes in.
 double integral(const Signal& signal, double from, double to);
 
-/// The times at which the value or a derivative jumps, increasing. An integrator has to end a step there.
+/// The times at which the value or a derivative jumps, increasing; without those of a formula.
 Array<double> breakpoints(const Signal& signal);
+
+/// The same between `from` and `to`, those of a formula too (units/formula_turns.hpp). An integrator has to end a step
+/// there.
+Array<double> breakpoints(const Signal& signal, double from, double to);
+
+/// The times between `from` and `to` at which a formula may have an extreme: between these and its breakpoints it only
+/// rises or only falls. An integrator that steps over one may not see that anything has changed. None of other laws.
+Array<double> extremes(const Signal& signal, double from, double to);
 
 /// The cubic spline through the points with a continuous second derivative and slope zero at both ends (clamped
 /// spline), because the value is constant before and after. `t` increasing, at least two points.

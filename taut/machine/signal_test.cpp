@@ -7,6 +7,7 @@
 #include <cmath>
 #include <memory>
 
+#include "taut/base/array.hpp"
 #include "taut/units/expression.hpp"
 #include "taut/units/jet.hpp"
 
@@ -166,6 +167,26 @@ TEST(Signal, AFormulaIsTheSineThatItSays) {
 TEST(Signal, TheIntegralOfAFormulaPassesItsKinks) {
   EXPECT_NEAR(integral(of_formula("max(0 m/s, 1 m/s - 1 m/s^2 * abs(t - 1.23 s))"), 0, 5), 1, 1e-11);
   EXPECT_NEAR(integral(of_formula("1 m/s * max(0, sin(1 rad/s * t))"), 0, 2 * M_PI), 2, 1e-11);
+}
+
+TEST(Signal, AFormulaTellsItsKinksAndExtremes) {
+  const auto by = [](const char* text) {
+    Signal s;
+    s.law = std::make_shared<const FormulaText>(*formula_text(text, "t", si::s.dimension));
+    return s;
+  };
+  const Signal pulse = by("2 m/s * max(0, 1 - abs(t - 50.025 s)/(0.02 s))");
+  const Array<double> kinks = breakpoints(pulse, 0, 100);
+  ASSERT_EQ(kinks.size(), 3U);
+  for (const std::size_t i : {0U, 1U, 2U}) EXPECT_NEAR(kinks[i], 50.005 + 0.02 * static_cast<double>(i), 1e-11);
+  EXPECT_TRUE(breakpoints(pulse).empty());
+  EXPECT_TRUE(extremes(pulse, 0, 100).empty());
+  EXPECT_TRUE(breakpoints(pulse, 51, 100).empty());
+  EXPECT_NEAR(integral(pulse, 0, 100), 2 * 0.02, 1e-12);  // the area of the triangle
+  const Signal peak = by("1 N/(1 + ((t - 70.3 s)/(1 ms))^2)");
+  ASSERT_EQ(extremes(peak, 0, 100).size(), 1U);
+  EXPECT_NEAR(extremes(peak, 0, 100)[0], 70.3, 2e-9);
+  EXPECT_NEAR(integral(peak, 0, 100), 1e-3 * (std::atan(29.7e3) + std::atan(70.3e3)), 1e-10);
 }
 
 }  // namespace taut::machine::signal_test

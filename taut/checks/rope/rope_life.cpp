@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 
 #include "taut/base/number.hpp"
 #include "taut/base/suggest.hpp"
@@ -142,19 +141,6 @@ void add_life_check(const rope::Life& life, const rope::LifeRules& rules, const 
                                 fmt::format("how often the duty of {} can run, {}", use.name, life.constants->count)));
 }
 
-/// Sheaves of a duty that have no diameter, in quotes.
-std::vector<std::string> unmeasured_in(const RopeCheckRequest& request, const rope::RopeUse& use) {
-  const auto counts = [&](const std::string& sheave) {
-    return std::any_of(request.duty.begin(), request.duty.end(), [&](const DutyRequest& duty) {
-      const auto same = [&](const std::string& name) { return fmt::format("'{}'", name) == sheave; };
-      return duty.over.empty() || std::any_of(duty.over.begin(), duty.over.end(), same);
-    });
-  };
-  std::vector<std::string> all;
-  std::copy_if(use.unmeasured.begin(), use.unmeasured.end(), std::back_inserter(all), counts);
-  return all;
-}
-
 void check_donandt(double force, const rope::RopeUse& use, const rope::RopeRules& rules, Result& r) {
   double most = 0;
   for (const rope::Bend& bend : use.bends) {
@@ -208,10 +194,6 @@ void add_life(const RopeCheckRequest& request, const rope::RopeUse& use, const r
   if (request.life && request.life->donandt_force) check_donandt(*request.life->donandt_force, use, rules, r);
   if (request.discard) add_discard(request, use, r);
   if (request.duty.empty() || !(use.rope.diameter > 1.4e-3) || !use.rope.grade) return;
-  for (const std::string& sheave : unmeasured_in(request, use)) {
-    r.unmade.push_back(fmt::format("{}: its life does not count {}: no diameter is known of it", use.name, sheave));
-    r.warnings.push_back(r.unmade.back());
-  }
   const rope::LifeRules life_rules = rules_of(request, use, rules);
   const std::vector<rope::Life> lives = rope::life_of(use, life_rules);
   const auto worst =
