@@ -200,11 +200,14 @@ void DriveUses::take(const machine::Model& m, const solve::TransientResult& moti
     const machine::Drive& drive = motion.state.drum_drive[d];
     const double speed = std::abs(motion.frames.back().drums[d].speed);
     if (!drive.brake || speed < standing) continue;
+    const std::string since = std::isfinite(drive.brake_since)
+                                  ? fmt::format("was set at t = {:.4g} s", drive.brake_since)
+                                  : std::string("is set from the start");
     unbraked_.try_emplace(
         m.drums[d].name,
-        fmt::format("{}: '{}' still turns when the motion ends, its rope at {:.3g} m/s, though its brake was set at "
-                    "t = {:.4g} s: it does not hold, or the motion is too short",
-                    words, m.drums[d].name, speed, drive.brake_since));
+        fmt::format("{}: '{}' still turns when the motion ends, its rope at {:.3g} m/s, though its brake {}: it does "
+                    "not hold, or the motion is too short",
+                    words, m.drums[d].name, speed, since));
   }
 }
 

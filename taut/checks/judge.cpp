@@ -62,6 +62,14 @@ double turned_by(const machine::Model& m, const solve::EquilibriumResult& e, std
   return std::acos(std::clamp((trace - 1) / 2, -1.0, 1.0));
 }
 
+/// By drums or sheaves on it: a machine, or a part of one, no load.
+bool carries_ropes(const machine::Model& m, int body) {
+  return std::any_of(m.reevings.begin(), m.reevings.end(), [&](const machine::Reeving& rope) {
+    return std::any_of(rope.nodes.begin(), rope.nodes.end(),
+                       [&](const machine::Node& node) { return node.at.body == body && node.radius > 0; });
+  });
+}
+
 /// "sheaves a, b" of the names; nothing of none.
 std::string listed(const char* kind, const std::vector<std::string>& names) {
   return names.empty() ? std::string{} : fmt::format("{} {}", kind, fmt::join(names, ", "));
@@ -114,8 +122,13 @@ void RopeLengthsSeen::take(const machine::Model& model, const solve::Equilibrium
 Judge::Judge(const CheckedDeck& deck, const machine::Model& model)
     : deck_(std::make_shared<const CheckedDeck>(deck)), model_(&model), beams_(model.beams.size()) {}
 
-void Judge::warn(const std::string& once, const std::string& text, bool unsafe) {
-  if (known_.insert(once).second) warned_.push_back({text, unsafe});
+void Judge::warn(const std::string& once, const std::string& text, bool unsafe, double size) {
+  const auto [at, is_new] = known_.try_emplace(once, warned_.size());
+  if (is_new) {
+    warned_.push_back({text, unsafe, size});
+  } else if (size > warned_[at->second].size) {
+    warned_[at->second] = {text, unsafe, size};
+  }
 }
 
 void Judge::take_height(const std::string& part, const std::string& words, double height, double x,
@@ -150,8 +163,8 @@ void Judge::warn_of_buried(const machine::Model& m, const std::string& words) {
       if (anchor || node.at.body != machine::ground) continue;
       const double height = node.at.at.z() - study::ground_height(m.terrain, terrain_x(m, node.at.at));
       if (!(height < -rough)) continue;
-      warn(node.name + " buried", fmt::format("{}: '{}' is {:.3g} m below the ground", words, node.name, -height),
-           true);
+      warn(node.name + " buried", fmt::format("{}: '{}' is {:.3g} m below the ground", words, node.name, -height), true,
+           -height);
     }
   }
 }
@@ -200,7 +213,7 @@ void Judge::warn_of_pulled(const machine::Model& m, const machine::Node& node, c
         "or say 'uplift: hold' where a guard holds it",
         words, node.name, force.z() / 1e3);
   }
-  warn(node.name + " pulled", text, true);
+  warn(node.name + " pulled", text, true, force.norm());
 }
 
 /// A motion holds a rope on its rounds, also where their `uplift` does not. Where one is held down, or may pass on
@@ -242,9 +255,39 @@ void Judge::take_places(const machine::Model& m, const solve::EquilibriumResult&
          fmt::format("{}: '{}' comes to rest turned by {:.3g} deg from where the deck has it: it falls over, or begins "
                      "far from its place; hold it by more ropes, or put it where it is meant to stand",
                      words, m.bodies[b].name, angle * 180 / std::numbers::pi),
-         true);
+         true, angle);
   }
   take_spans(m, e.state, {}, words);
+}
+
+/// What carries ropes and stands on the ground by feet has all of them there as the motion begins. A load may be
+/// picked up; a machine may not tip.
+void Judge::take_stand(const machine::Model& m, const solve::TransientFrame& first, const solve::TransientFrame& moment,
+                       const std::string& words) {
+  std::map<int, std::vector<std::size_t>> feet;
+  for (std::size_t i = 0; i < std::min(m.contacts.size(), first.faces.size()); ++i) {
+    if (m.contacts[i].body >= 0 && m.faces[m.contacts[i].face].body == machine::ground)
+      feet[m.contacts[i].body].push_back(i);
+  }
+  for (const auto& [body, all] : feet) {
+    const auto stood = [&](std::size_t foot) { return first.faces[foot].closed; };
+    if (all.size() < 2 || !carries_ropes(m, body) || !std::all_of(all.begin(), all.end(), stood)) continue;
+    const std::string& name = m.bodies[body].name;
+    const Matrix3 turned = moment.bodies[body].orientation * m.bodies[body].orientation.transpose();
+    const double tilt = std::acos(std::clamp(turned(2, 2), -1.0, 1.0));
+    if (tilt > fallen_angle) {
+      warn(name + " fallen",
+           fmt::format("{}: '{}' has tipped over: it leans {:.3g} deg from where the deck has it", words, name,
+                       tilt * 180 / std::numbers::pi),
+           true, tilt);
+    }
+    for (const std::size_t foot : all) {
+      if (moment.faces[foot].closed) continue;
+      warn(m.contacts[foot].name + " lifted",
+           fmt::format("{}: '{}' lifts '{}' off the ground: it begins to tip", words, name, m.contacts[foot].name),
+           true);
+    }
+  }
 }
 
 void Judge::take_spans(const machine::Model& m, const machine::State& state, const std::set<std::string>& broken,
@@ -349,6 +392,7 @@ void Judge::take_moment(const machine::Model& m, const solve::TransientResult& s
   off_groove_.take(m, moment, broken_, when);
   two_blocked_.take(m, places, broken_, when);
   take_uplift(m, moment, when);
+  take_stand(m, so_far.frames.front(), moment, when);
   take_spans(m, places, broken_, when);
   if (m.terrain.empty()) return;
   for (const machine::Carriage& car : m.carriages) {

@@ -116,6 +116,7 @@ class Judge {
   struct Warned {
     std::string text;
     bool unsafe = false;
+    double size = 0;
   };
 
   RopeWorst& take_tension(const machine::Reeving& rope, double T, const std::string& words);
@@ -125,11 +126,14 @@ class Judge {
   void take_heights(const machine::Model& model, const solve::EquilibriumResult& state, const std::string& words);
   void warn_of_buried(const machine::Model& model, const std::string& words);
   void take_beams(const solve::EquilibriumResult& state, const std::string& words);
-  void warn(const std::string& once, const std::string& text, bool unsafe);
+  /// `once`: what it is of, whatever the state; of several states the one with the largest `size`, else the first.
+  void warn(const std::string& once, const std::string& text, bool unsafe, double size = 0);
   void take_contacts(const machine::Model& model, const solve::EquilibriumResult& state, const std::string& words);
   void warn_of_pulled(const machine::Model& model, const machine::Node& node, const Vector3& force,
                       const std::string& words);
   void take_uplift(const machine::Model& model, const solve::TransientFrame& moment, const std::string& words);
+  void take_stand(const machine::Model& model, const solve::TransientFrame& first, const solve::TransientFrame& moment,
+                  const std::string& words);
   void take_spans(const machine::Model& model, const machine::State& state, const std::set<std::string>& broken,
                   const std::string& words);
   void take_slack(const machine::Model& model, const solve::EquilibriumResult& state, const std::string& words);
@@ -150,7 +154,7 @@ class Judge {
   OffGroove off_groove_;
   TwoBlocked two_blocked_;
   std::vector<Warned> warned_;
-  std::set<std::string> known_;  ///< what was warned of already
+  std::map<std::string, std::size_t> known_;  ///< where in `warned_` the warning of a thing stands
   std::string preface_;
   std::size_t events_seen_ = 0;   ///< of the motion that is shown now
   std::set<std::string> broken_;  ///< its ropes that the deck has broken so far

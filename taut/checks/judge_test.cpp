@@ -19,6 +19,7 @@ using testing::Contains;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
+using testing::Not;
 
 /// A carriage of 2 t on a line over flat ground, held up by a strap that is cut at 1 s.
 std::string strap_is_cut(const std::string& ground) {
@@ -136,6 +137,67 @@ TEST(Judge, ARopeThatLeavesItsSaddleInMotionIsUnsafe) {
   EXPECT_THAT(run_text(raised("", "8 m")).unsafe, ElementsAre(HasSubstr("the rope pulls 'jack' upwards")));
   EXPECT_THAT(run_text(raised(", uplift: lift", "8 m")).unsafe,
               ElementsAre(HasSubstr("the rope pulls 'jack' upwards")));
+}
+
+// The pull grows until the end, at 5 s.
+TEST(Judge, TheWorstUpliftOfAMotionIsTold) {
+  const Result once = run_text(raised("", "8 m")), longer = run_text(raised("", "10 m"));
+  const auto pull = [](const Result& r) {
+    const std::string& text = r.unsafe.at(0);
+    return std::stod(text.substr(text.find("upwards with ") + 13));
+  };
+  EXPECT_THAT(once.unsafe, ElementsAre(Not(HasSubstr("t = 2"))));
+  EXPECT_GT(pull(longer), 1.5 * pull(once));
+}
+
+/// A crane of 2 t on two feet that are 2 m apart, with a load at its side.
+std::string crane(const std::string& load) {
+  return R"(taut: 1
+machine:
+  signals: {up: {ramp: {to: 0.2 m/s, duration: 0.5 s, smooth: true}}}
+  points: {tip: {body: crane, at: [2 m, 0 m, 3 m]}, left: {body: crane, at: [-1 m, 0 m, -1 m]},
+    right: {body: crane, at: [1 m, 0 m, -1 m]}}
+  ropes: {line: {mass: 0 kg/m, stiffness: 1 MN, breaking_force: 200 kN, damping_ratio: 0.1}}
+  bodies:
+    crane: {mass: 2 t, inertia: 2000 kg m^2, at: [0 m, 0 m, 1 m], free: [x, z, ry]}
+    hook: {mass: )" +
+         load + R"(, at: [2.2 m, 0 m, 1 m], free: [x, z]}
+  drums: {winch: {body: crane, at: [2 m, 0 m, 3 m], core_diameter: 400 mm, drive: {speed: up}}}
+  faces: {ground: {from: [-20 m, 0 m, 0 m], to: [20 m, 0 m, 0 m], normal: [0, 0, 1]}}
+  contacts:
+    - {point: left, face: ground, stiffness: 5 MN/m, damping: 100 kN s/m, friction: 0.5, clearance: 0 mm}
+    - {point: right, face: ground, stiffness: 5 MN/m, damping: 100 kN s/m, friction: 0.5, clearance: 0 mm}
+  reevings: [{rope: line, path: [{drum: winch, side: right}, {anchor: hook}], length: 3 m, may_slack: true}]
+checks: {ropes: {line: {dynamic_safety_factor: 2}}, confirmed: [elastic_limit]}
+analyses: [{transient: {duration: 2.5 s, start: settled, tolerance: 1e-3}}]
+)";
+}
+
+// It tips where load * (2.2 - 1) m > 2 t * 1 m: from 1.67 t on.
+TEST(Judge, ACraneThatTipsInMotionIsUnsafe) {
+  const Result stands = run_text(crane("1 t"));
+  EXPECT_THAT(stands.unsafe, IsEmpty()) << stands.message << to_text(stands.errors);
+  const Result tips = run_text(crane("2.5 t"));
+  EXPECT_THAT(tips.unsafe, Contains(HasSubstr("'crane' lifts 'left' off the ground"))) << tips.message;
+  EXPECT_THAT(tips.unsafe, Contains(HasSubstr("'crane' has tipped over")));
+}
+
+// 20 kN on a carriage for 1 t, by a signal: the 5 kN beside it are of statics.
+TEST(Judge, ACarriageBearsWhatTheSignalOfItsLoadSays) {
+  const Result r = run_text(R"(taut: 1
+machine:
+  signals: {f: {ramp: {to: 20 kN, duration: 2 s, smooth: true}}}
+  points: {a: [0 m, 0 m, 20 m], b: [100 m, 0 m, 20 m]}
+  ropes: {sky: {mass: 1.7 kg/m, stiffness: 26 MN, breaking_force: 330 kN, diameter: 20 mm, damping_ratio: 0.1}}
+  carriages: {car: {mass: 300 kg, rides: sky, hold: clamped, length_before: 50 m, at: [50 m, 0 m, 15 m],
+    rated_payload: 1 t}}
+  reevings: [{rope: sky, path: [{anchor: a}, {through: car}, {anchor: b}], length: 101 m}]
+  loads: [{at: car, force: [0 kN, 0 kN, -5 kN], signal: f}]
+checks: {ropes: {sky: {dynamic_safety_factor: 2}}}
+analyses: [{transient: {duration: 3 s, tolerance: 1e-3}}]
+)");
+  EXPECT_NEAR(check_of(r, "car.payload").value, 20e3 / 9.80665, 1e-6);
+  EXPECT_EQ(verdict_of(r)->kind, VerdictKind::fails) << r.message;
 }
 
 // A rope that a guard holds down may press on it.

@@ -7,10 +7,9 @@
 
 #include "taut/base/array.hpp"
 #include "taut/base/expects.hpp"
-#include "taut/units/jet.hpp"
-
 #include "taut/units/expression.hpp"
 #include "taut/units/formula_turns.hpp"
+#include "taut/units/jet.hpp"
 
 namespace taut::machine {
 namespace {

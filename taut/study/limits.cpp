@@ -130,10 +130,13 @@ Array<LimitState> limits_at(const machine::Model& model, int body, const Payload
   return all;
 }
 
-double load_on(const machine::Model& model, const machine::Carriage& carriage) {
+double load_on(const machine::Model& model, const machine::Carriage& carriage, std::optional<double> t) {
   double load = model.bodies[carriage.body].mass - carriage.mass;
   for (const machine::Load& one : model.loads) {
-    if (one.at.body == carriage.body && model.gravity > 0) load -= one.force.z() / model.gravity;
+    if (one.at.body != carriage.body || !(model.gravity > 0)) continue;
+    const bool changes = t && one.over_time;
+    const Vector3 force = changes ? Vector3(at(*one.over_time, *t).value * one.force.normalized()) : one.force;
+    load -= force.z() / model.gravity;
   }
   return load;
 }

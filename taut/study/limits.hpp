@@ -37,8 +37,8 @@ struct PayloadLimits {
 };
 
 /// What a carriage carries besides its own mass: hanging masses and downward forces on its body, and a payload in the
-/// mass of its body, kg.
-double load_on(const machine::Model& model, const machine::Carriage& carriage);
+/// mass of its body, kg. `t`: the time in a motion, in which a signal gives the size of a force, s; none: at rest.
+double load_on(const machine::Model& model, const machine::Carriage& carriage, std::optional<double> t = std::nullopt);
 
 /// Kind of a limit.
 enum class LimitKind {

@@ -54,7 +54,7 @@ void take(const CheckState& state, CarriageStates& carriage) {
   const auto& carriages = state.model->carriages;
   const auto car = std::find_if(carriages.begin(), carriages.end(),
                                 [&](const auto& one) { return one.name == carriage.given->name; });
-  if (car != carriages.end()) carriage.load.largest(study::load_on(*state.model, *car), state.words);
+  if (car != carriages.end()) carriage.load.largest(study::load_on(*state.model, *car, state.t), state.words);
 }
 
 void add_carriage_checks(const std::vector<CarriageStates>& carriages, Result& r) {
