@@ -131,7 +131,9 @@ const Description& RopeLoad::describe() {
           .at_least(1)
           .at_most(64)
           .field(&RopeLoad::signal, "signal",
-                 "in motion the force, or the rate, over time: a signal; statics takes 'tangential' or 'rate'")
+                 "in motion the force, or the rate, over time: a signal, below 0 the other way; statics takes "
+                 "'tangential' "
+                 "or 'rate'")
           .field(&RopeLoad::name, "name", "name in tables; default: ROPE.load");
   return d;
 }
