@@ -216,11 +216,13 @@ const Description& Reeving::describe() {
           .at_most(farthest)
           .above(0)
           .field(&Reeving::tension_at_start, "tension_at_start", "T", si::N,
-                 "in place of the length: tension that is constant in every state, as by a counterweight")
+                 "in place of the length: tension that is constant in every state at rest, as by a counterweight; a "
+                 "motion begins with it and keeps the length")
           .at_most(strongest)
           .above(0)
           .field(&Reeving::tension_at_end, "tension_at_end", "T", si::N,
-                 "in place of the length: tension that is constant in every state, as by a counterweight")
+                 "in place of the length: tension that is constant in every state at rest, as by a counterweight; a "
+                 "motion begins with it and keeps the length")
           .at_most(strongest)
           .above(0)
           .field(

@@ -253,6 +253,25 @@ void add_missed_events(const study::TransientRun& run, Result& r) {
   }
 }
 
+/// Ropes that statics knows by a tension at an end where nothing in motion keeps it: they have their length.
+void add_kept_lengths(const study::TransientRun& run, Result& r) {
+  using machine::DriveKind;
+  for (std::size_t i = 0; i < run.model.reevings.size(); ++i) {
+    const machine::Reeving& rope = run.model.reevings[i];
+    const bool at_start = rope.given == machine::Given::tension_at_start;
+    if (rope.closed || (!at_start && rope.given != machine::Given::tension_at_end)) continue;
+    const auto& drum = (at_start ? rope.nodes.front() : rope.nodes.back()).drum;
+    const bool driven = drum && run.model.drums[*drum].drive.kind != DriveKind::held;
+    const bool tensioned = std::any_of(run.model.tensioners.begin(), run.model.tensioners.end(),
+                                       [&](const auto& one) { return one.reeving == static_cast<int>(i); });
+    if (driven || tensioned) continue;
+    r.warnings.push_back(fmt::format(
+        "{}: '{}' keeps its length in motion; the {:.4g} kN at its {} are those at rest. Where they have to stay, hang "
+        "the counterweight on it as a body, or give its drum a 'pull'",
+        words_of(run), rope.name, rope.value / 1e3, at_start ? "start" : "end"));
+  }
+}
+
 /// What straight branches leave out, where that is much: the heaviest one by its tension at the start.
 std::string weight_words(const study::TransientRun& run, std::size_t reeving) {
   const machine::Reeving& rope = run.model.reevings[reeving];
@@ -297,6 +316,7 @@ void add_words(const study::TransientRun& run, Result& r) {
         weight_words(run, i)));
   }
   add_missed_events(run, r);
+  add_kept_lengths(run, r);
   if (run.request.save && result.interrupted) {
     r.warnings.push_back(
         fmt::format("the saved state is that of t = {:.6g} s, where it was interrupted", result.t_end));

@@ -1,0 +1,68 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+
+#include "test/support/machine_decks.hpp"
+
+/// What a motion makes of signals that are short, and of what statics alone keeps.
+namespace taut::app::signals_motion_test {
+
+using namespace taut_test;
+
+/// 1 t on a rope, and a blow of 40 ms on it after 50 s of rest.
+Result struck(const std::string& law, const std::string& options = "") {
+  return run_text(R"(taut: 1
+machine:
+  signals: {hit: )" +
+                  law + R"(}
+  points: {top: [0 m, 0 m, 0 m]}
+  ropes: {r: {mass: 0 kg/m, stiffness: 1 MN, breaking_force: 30 kN, damping_ratio: 0.02}}
+  bodies: {m: {mass: 1 t, at: [0 m, 0 m, -10 m], free: [z]}}
+  loads: [{at: m, force: [0 kN, 0 kN, -1 N], signal: hit}]
+  reevings: [{rope: r, path: [{anchor: top}, {anchor: m}], length: 9.9 m}]
+checks: {ropes: {r: {dynamic_safety_factor: 1}}}
+analyses: [transient: {duration: 100 s)" +
+                  options + "}]\n");
+}
+
+// The same triangle as a table, whose points every step meets; and a smooth peak, against a run in short steps.
+TEST(SignalsInMotion, APulseOfAFormulaIsNotPassedBy) {
+  const double by_table =
+      value_of(struck("{table: {t: [0 s, 50.005 s, 50.025 s, 50.045 s], value: [0 kN, 0 kN, 60 kN, 0 kN]}}"), "T_max");
+  EXPECT_GT(by_table, 20e3);
+  const char* pulse = "{formula: \"max(0, 1 - abs(t - 50.025 s)/(0.02 s)) * 60 kN\"}";
+  EXPECT_NEAR(value_of(struck(pulse), "T_max"), by_table, 1e-4 * by_table);
+  const char* peak = "{formula: \"60 kN/(1 + ((t - 50.0251 s)/(0.004 s))^2)^2\"}";
+  const double in_short_steps = value_of(struck(peak, ", step: 1 ms"), "T_max");
+  EXPECT_GT(in_short_steps, 12e3);
+  EXPECT_NEAR(value_of(struck(peak), "T_max"), in_short_steps, 3e-3 * in_short_steps);
+}
+
+TEST(SignalsInMotion, ARopeByItsTensionKeepsItsLengthAndSaysSo) {
+  const auto hung = [](const std::string& given) {
+    return run_text(R"(taut: 1
+machine:
+  signals: {f: {ramp: {to: 5 kN, duration: 1 s, smooth: true}}}
+  points: {p: [0 m, 0 m, 0 m], q: [10 m, 0 m, 0 m]}
+  ropes: {r: {mass: 0.5 kg/m, stiffness: 5 MN, breaking_force: 100 kN, damping_ratio: 0.1}}
+  bodies: {a: {mass: 300 kg, at: [5 m, 0 m, -1 m], free: [x, z]}}
+  reevings:
+    - {name: r1, rope: r, path: [{anchor: p}, {anchor: a}], )" +
+                    given + R"(}
+    - {name: r2, rope: r, path: [{anchor: a}, {anchor: q}], length: 5.1 m}
+  loads: [{at: a, force: [0 kN, 0 kN, -1 N], signal: f}]
+checks: {ropes: {r: {dynamic_safety_factor: 3}}}
+analyses: [transient: {duration: 2 s}]
+)");
+  };
+  const auto told = [](const Result& r) {
+    return std::any_of(r.warnings.begin(), r.warnings.end(), [](const std::string& words) {
+      return words.find("'r1' keeps its length in motion; the 10 kN at its start") != std::string::npos;
+    });
+  };
+  EXPECT_TRUE(told(hung("tension_at_start: 10 kN")));
+  EXPECT_FALSE(told(hung("length: 5.1 m")));
+}
+
+}  // namespace taut::app::signals_motion_test
