@@ -42,4 +42,15 @@ TEST(BrakesInMotion, ADrumThatPulledTurnsWhenItsBrakeIsSet) {
   EXPECT_LT(value_of(r, "T_max"), 13e3);
 }
 
+// The drive of an event acts once the brake opens, at 3 s: 0.5 m/s for 1 s.
+TEST(BrakesInMotion, ANewDriveLeavesASetBrakeAsItIs) {
+  const std::string drum = "inertia: 20 kg m^2, drive: {speed: 0 m/s}, brake_torque: 6 kN m";
+  const std::string signal = "v: {ramp: {to: 0.5 m/s, start: 3 s, duration: 0.1 s}}";
+  const std::string driven = "{at: 1 s, brake: w}, {at: 2 s, drive: w, speed: v}";
+  const Result held = hung(drum, signal, ", length: 10 m", driven, "4 s");
+  EXPECT_NEAR(value_of(held, "hook.z_end"), -10.01961, 1e-4);
+  const Result opened = hung(drum, signal, ", length: 10 m", driven + ", {at: 3 s, brake: w, mode: open}", "4 s");
+  EXPECT_NEAR(value_of(opened, "hook.z_end"), -10.01961 + 0.475, 1e-2);
+}
+
 }  // namespace taut::app::brakes_motion_test

@@ -166,6 +166,15 @@ TEST(Compile, TellsEachMistakeAtItsPath) {
                  description::Drive{.speed = {}, .torque = {}, .pull = "4 kN", .brake = description::Brake::open};
            },
        .expected = "reevings[1]: has tension_at_start and the pull of its first drum"},
+      {.spoil =
+           [](Machine& m) {  // the torque of its drum is no rope's alone
+             m.drums[0].drive =
+                 description::Drive{.speed = {}, .torque = "2 kN m", .pull = {}, .brake = description::Brake::open};
+             m.reevings[1].tension_at_start = {};
+             m.reevings.push_back(m.reevings[1]);
+             m.reevings[2].name = "beside";
+           },
+       .expected = "reevings[1]: needs one of length"},
       {.spoil = [](Machine& m) { m.reevings[0].path.pop_back(); },
        .expected = "reevings[0].path[2]: a rope's first and last"},
       {.spoil = [](Machine& m) { m.reevings[0].path[2] = anchor("head"); },

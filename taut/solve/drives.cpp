@@ -252,13 +252,12 @@ std::optional<double> whole_length(const machine::Model& model, const Equilibriu
 
 Array<DrumResult> drums(const machine::Model& model, const TransientFrame& frame) {
   Array<DrumResult> all;
-  for_each_end_on_drum(model, [&](int r, bool at_end, int on) {
-    const TransientFrame::Drum& now = frame.drums[on];
-    const std::optional<double> length = model.drums[on].length_on_drum ? std::optional(now.content) : std::nullopt;
-    DrumResult d = at_drum(model, r, at_end, tension_at(frame.branches, r, at_end), length);
-    d.speed = now.speed;
-    all.push_back(d);
-  });
+  for (const TransientFrame::OnDrum& end : frame.on_drums) {
+    const bool known = model.drums[end.drum].length_on_drum.has_value();
+    const double pull = tension_at(frame.branches, end.reeving, end.at_end);
+    all.push_back(at_drum(model, end.reeving, end.at_end, pull, known ? std::optional(end.content) : std::nullopt));
+    all.back().speed = frame.drums[end.drum].speed;
+  }
   set_senses(model, {}, all);
   return all;
 }

@@ -13,14 +13,25 @@ namespace {
 
 using description::Haul;
 
-/// The tension that the drum at an end of the path gives by its pull, or by its torque.
+int ends_on(const Machine& machine, const std::string& drum) {
+  int ends = 0;
+  for (const description::Reeving& rope : machine.reevings) {
+    if (rope.path.empty()) continue;
+    for (const auto* e : {&rope.path.front(), &rope.path.back()}) ends += e->drum == drum ? 1 : 0;
+  }
+  return ends;
+}
+
+/// The tension that the drum at an end of the path gives by its pull, or by its torque; no rope alone has a torque that
+/// several share.
 std::optional<double> pull_of(const Machine& machine, const Model& model, const description::PathElement& e,
                               const RopeData& rope, int copies, DriveKind kind) {
   if (!e.drum) return std::nullopt;
   for (std::size_t i = 0; i < machine.drums.size(); ++i) {
     const Drive& drive = model.drums[i].drive;
     if (machine.drums[i].name != *e.drum || drive.kind != kind) continue;
-    return kind == DriveKind::pull ? at(drive.signal, 0).value : pull_of_torque(machine.drums[i], drive, rope, copies);
+    if (kind == DriveKind::pull) return at(drive.signal, 0).value;
+    return ends_on(machine, *e.drum) > 1 ? std::nullopt : pull_of_torque(machine.drums[i], drive, rope, copies);
   }
   return std::nullopt;
 }
@@ -102,8 +113,8 @@ std::string wrong_with(const Array<Said>& said, bool closed, bool two) {
   }
   if (two) return {};
   if (said.empty()) {
-    return "needs one of length, install, tension_at_start, tension_at_end, tension_equals (or a drum with a pull or a "
-           "torque)";
+    return "needs one of length, install, tension_at_start, tension_at_end, tension_equals (or a drum with a pull, or "
+           "with a torque for this rope alone)";
   }
   return said.size() > 1 ? fmt::format("has {}; give one of them", fmt::join(words, " and ")) : std::string();
 }

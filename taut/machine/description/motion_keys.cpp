@@ -253,7 +253,8 @@ const Description& Event::describe() {
           .field(&Event::stop, "stop", "true: the run ends")
           .field(&Event::actuator, "actuator", "an actuator that changes its mode")
           .field(&Event::brake, "brake", "a drum whose brake is set, or with 'mode: open' opened")
-          .field(&Event::drive, "drive", "a drum or driven sheave that gets a new speed, torque or pull")
+          .field(&Event::drive, "drive",
+                 "a drum or driven sheave that gets a new speed, torque or pull; a brake that is set stays set")
           .field(&Event::mode, "mode", "new mode of an actuator: extend, retract, lock, free; of a brake: set, open")
           .field(&Event::speed, "speed", "new speed of a drive: a signal, or a speed")
           .field(&Event::torque, "torque", "new torque of a drive: a signal, or a moment")

@@ -78,7 +78,10 @@ const ObservableNames of_drum = {
      .quantity = Observed::drum_speed,
      .unit = si::m_per_s,
      .words = "speed of its rim along the path"},
-    {.name = "length", .quantity = Observed::drum_length, .unit = si::m, .words = "unstretched rope taken in"},
+    {.name = "length",
+     .quantity = Observed::drum_length,
+     .unit = si::m,
+     .words = "unstretched rope on it (without a 'length_on_drum': taken in), of several ropes the first one's"},
     {.name = "torque", .quantity = Observed::drum_torque, .unit = si::N_m, .words = "torque of its drive"},
     {.name = "power", .quantity = Observed::drum_power, .unit = si::W, .words = "power"}};
 const ObservableNames of_contact = {

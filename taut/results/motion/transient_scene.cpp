@@ -41,10 +41,18 @@ void add_arc(const machine::Node& node, const solve::TransientFrame& frame, doub
   }
 }
 
+/// The first end of a rope on a drum, by whose turning and layer it is shown.
+const solve::TransientFrame::OnDrum* shown_on(const solve::TransientFrame& frame, int drum) {
+  const auto end =
+      std::find_if(frame.on_drums.begin(), frame.on_drums.end(), [&](const auto& one) { return one.drum == drum; });
+  return end == frame.on_drums.end() ? nullptr : &*end;
+}
+
 double radius_now(const machine::Model& m, const machine::Node& node, const solve::TransientFrame& frame) {
-  if (!node.drum || static_cast<std::size_t>(*node.drum) >= frame.drums.size()) return node.radius;
+  const auto* end = node.drum ? shown_on(frame, *node.drum) : nullptr;
+  if (end == nullptr) return node.radius;
   const machine::Drum& drum = m.drums[*node.drum];
-  const int layer = frame.drums[*node.drum].layer;
+  const int layer = end->layer;
   if (drum.layer < 1 || layer == drum.layer) return node.radius;
   // the deck's radius is core + (layer - 1/2) d of its own layer
   const double d = (node.radius - drum.core_radius) / (drum.layer - 0.5);
@@ -66,7 +74,7 @@ class Parts {
           part.force += rope.copies * c->force;
           part.turned = rope.nodes[n].side * c->angle;
         }
-        if (rope.nodes[n].drum) turn_drum(part, rope.nodes[n], n == 0);
+        if (rope.nodes[n].drum) turn_drum(part, rope.nodes[n], static_cast<int>(r), n > 0);
       }
     }
     for (const auto& b : frame_.branches) add_ends(b);
@@ -103,11 +111,11 @@ class Parts {
   }
 
   /// Rope that is taken in at the start of a path runs against it.
-  void turn_drum(HeldPart& part, const machine::Node& node, bool at_start) const {
-    const auto i = static_cast<std::size_t>(*node.drum);
-    if (i >= frame_.drums.size() || part.radius <= 0) return;
-    const double taken = frame_.drums[i].content - first_.drums[i].content;
-    part.turned = node.side * (at_start ? -1 : 1) * taken / part.radius;
+  void turn_drum(HeldPart& part, const machine::Node& node, int reeving, bool at_end) const {
+    const auto* now = shown_on(frame_, *node.drum);
+    const auto* first = shown_on(first_, *node.drum);
+    if (now == nullptr || first == nullptr || now->reeving != reeving || now->at_end != at_end) return;
+    if (part.radius > 0) part.turned = node.side * (at_end ? 1 : -1) * (now->content - first->content) / part.radius;
   }
 
   void add_ends(const solve::TransientFrame::Branch& b) {

@@ -15,7 +15,7 @@ namespace {
 using solve::DynamicState;
 using Json = nlohmann::ordered_json;
 
-constexpr int format = 1;
+constexpr int format = 2;
 
 /// What JSON has no number for.
 Json json_number(double x) {
@@ -173,9 +173,9 @@ Json ropes(const solve::DynamicState& state) {
   return list;
 }
 
-Json drums(const solve::DynamicState& state) {
+Json on_drums(const solve::DynamicState& state) {
   Json list = Json::array();
-  for (const auto& d : state.drums)
+  for (const auto& d : state.on_drums)
     list.push_back({{"content", json_number(d.content)}, {"layer", d.layer}, {"strain", numbers(d.strain)}});
   return list;
 }
@@ -203,8 +203,8 @@ solve::DynamicState state_in(const Json& j) {
     if (r.contains("lumped")) rope.lumped = numbers_in(r.at("lumped"));
     s.ropes.push_back(std::move(rope));
   }
-  for (const Json& d : j.at("drums"))
-    s.drums.push_back({number_in(d.at("content")), d.at("layer").get<int>(), numbers_in(d.at("strain"))});
+  for (const Json& d : j.at("on_drums"))
+    s.on_drums.push_back({number_in(d.at("content")), d.at("layer").get<int>(), numbers_in(d.at("strain"))});
   s.force = numbers_in(j.at("force"));
   s.happened = j.at("happened").get<std::vector<std::uint8_t>>();
   s.drum_drive = drives_in(j.at("drum_drive"));
@@ -259,7 +259,7 @@ std::string to_json(const solve::DynamicState& state, const machine::Model& mode
   j["t"] = json_number(state.t);
   j["bodies"] = bodies(state);
   j["ropes"] = ropes(state);
-  j["drums"] = drums(state);
+  j["on_drums"] = on_drums(state);
   j["force"] = numbers(state.force);
   j["happened"] = state.happened;
   j["drum_drive"] = drives(state.drum_drive);

@@ -54,7 +54,7 @@ solve::DynamicState state() {
   s.ropes[0].whole = {1};
   s.ropes[0].angle = s.ropes[0].spin = s.ropes[0].passed = s.ropes[0].wrap = {1.1, std::nextafter(2.0, 3.0)};
   s.ropes[0].inside = s.ropes[0].inside_velocity = {{1, 2, 3}};
-  s.drums = {{.content = 12.5, .layer = 2, .strain = {0.001, -0.0}}};
+  s.on_drums = {{.content = 12.5, .layer = 2, .strain = {0.001, -0.0}}};
   s.force = {INFINITY, 5e-324};
   s.happened = {1};
   const machine::Signal moves{
@@ -80,7 +80,7 @@ TEST(TransientState, ComesBackBitByBit) {
   EXPECT_EQ(back->ropes[0].length, s.ropes[0].length);
   EXPECT_EQ(back->ropes[0].wrap, s.ropes[0].wrap);
   EXPECT_EQ(back->force, s.force);
-  EXPECT_EQ(back->drums[0].layer, 2);
+  EXPECT_EQ(back->on_drums[0].layer, 2);
   for (const double t : {0.0, 1.1, 1.3, 2.0}) {
     EXPECT_EQ(machine::at(back->drum_drive[0].signal, t).value, machine::at(s.drum_drive[0].signal, t).value);
   }
@@ -115,7 +115,7 @@ TEST(TransientState, WhatDoesNotFitIsRefused) {
   EXPECT_THAT(state_from_json("", m).error(), HasSubstr("no saved state"));
   EXPECT_THAT(state_from_json("{\"a\": 1}", m).error(), HasSubstr("no saved state"));
   EXPECT_THAT(state_from_json(text.substr(0, text.size() / 2), m).error(), HasSubstr("no saved state"));
-  EXPECT_THAT(state_from_json("{\"taut_state\": 1}", m).error(), HasSubstr("damaged"));
+  EXPECT_THAT(state_from_json("{\"taut_state\": 2}", m).error(), HasSubstr("damaged"));
   EXPECT_THAT(state_from_json("{\"taut_state\": 99}", m).error(), HasSubstr("another version"));
   machine::Model other = m;
   other.bodies[0].name = "bucket";

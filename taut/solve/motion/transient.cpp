@@ -51,7 +51,8 @@ machine::Model with_loads_at_rest(machine::Model model) {
       if (node.kind != machine::NodeKind::load) continue;
       if (node.load.signal)
         (node.load.part > 0 ? node.load.rate : node.load.force) = machine::at(*node.load.signal, 0).value;
-      if (node.load.by_motion && node.load.sense < 0) node.load.force = node.load.rate = 0;
+      if (node.load.by_motion && node.load.sense * (node.load.force + node.load.rate) <= 0)
+        node.load.force = node.load.rate = 0;
     }
   }
   return model;
@@ -256,7 +257,8 @@ TransientResult transient(const machine::Model& described, const TransientOption
     run.happened[i] = static_cast<char>(run.origin.happened[i]);
   }
   run.end = run.before.t + options.duration;
-  run.stops = stops_of(model, run.before.t, run.end);
+  run.stops = stops_of(run, run.before.t, run.end);
+  if (options.step <= 0 || options.quasi_static) run.extremes = extremes_of(model, run.before.t, run.end);
   run.result.stability_limit = stability_limit(run.m, run.before);
   const bool own_step = options.method == TimeMethod::verlet && options.step <= 0;
   if (options.method == TimeMethod::verlet) {

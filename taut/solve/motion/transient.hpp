@@ -63,15 +63,16 @@ struct DynamicState {
     Array<double> on_rounds;         ///< by the same, two each: on the rounds at its ends, what stretches with it, m
     Array<double> lumped;            ///< by branch or segment: length whose mass was shared out, m; empty: `length`
   };
-  struct Drum {
-    double content = 0;  ///< unstretched rope on it, m
+  /// The end of a rope that lies on a drum.
+  struct OnDrum {
+    double content = 0;  ///< unstretched, m
     int layer = 1;
     Array<double> strain;  ///< by layer: of the rope that lies there
   };
   double t = 0;  ///< s
   Array<Body> bodies;
   Array<Rope> ropes;
-  Array<Drum> drums;
+  Array<OnDrum> on_drums;        ///< by reeving, its start before its end
   Array<double> force;           ///< state variables of force elements (bristles of contacts), in their order
   Array<std::uint8_t> happened;  ///< by event of the model
   Array<machine::Drive> drum_drive, motor_drive;  ///< as events have left them
@@ -167,8 +168,14 @@ struct TransientFrame {
     Vector3 force = Vector3::Zero();  ///< of the rope (one copy) on it, N
   };
   struct Drum {
-    double T = 0, speed = 0, content = 0;  ///< N, taken in m/s, m
-    double torque = 0, power = 0;          ///< of its drive, N m, W
+    double T = 0, speed = 0;       ///< N, largest of its ropes; taken in of the first one, m/s
+    double torque = 0, power = 0;  ///< of its drive, N m, W
+  };
+  /// The end of a rope that lies on a drum.
+  struct OnDrum {
+    int reeving = 0, drum = 0;
+    bool at_end = false;
+    double content = 0;  ///< unstretched, m
     int layer = 1;
   };
   struct FaceContact {
@@ -187,6 +194,7 @@ struct TransientFrame {
   Array<Array<Vector3>> inside;  ///< by reeving: nodes of a rope in segments
   Array<Contact> contacts;       ///< by reeving, nodes between the ends
   Array<Drum> drums;
+  Array<OnDrum> on_drums;  ///< by reeving, its start before its end
   Array<Drum> motors;
   Array<FaceContact> faces;
   Array<Actuator> actuators;

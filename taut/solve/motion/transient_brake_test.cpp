@@ -138,5 +138,27 @@ TEST(TransientBrake, ASheaveDragsToo) {
   EXPECT_NEAR(speed(r), -v, 3e-3 * v);
 }
 
+/// Where a run goes on between the setting of the brake and the end of its rise: the steps end there all the same.
+TEST(TransientBrake, GoesOnToTheLastBitWhileItRises) {
+  machine::Model m = winch(lowering(1));
+  m.drums[0].brake = machine::Brake{.torque = 3 * mass * g * radius, .delay = 0.1237, .rise = 0.3911};
+  m.events = {brake_at(1.2)};
+  const auto until = [](double duration) {
+    TransientOptions options = in_steps(duration, 1e-3);
+    options.output_step = 0.05;
+    return options;
+  };
+  const TransientResult whole = run(m, until(2));
+  for (const int outputs : {25, 28, 33}) {  // in its delay, in its rise
+    TransientOptions options = until(0.05 * outputs);
+    const TransientResult first = run_to_end(m, options);
+    options = until(2 - 0.05 * outputs);
+    options.from = first.state;
+    const TransientResult second = run_to_end(m, options);
+    EXPECT_EQ(height(second), height(whole)) << outputs;
+    EXPECT_EQ(speed(second), speed(whole)) << outputs;
+  }
+}
+
 }  // namespace
 }  // namespace taut_test::transient_brake_test

@@ -208,10 +208,10 @@ TEST(TransientFaults, TheUnstretchedLengthIsKeptUpToDate) {
   options.tolerance = 1e-6;
   const TransientResult r = transient(m, options);
   ASSERT_TRUE(r.outcome.ok()) << r.outcome.message;
-  const double first = r.frames.front().branches[0].unstretched + r.frames.front().drums[0].content;
+  const double first = r.frames.front().branches[0].unstretched + r.frames.front().on_drums[0].content;
   for (const auto& frame : r.frames) {
     const auto& branch = frame.branches[0];
-    EXPECT_NEAR(branch.unstretched + frame.drums[0].content, first, 1e-9);
+    EXPECT_NEAR(branch.unstretched + frame.on_drums[0].content, first, 1e-9);
     EXPECT_NEAR(branch.T_from, 1e6 * std::max(0.0, branch.stretched / branch.unstretched - 1), 1);
   }
   // 0.8 m/s from 0.5 s on, half of it before; of stretched rope

@@ -252,8 +252,8 @@ TEST(TransientLaws, DrumTakesInByTheLayer) {
   ASSERT_TRUE(r.outcome.ok()) << r.outcome.message;
   const double taken = 0.5 * 7.5, strain = 9810 / 1e6;
   const auto& last = r.frames.back();
-  EXPECT_NEAR(last.drums[0].content - 5, taken / (1 + strain), 2e-4);
-  EXPECT_EQ(last.drums[0].layer, 2);
+  EXPECT_NEAR(last.on_drums[0].content - 5, taken / (1 + strain), 2e-4);
+  EXPECT_EQ(last.on_drums[0].layer, 2);
   EXPECT_NEAR(last.drums[0].T, 9810, 1);
   EXPECT_NEAR(last.drums[0].torque, 9810 * 0.227, 1);
   EXPECT_NEAR(last.drums[0].power, 9810 * 0.5, 1);

@@ -198,6 +198,7 @@ class Builder {
     contact.support = given.support;
     contact.copies = rope.copies;
     contact.drum = given.drum.value_or(-1);
+    if (given.drum) contact.on_drum = m().on_drums++;
     if (options_.rope_mass) contact.mass = m().lines[in >= 0 ? in : out].mass;
     const int index = count(m().contacts.size());
     if (in >= 0) m().lines[in].contact[1] = index;

@@ -127,6 +127,7 @@ struct Contact {
   double bearing_log = 0, bearing_ratio = 1;  ///< what the efficiency of a light one allows: -ln eta, 1/eta
   double copies = 1;
   int drum = -1;             ///< an end on a drum
+  int on_drum = -1;          ///< its place among the ends on drums
   bool load = false;         ///< a force along the free rope acts there; `body`: its own, which has no freedoms
   double load_length = 0;    ///< unstretched rope of the span in which it lies, at the start, m
   Array<int> columns;        ///< all that its rows depend on
@@ -187,6 +188,7 @@ struct Mechanism {
   bool simple = false;                       ///< point masses and lines between points alone
   bool rope_loads = false;                   ///< there are forces along its ropes
   bool lossless = false;                     ///< nothing in it takes or gives energy
+  int on_drums = 0;                          ///< so many ends of ropes lie on drums
   int sagging = 0;                           ///< so many lines hang as catenaries
   int size = 0;
   double size_of_machine = 1;  ///< m

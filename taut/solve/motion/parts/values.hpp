@@ -86,7 +86,8 @@ struct ChainLoadValues {
   std::array<bool, 2> bounded{false, false};  ///< a round there gets less: its rope is slack
 };
 
-struct DrumValues {
+/// The end of a rope that lies on a drum: each has its own part of it.
+struct OnDrumValues {
   double content = 0;  ///< unstretched rope on it, m
   int layer = 1;
   Array<double> strain;  ///< of the rope in each layer
@@ -103,7 +104,7 @@ struct Values {
   Array<SagValues> sags;  ///< of the lines that hang as catenaries
   Array<ContactValues> contacts;
   Array<SpinValues> spins;
-  Array<DrumValues> drums;
+  Array<OnDrumValues> on_drums;  ///< by Contact::on_drum
   Array<ChainLoadValues> chain_loads;
   Array<FaceValues> faces;                ///< by contact of the model
   Array<ActuatorValues> actuators;        ///< by actuator of the model

@@ -148,25 +148,22 @@ void fill_drums(const DynamicState& start, Built& built) {
   const Mechanism& m = built.mechanism;
   const machine::Model& model = *m.model;
   Values& v = built.values;
-  v.drums.resize(model.drums.size());
-  for (std::size_t d = 0; d < model.drums.size(); ++d) {
-    DrumValues& drum = v.drums[d];
-    drum.layer = model.drums[d].layer;
-    drum.content = model.drums[d].length_on_drum.value_or(0);
-    if (d < start.drums.size()) {
-      drum.content = start.drums[d].content;
-      drum.layer = start.drums[d].layer;
-      drum.strain = start.drums[d].strain;
+  v.on_drums.resize(as_size(m.on_drums));
+  for (const Contact& contact : m.contacts) {
+    if (contact.drum < 0) continue;
+    const machine::Drum& drum = model.drums[contact.drum];
+    OnDrumValues& end = v.on_drums[contact.on_drum];
+    end.layer = drum.layer;
+    end.content = drum.length_on_drum.value_or(0);
+    if (as_size(contact.on_drum) < start.on_drums.size()) {
+      const DynamicState::OnDrum& saved = start.on_drums[contact.on_drum];
+      end = {saved.content, saved.layer, saved.strain};
     }
-    if (!drum.strain.empty()) continue;
-    double strain = 0;
-    for (const Contact& contact : m.contacts) {
-      if (contact.drum != static_cast<int>(d)) continue;
-      const std::size_t line = as_size(contact.in >= 0 ? contact.in : contact.out);
-      strain = std::max(0.0, end_strain(m, v, static_cast<int>(line), contact.in >= 0 ? 1 : 0));
-      if (model.drums[d].wound_at) strain = *model.drums[d].wound_at / m.lines[line].stiffness;
-    }
-    drum.strain.assign(as_size(std::max(1, drum.layer)), strain);
+    if (!end.strain.empty()) continue;
+    const int line = contact.in >= 0 ? contact.in : contact.out;
+    double strain = std::max(0.0, end_strain(m, v, line, contact.in >= 0 ? 1 : 0));
+    if (drum.wound_at) strain = *drum.wound_at / m.lines[line].stiffness;
+    end.strain.assign(as_size(std::max(1, end.layer)), strain);
   }
 }
 

@@ -131,7 +131,7 @@ TEST(TransientBegin, DrumsHoldRopeAsItWasWound) {
   m.reevings.push_back(reeve("rope", {add_drum(m, "winch", origin, 0.2), anchor_on("load", 0)}, 9.2, 0, EA));
   m.drums[0].layer = 3;
   m.drums[0].length_on_drum = 40;
-  const auto drum = [&](const DynamicState& start) { return build(m, start, {}).values.drums.at(0); };
+  const auto drum = [&](const DynamicState& start) { return build(m, start, {}).values.on_drums.at(0); };
   DynamicState start = assembled(m);
   const double strain = std::sqrt(85 - 0.04) / 9.2 - 1;  // that of the free rope
   ASSERT_GT(strain, 0);
@@ -143,7 +143,7 @@ TEST(TransientBegin, DrumsHoldRopeAsItWasWound) {
   m.drums[0].wound_at.reset();
   m.reevings[0].value = 11;  // slack: not pushed together
   EXPECT_EQ(drum(assembled(m)).strain[0], 0);
-  start.drums = {{33, 2, {0.001, 0.002}}};  // a saved one
+  start.on_drums = {{33, 2, {0.001, 0.002}}};  // a saved one
   EXPECT_EQ(drum(start).content, 33);
   EXPECT_EQ(drum(start).layer, 2);
   EXPECT_EQ(drum(start).strain, (std::vector<double>{0.001, 0.002}));

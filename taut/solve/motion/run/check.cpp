@@ -9,6 +9,43 @@
 #include "taut/solve/motion/parts/couple.hpp"
 
 namespace taut::solve::dynamics {
+namespace {
+
+/// Whether a drive turns it by a torque, or lets it go, now or by an event to come.
+bool turned_by_torque(const machine::Model& model, const DynamicState& start, const Spin& spin, const Values& v) {
+  using machine::DriveKind;
+  const machine::Drive& drive = v.drive(spin);
+  const bool let_go = drive.kind != DriveKind::speed && drive.kind != DriveKind::pull;
+  if (let_go && drive.kind != DriveKind::held && !drive.brake) return true;
+  for (std::size_t i = 0; i < model.events.size(); ++i) {
+    const machine::Event& event = model.events[i];
+    if (i < start.happened.size() && start.happened[i] != 0) continue;
+    if (event.of_motor != (spin.drum < 0) || event.index != (spin.drum < 0 ? spin.motor : spin.drum)) continue;
+    if (event.kind == machine::EventKind::drive && event.drive.kind == DriveKind::torque) return true;
+    if (event.kind == machine::EventKind::brake && !event.brake_set && let_go) return true;
+  }
+  return false;
+}
+
+/// What turns without inertia follows from the one rope on it, and from nothing where several share its torque.
+Outcome check_turning(const Mechanism& m, const DynamicState& start, const Values& v) {
+  for (const Spin& spin : m.spins) {
+    const bool shared = spin.drum >= 0 && spin.contacts.size() > 1;
+    if (spin.inertia > 0 || (spin.motor < 0 && !shared)) continue;
+    if (!turned_by_torque(*m.model, start, spin, v)) continue;
+    if (shared) {
+      return infeasible(fmt::format(
+          "several ropes lie on the drum '{}': how they share its torque follows from its turning; give it an "
+          "'inertia'",
+          m.model->drums[spin.drum].name));
+    }
+    return infeasible(fmt::format("the sheave with the motor '{}' needs an 'inertia' when a torque drives it",
+                                  m.model->motors[spin.motor].name));
+  }
+  return {};
+}
+
+}  // namespace
 
 Outcome check(const Mechanism& m, const DynamicState& start, const Values& v) {
   const machine::Model& model = *m.model;
@@ -38,13 +75,7 @@ Outcome check(const Mechanism& m, const DynamicState& start, const Values& v) {
     }
   }
   if (Outcome couples = check_couples(m, v); !couples.ok()) return couples;
-  for (const Spin& spin : m.spins) {
-    if (spin.motor < 0 || spin.inertia > 0) continue;
-    const machine::Drive& drive = v.drive(spin);
-    if (drive.kind == machine::DriveKind::held || drive.kind == machine::DriveKind::speed || drive.brake) continue;
-    return infeasible(fmt::format("the sheave with the motor '{}' needs an 'inertia' when a torque drives it",
-                                  model.motors[spin.motor].name));
-  }
+  if (Outcome turning = check_turning(m, start, v); !turning.ok()) return turning;
   for (const machine::Reeving& rope : model.reevings) {
     if (!std::isinf(rope.stiffness)) continue;
     return infeasible(fmt::format("the rope '{}' does not stretch; in motion it needs its 'stiffness'", rope.name));

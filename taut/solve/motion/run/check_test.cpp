@@ -33,12 +33,23 @@ TEST(TransientCheck, WhatCantMoveIsToldWithWhatItLacks) {
     m.reevings[0].nodes[1].motor = 0;
     m.reevings[0].nodes[1].law.friction = 0.3;
   };
+  const auto by_a_later_torque = [&](machine::Model& m) {
+    by_a_torque(m);
+    m.motors[0].drive.kind = machine::DriveKind::held;
+    machine::Event event;
+    event.kind = machine::EventKind::drive;
+    event.of_motor = true;
+    event.at = 0.005;
+    event.drive.kind = machine::DriveKind::torque;
+    m.events = {event};
+  };
   const std::vector<Case> cases = {
       {[](machine::Model& m) { m.bodies[0].mass = 0; }, "'load'", "mass"},
       {[](machine::Model& m) { m.bodies[0].inertia.setZero(); }, "'load'", "inertia about its axis"},
       {[](machine::Model& m) { m.reevings[0].stiffness = std::numeric_limits<double>::infinity(); }, "'rope'",
        "'stiffness'"},
       {by_a_torque, "'engine'", "'inertia'"},
+      {by_a_later_torque, "'engine'", "'inertia'"},
   };
   taut::solve::TransientOptions options;
   options.duration = 0.01;

@@ -75,12 +75,18 @@ void turn_with_rope(Run& run, Values& v, int drum) {
   }
 }
 
-/// A brake that was set at the time t begins to act, and acts in full, at the end of a step.
-void stop_at_brake(Run& run, int drum, double t) {
-  const auto& brake = run.m.model->drums[drum].brake;
-  if (!brake) return;
-  for (const double stop : {t + brake->delay, t + brake->delay + brake->rise}) {
-    if (stop > t && stop < run.end) run.stops.insert(std::lower_bound(run.stops.begin(), run.stops.end(), stop), stop);
+/// When a brake that is set begins to act, and when it acts in full.
+Array<double> stops_of_brake(const machine::Drum& drum, const machine::Drive& drive) {
+  if (!drum.brake || !drive.brake) return {};
+  const double acts = drive.brake_since + drum.brake->delay;
+  return {acts, acts + drum.brake->rise};
+}
+
+/// There a step ends.
+void stop_at_brake(Run& run, int drum, const Values& v) {
+  for (const double stop : stops_of_brake(run.model.drums[drum], v.drum_drive[drum])) {
+    if (stop > v.t && stop < run.end)
+      run.stops.insert(std::lower_bound(run.stops.begin(), run.stops.end(), stop), stop);
   }
 }
 
@@ -100,16 +106,19 @@ bool apply_event(Run& run, Values& v, const machine::Event& event) {
       if (event.brake_set && !drive.brake) drive.brake_since = v.t;
       drive.brake = event.brake_set;
       if (!event.brake_set && drive.kind == machine::DriveKind::held) drive.kind = machine::DriveKind::free;
-      if (event.brake_set && !event.of_motor) stop_at_brake(run, event.index, v.t);
+      if (event.brake_set && !event.of_motor) stop_at_brake(run, event.index, v);
       note(run, v.t, "brake", event.words);
       break;
     }
     case machine::EventKind::drive: {
       auto& drives = event.of_motor ? v.motor_drive : v.drum_drive;
-      const bool lets_go = drives[event.index].kind == machine::DriveKind::pull && !event.of_motor;
-      drives[event.index] = event.drive;
-      if (lets_go && event.drive.kind == machine::DriveKind::torque) turn_with_rope(run, v, event.index);
-      note(run, v.t, "drive", event.words);
+      machine::Drive& drive = drives[event.index];
+      const bool lets_go = drive.kind == machine::DriveKind::pull && !event.of_motor && !drive.brake;
+      // what drives it is one thing, what holds it another: a brake opens by its own event
+      drive.kind = event.drive.kind;
+      drive.signal = event.drive.signal;
+      if (lets_go && drive.kind == machine::DriveKind::torque) turn_with_rope(run, v, event.index);
+      note(run, v.t, "drive", drive.brake ? event.words + ", its brake stays set" : event.words);
       break;
     }
     case machine::EventKind::actuator:
@@ -201,11 +210,11 @@ void note_changes(Run& run) {
 
 namespace {
 
-/// What lies on a drum in the step to `v`; none where the description does not say how much there is.
+/// What of its rope lies on a drum in the step to `v`; none where the description does not say how much there is.
 std::optional<double> content_ahead(const Run& run, const Contact& contact, const Values& v) {
   if (contact.drum < 0 || !run.model.drums[contact.drum].length_on_drum) return {};
   const double passed = v.q[contact.column] - run.before.q[contact.column];
-  return run.before.drums[contact.drum].content + (contact.in < 0 ? -passed : passed);
+  return run.before.on_drums[contact.on_drum].content + (contact.in < 0 ? -passed : passed);
 }
 
 /// Whether a drum changes its layer in the step to `v`, or has no rope left then.
@@ -215,7 +224,7 @@ bool winds_on(const Run& run, const Values& v) {
     if (!content) return false;
     const machine::Drum& drum = run.model.drums[contact.drum];
     const bool climbs =
-        drum.automatic_layers && layer_of(run, contact, *content) != run.before.drums[contact.drum].layer;
+        drum.automatic_layers && layer_of(run, contact, *content) != run.before.on_drums[contact.on_drum].layer;
     return climbs || *content < -no_rope_on_drum;
   });
 }
@@ -227,10 +236,10 @@ bool run_out(Run& run) {
     const auto content = content_ahead(run, contact, run.before);
     if (!content || *content >= -no_rope_on_drum) continue;
     const std::string& drum = run.model.drums[contact.drum].name;
-    note(run, run.before.t, "length_zero", drum, {{"L", *content}});
+    note(run, run.before.t, "length_zero", drum, {{"L", *content}}, contact.reeving);
     run.result.outcome = infeasible(
-        fmt::format("at t = {:.6g} s no rope is left on the drum '{}': stop the motion before, or give it more",
-                    run.before.t, drum));
+        fmt::format("at t = {:.6g} s no rope is left on the drum '{}' ('{}'): stop the motion before, or give it more",
+                    run.before.t, drum, run.model.reevings[contact.reeving].name));
     return true;
   }
   return false;
@@ -284,7 +293,7 @@ bool change_layers(Run& run, Values& v) {
     if (contact.drum < 0) continue;
     const machine::Drum& drum = run.model.drums[contact.drum];
     if (!drum.automatic_layers || !drum.length_on_drum) continue;
-    DrumValues& is = v.drums[contact.drum];
+    OnDrumValues& is = v.on_drums[contact.on_drum];
     const rope::DrumLayers layers = layers_on(run, contact);
     if (layers.width == 0) continue;
     const int layer = layer_of(run, contact, is.content);
@@ -320,29 +329,44 @@ bool change_layers(Run& run, Values& v) {
   return any;
 }
 
-Array<double> stops_of(const machine::Model& model, double from, double to) {
-  Array<double> stops;
-  const auto add = [&](const machine::Signal& signal) {
-    for (const double t : machine::breakpoints(signal)) stops.push_back(t);
-  };
-  for (const machine::Signal& signal : model.signals) add(signal);
-  for (const machine::Drum& drum : model.drums) add(drum.drive.signal);
-  for (const machine::Motor& motor : model.motors) add(motor.drive.signal);
-  for (const machine::Actuator& actuator : model.actuators) add(actuator.signal);
-  for (const machine::Tensioner& tensioner : model.tensioners) add(tensioner.change);
+namespace {
+
+/// Shows `see` all signals of a model.
+template <class See>
+void for_each_signal(const machine::Model& model, const See& see) {
+  for (const machine::Signal& signal : model.signals) see(signal);
+  for (const machine::Drum& drum : model.drums) see(drum.drive.signal);
+  for (const machine::Motor& motor : model.motors) see(motor.drive.signal);
+  for (const machine::Actuator& actuator : model.actuators) see(actuator.signal);
+  for (const machine::Tensioner& tensioner : model.tensioners) see(tensioner.change);
   for (const machine::Load& load : model.loads) {
-    if (load.over_time) add(*load.over_time);
+    if (load.over_time) see(*load.over_time);
   }
   for (const machine::Body& body : model.bodies) {
-    for (const machine::DrivenWay& way : body.driven) add(way.signal);
+    for (const machine::DrivenWay& way : body.driven) see(way.signal);
   }
   for (const machine::Reeving& rope : model.reevings) {
     for (const machine::Node& node : rope.nodes) {
-      if (node.load.signal) add(*node.load.signal);
+      if (node.load.signal) see(*node.load.signal);
     }
   }
   for (const machine::Event& event : model.events) {
-    if (event.kind == machine::EventKind::drive) add(event.drive.signal);
+    if (event.kind == machine::EventKind::drive) see(event.drive.signal);
+  }
+}
+
+}  // namespace
+
+Array<double> stops_of(const Run& run, double from, double to) {
+  Array<double> stops;
+  for_each_signal(run.model, [&](const machine::Signal& signal) {
+    for (const double t : machine::breakpoints(signal, from, to)) stops.push_back(t);
+  });
+  // of a brake too that an event before a restart has set
+  for (std::size_t d = 0; d < run.model.drums.size(); ++d) {
+    for (const double t : stops_of_brake(run.model.drums[d], run.before.drum_drive[d])) stops.push_back(t);
+  }
+  for (const machine::Event& event : run.model.events) {
     if (!event.at) continue;
     stops.push_back(*event.at);
     if (event.over > 0) stops.push_back(*event.at + event.over);
@@ -353,9 +377,19 @@ Array<double> stops_of(const machine::Model& model, double from, double to) {
   return stops;
 }
 
+Array<double> extremes_of(const machine::Model& model, double from, double to) {
+  Array<double> all;
+  for_each_signal(model, [&](const machine::Signal& signal) {
+    for (const double t : machine::extremes(signal, from, to)) all.push_back(t);
+  });
+  std::sort(all.begin(), all.end());
+  all.erase(std::unique(all.begin(), all.end()), all.end());
+  return all;
+}
+
 bool jumps_at(const Run& run, double t) {
   const double near = 1e-12 * std::max(std::abs(t), run.options.duration);
-  const Array<double> stops = stops_of(run.model, t - near, t + near);
+  const Array<double> stops = stops_of(run, t - near, t + near);
   return !stops.empty();
 }
 

@@ -69,7 +69,7 @@ TransientFrame::Drum turning_of(const Mechanism& m, const Values& v, std::size_t
   if (given_tension(m, first, v, v.when)) {
     const ContactValues& contact = v.contacts[of.contacts.front().first];
     d.speed = first.sense * contact.flow * contact.lambda;
-    d.torque = d.T * radius * first.copies;
+    d.torque = -rope_moment(m, of, v, v);
   } else {
     d.torque = drive_moment(m, static_cast<int>(spin), v);
   }
@@ -227,7 +227,9 @@ double observe_sheave(const Run& run, const Values& v, const machine::Observable
 double observe_drum(const Run& run, const Values& v, const machine::Observable& what) {
   const int spin = spin_of_drum(run.m, what.index);
   if (spin < 0) return 0;
-  if (what.quantity == Observed::drum_length) return v.drums[what.index].content;
+  if (what.quantity == Observed::drum_length) {
+    return v.on_drums[run.m.contacts[run.m.spins[spin].contacts.front().first].on_drum].content;
+  }
   const TransientFrame::Drum d = turning_of(run.m, v, as_size(spin));
   switch (what.quantity) {
     case Observed::drum_T:
@@ -314,14 +316,17 @@ TransientFrame frame_of(const Mechanism& m, const Values& v) {
     if (m.contacts[i].in >= 0 && m.contacts[i].out >= 0) f.contacts.push_back(contact_of(m, v, i));
   }
   for (std::size_t i = 0; i < m.chain_loads.size(); ++i) f.contacts.push_back(chain_load_frame(m, v, i));
+  for (const Contact& contact : m.contacts) {
+    if (contact.drum < 0) continue;
+    const OnDrumValues& end = v.on_drums[contact.on_drum];
+    f.on_drums.push_back({contact.reeving, contact.drum, contact.in >= 0, end.content, end.layer});
+  }
   f.drums.resize(m.model->drums.size());
   f.motors.resize(m.model->motors.size());
   for (std::size_t i = 0; i < m.spins.size(); ++i) {
     const Spin& spin = m.spins[i];
     if (spin.drum >= 0) {
       f.drums[spin.drum] = turning_of(m, v, i);
-      f.drums[spin.drum].content = v.drums[spin.drum].content;
-      f.drums[spin.drum].layer = v.drums[spin.drum].layer;
     } else if (spin.motor >= 0) {
       f.motors[spin.motor] = turning_of(m, v, i);
     }

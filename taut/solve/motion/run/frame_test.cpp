@@ -86,7 +86,7 @@ TEST(TransientMoments, ADrumHasWhatItHasTakenIn) {
     EXPECT_FALSE(drums[0].at_end);
     EXPECT_NEAR(*drums[0].length + frame.branches[0].unstretched, 5 + r.frames.front().branches[0].unstretched, 0.02);
     EXPECT_EQ(drums[0].pull, tension(frame));
-    EXPECT_EQ(drums[0].layer, frame.drums[0].layer);
+    EXPECT_EQ(drums[0].layer, frame.on_drums[0].layer);
     EXPECT_GT(drums[0].capacity.value(), 20);
   }
   EXPECT_GT(*taut::solve::drums(m, r.frames.back())[0].length, 6.5);

@@ -135,10 +135,10 @@ void commit_contacts(Run& run) {
     const int other = is.flow >= 0 ? contact.out : contact.in;
     is.entry = from >= 0 ? from : contact.drum >= 0 ? -1 : other;
     if (contact.drum < 0) continue;
-    DrumValues& drum = run.now.drums[contact.drum];
+    OnDrumValues& end = run.now.on_drums[contact.on_drum];
     const double onto = (contact.in < 0 ? -1 : 1) * (run.now.q[contact.column] - run.before.q[contact.column]);
-    drum.content = run.before.drums[contact.drum].content + onto;
-    if (is.entry < 0) is.lambda = 1 + drum.strain[drum.layer - 1];
+    end.content = run.before.on_drums[contact.on_drum].content + onto;
+    if (is.entry < 0) is.lambda = 1 + end.strain[end.layer - 1];
   }
 }
 
@@ -363,11 +363,13 @@ StepEnd look_round(Run& run, bool jump, bool& stop) {
   return end;
 }
 
-/// Where the next step has to end: at the output or at what comes before it. Times that differ by their rounding alone
-/// (0.01 s * 610 and 6.1 s) are one: between them there is no step.
+/// Where the next step has to end: at the output or at what comes before it, an extreme of a formula too. Times that
+/// differ by their rounding alone (0.01 s * 610 and 6.1 s) are one: between them there is no step.
 double next_limit(const Run& run, double output, std::size_t next) {
   constexpr double rounding = 1e-13;
   double limit = next < run.stops.size() ? std::min(output, run.stops[next]) : output;
+  const auto extreme = std::upper_bound(run.extremes.begin(), run.extremes.end(), run.before.t);
+  if (extreme != run.extremes.end()) limit = std::min(limit, *extreme);
   const double same = limit + rounding * std::max(std::abs(limit), run.options.duration);
   if (output <= same) limit = output;
   for (; next < run.stops.size() && run.stops[next] <= same; ++next) limit = std::max(limit, run.stops[next]);

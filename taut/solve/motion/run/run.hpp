@@ -17,9 +17,10 @@ struct Run {
   Scheme scheme{};
   Ledger ledger{};
   TransientResult result{};
-  DynamicState origin{};   ///< what the state is completed from
-  Array<double> stops{};   ///< times to step onto, growing
-  Array<char> happened{};  ///< by event
+  DynamicState origin{};     ///< what the state is completed from
+  Array<double> stops{};     ///< times to step onto, growing
+  Array<double> extremes{};  ///< the same, where nothing begins anew
+  Array<char> happened{};    ///< by event
   struct Breaking {
     int line = 0;
     double from = 0, over = 0;  ///< s
@@ -110,7 +111,9 @@ bool lay_out_joints(Run& run, Values& v);
 /// Ends the run where a drum has let out all the rope that the description gives it. Whether one has.
 bool run_out(Run& run);
 /// Times of events and breakpoints of signals, without those before `from`.
-Array<double> stops_of(const machine::Model& model, double from, double to);
+Array<double> stops_of(const Run& run, double from, double to);
+/// Where signals by a formula may have an extreme: what peaks within a step leaves no trace at its end.
+Array<double> extremes_of(const machine::Model& model, double from, double to);
 /// Whether an event is due at t or a signal jumps there.
 bool jumps_at(const Run& run, double t);
 

@@ -208,8 +208,8 @@ DynamicState state_of(const Mechanism& m, const Values& v, const DynamicState& b
     rope.angle[contact.node] = contact.sense * v.spins[contact.spin].angle;
     rope.spin[contact.node] = contact.sense * v.spins[contact.spin].omega;
   }
-  state.drums.clear();
-  for (const DrumValues& drum : v.drums) state.drums.push_back({drum.content, drum.layer, drum.strain});
+  state.on_drums.clear();
+  for (const OnDrumValues& end : v.on_drums) state.on_drums.push_back({end.content, end.layer, end.strain});
   state.drum_drive = v.drum_drive;
   state.motor_drive = v.motor_drive;
   keep_couples(v, state);

@@ -173,7 +173,7 @@ void book_slow_step(Run& run) {
 }
 
 StepEnd try_slowly(Run& run, double h, double t) {
-  run.now.drums = run.before.drums;
+  run.now.on_drums = run.before.on_drums;
   run.now.drum_drive = run.before.drum_drive;
   run.now.motor_drive = run.before.motor_drive;
   take_modes(run.before, run.now);

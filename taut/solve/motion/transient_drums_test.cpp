@@ -1,0 +1,169 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "taut/solve/drives.hpp"
+#include "test/support/machines.hpp"
+#include "test/support/transient_runs.hpp"
+
+/// Several ends of ropes on one drum: each has its own part of it, and all share its torque.
+namespace taut_test::transient_drums_test {
+namespace {
+
+using taut::solve::DrumResult;
+using taut::solve::Start;
+using taut::solve::TransientFrame;
+using taut::solve::TransientOptions;
+using taut::solve::TransientResult;
+
+constexpr double radius = 0.2, mass = 1000, inertia = 20, g = 9.81;
+
+/// Two masses on ropes from one drum; `against`: the second one is wound the other way. `swapped`: it comes first.
+machine::Model two_ropes(const machine::Drive& drive, bool against, bool swapped = false) {
+  machine::Model m;
+  m.gravity = g;
+  const double second = against ? -radius : radius;
+  m.bodies = {body("a", {radius, 0, -20}, mass, "z"), body("b", {second, 0, -20}, mass, "z")};
+  machine::Node first_end = add_drum(m, "winch", origin, radius, 1), second_end = first_end;
+  if (against) second_end.side = -1;
+  m.drums[0].drive = drive;
+  m.reevings = {reeve("first", {first_end, anchor_on("a", 0)}, 20, 0, 5e6),
+                reeve("second", {second_end, anchor_on("b", 1)}, 20, 0, 5e6)};
+  for (machine::Reeving& rope : m.reevings) rope.damping_time = 0.02;
+  if (swapped) std::swap(m.reevings[0], m.reevings[1]);
+  return m;
+}
+
+machine::Drive turning(double speed) { return {machine::DriveKind::speed, smooth_move(0, speed, 0, 1)}; }
+machine::Drive by_torque(double torque) { return {machine::DriveKind::torque, smooth_move(torque, torque, 0, 1)}; }
+
+TransientOptions from_description(double duration) {
+  TransientOptions options = lasting(duration, 1e-6);
+  options.start = Start::assembled;
+  return options;
+}
+
+TEST(TransientDrums, EachRopeHasItsOwnPart) {
+  for (const bool swapped : {false, true}) {
+    machine::Model m = two_ropes(turning(swapped ? -1 : 1), true, swapped);
+    m.drums[0].length_on_drum = 3;
+    const TransientResult r = run_to_end(m, from_description(2));
+    const TransientFrame &first = r.frames.front(), &last = r.frames.back();
+    ASSERT_EQ(last.on_drums.size(), 2U);
+    for (const std::size_t k : {0U, 1U}) {
+      const double whole = first.branches[k].unstretched + first.on_drums[k].content;
+      EXPECT_EQ(first.on_drums[k].content, 3);
+      EXPECT_NEAR(last.branches[k].unstretched + last.on_drums[k].content, whole, 1e-9) << k;
+    }
+    const std::size_t taken = swapped ? 1 : 0;  // 1 m/s, begun within 1 s
+    EXPECT_NEAR(last.on_drums[taken].content, 4.5, 5e-3);
+    EXPECT_NEAR(last.on_drums[1 - taken].content, 1.5, 5e-3);
+    const auto ends = taut::solve::drums(m, last);
+    EXPECT_NEAR(ends[1 - taken].length.value(), 1.5, 5e-3);
+  }
+}
+
+TEST(TransientDrums, TheRopeThatRunsOutEndsTheMotionWhateverTheirOrder) {
+  for (const bool swapped : {false, true}) {
+    machine::Model m = two_ropes(turning(swapped ? -1 : 1), true, swapped);
+    m.drums[0].length_on_drum = 3;
+    const TransientResult r = transient(m, from_description(6));
+    EXPECT_NE(r.outcome.message.find("'second'"), std::string::npos) << r.outcome.message;
+    EXPECT_NEAR(r.t_end, 3.5, 6e-3);
+  }
+}
+
+TEST(TransientDrums, EachRopeClimbsByItself) {
+  machine::Model m = two_ropes(turning(1), true);
+  machine::Drum& drum = m.drums[0];
+  const double d = 0.01, turn = 2 * M_PI * (radius + d / 2);
+  for (machine::Reeving& rope : m.reevings) {
+    rope.diameter = d;
+    rope.nodes.front().radius = radius + d / 2;
+  }
+  m.bodies[0].position.x() += d / 2;
+  m.bodies[1].position.x() -= d / 2;
+  drum.width = 3 * d;
+  drum.automatic_layers = true;
+  drum.length_on_drum = 2.5 * turn;
+  const TransientResult r = run_to_end(m, from_description(1.6));
+  EXPECT_EQ(r.frames.front().on_drums[0].layer, 1);
+  EXPECT_EQ(r.frames.back().on_drums[0].layer, 2);
+  EXPECT_EQ(r.frames.back().on_drums[1].layer, 1);
+}
+
+TEST(TransientDrums, BothEndsOfARopeHaveTheirPart) {
+  machine::Model m;
+  m.gravity = g;
+  m.bodies = {body("a", {0, 0, -20}, mass, "z")};
+  machine::Node left = add_drum(m, "winch", origin, radius, 1), right = left;
+  right.side = 1;
+  machine::Node pulley = sheave("pulley", origin, radius, -1);
+  pulley.at.body = 0;
+  m.drums[0].drive = turning(0.5);
+  m.drums[0].length_on_drum = 2;
+  m.reevings = {reeve("rope", {left, pulley, right}, 40 + M_PI * radius, 0, 5e6)};
+  m.reevings[0].damping_time = 0.02;
+  const TransientResult r = run_to_end(m, from_description(2));
+  const auto& ends = r.frames.back().on_drums;
+  ASSERT_EQ(ends.size(), 2U);
+  EXPECT_FALSE(ends[0].at_end);
+  EXPECT_TRUE(ends[1].at_end);
+  // what one end takes in, the other lets out, or takes in too, as it is wound
+  EXPECT_NEAR(std::abs(ends[0].content - 2), 0.75, 0.02);
+  EXPECT_NEAR(std::abs(ends[1].content - 2), 0.75, 0.02);
+}
+
+TEST(TransientDrums, GoOnFromASavedStateWithAllTheirEnds) {
+  machine::Model m = two_ropes(turning(1), true);
+  m.drums[0].length_on_drum = 3;
+  TransientOptions options = from_description(1.5);
+  const TransientResult first = run_to_end(m, options);
+  options.from = first.state;
+  options.duration = 0.5;
+  const TransientResult second = run_to_end(m, options);
+  for (const std::size_t k : {0U, 1U}) {
+    EXPECT_EQ(second.frames.front().on_drums[k].content, first.frames.back().on_drums[k].content);
+  }
+}
+
+/// M = 2 T R + J a/R, T = m (g + a), of two equal masses.
+TEST(TransientDrums, ShareTheTorque) {
+  const double M = 2.2 * mass * g * radius;
+  machine::Model m = two_ropes(by_torque(M), false);
+  m.drums[0].inertia = inertia;
+  const TransientResult r = run_to_end(m, from_description(1));
+  const double a = (M / radius - 2 * mass * g) / (2 * mass + inertia / (radius * radius));
+  EXPECT_NEAR(r.frames.back().bodies[0].acceleration.z(), a, 2e-3 * a);
+  EXPECT_NEAR(r.frames.back().bodies[1].acceleration.z(), a, 2e-3 * a);
+}
+
+TEST(TransientDrums, WithoutInertiaNoneKnowsItsShare) {
+  const auto refused = [](const machine::Model& m) {
+    const TransientResult r = transient(m, from_description(0.1));
+    return r.outcome.message.find("'inertia'") != std::string::npos && r.frames.empty();
+  };
+  EXPECT_TRUE(refused(two_ropes(by_torque(3000), false)));
+  EXPECT_TRUE(refused(two_ropes({machine::DriveKind::free, {}}, false)));
+  EXPECT_FALSE(refused(two_ropes(turning(1), false)));
+  machine::Model one = two_ropes(by_torque(3000), false);
+  one.reevings.pop_back();
+  one.bodies.pop_back();
+  EXPECT_FALSE(refused(one));
+  // by an event to come
+  machine::Model later = two_ropes(turning(0.1), false);
+  machine::Event event;
+  event.kind = machine::EventKind::drive;
+  event.at = 0.05;
+  event.drive = by_torque(3000);
+  later.events = {event};
+  EXPECT_TRUE(refused(later));
+  machine::Model opened = two_ropes({machine::DriveKind::held, {}}, false);
+  event.kind = machine::EventKind::brake;
+  event.brake_set = false;
+  opened.events = {event};
+  EXPECT_TRUE(refused(opened));
+}
+
+}  // namespace
+}  // namespace taut_test::transient_drums_test
