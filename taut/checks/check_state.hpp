@@ -55,7 +55,7 @@ struct CheckState {
   std::vector<CheckContact> contacts;
   const solve::EquilibriumResult* rest = nullptr;  ///< what it is of; a motion has none, and no beams
   bool moves = false;                              ///< a moment of a motion that is not at rest there
-  std::optional<double> t;  ///< of a motion, s
+  std::optional<double> t;                         ///< of a motion, s
   std::vector<FreeRope> ropes;                     ///< of a motion over terrain, where they are asked for
   std::string words;                               ///< "envelope, in, x = 40 m", "transient, drop, t = 1.2 s"
   std::string analysis;                            ///< its name in the deck, or its kind

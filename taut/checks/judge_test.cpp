@@ -224,7 +224,6 @@ checks: )" + checks + "\n"));
   EXPECT_EQ(judged("{ropes: {sky: {safety_factor: 3}}, lines: {sky: {clearance: true}}}")->kind, VerdictKind::fails);
 }
 
-
 /// A load whose winch takes in with a jerk, at rest before it.
 std::string jerked(const std::string& analyses) {
   return R"(taut: 1

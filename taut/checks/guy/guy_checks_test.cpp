@@ -65,7 +65,6 @@ checks: {guys: {g: {safety_factor: 3, dynamic_factor: 2}}, anchors: {a: {strengt
   }
 }
 
-
 /// What the pulls of a `pretension` leave is a pretension too, also of a guy that has a length.
 TEST(GuyChecks, AGuyThatIsPulledKeepsWithinItsWindow) {
   const auto deck = [](const std::string& own, const std::string& analysis) {

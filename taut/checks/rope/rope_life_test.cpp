@@ -129,7 +129,8 @@ checks: {ropes: {first: {safety_factor: 2, duty: [{name: lifts, cycles: 20000)" 
   const Result whole = run_text(deck("", ""));
   ASSERT_EQ(whole.status, Status::ok) << whole.message << to_text(whole.errors);
   EXPECT_TRUE(whole.unmade.empty());
-  EXPECT_THAT(run_text(deck("{over: side}, ", "")).unmade, testing::Contains(HasSubstr("life leaves out the bends over 'side'")));
+  EXPECT_THAT(run_text(deck("{over: side}, ", "")).unmade,
+              testing::Contains(HasSubstr("life leaves out the bends over 'side'")));
   EXPECT_TRUE(run_text(deck("{over: side}, ", ", over: [head]")).unmade.empty());
   expect_mistake(run_text(deck("", ", over: [lone]")), "the rope runs over no 'lone' with a diameter");
 }
