@@ -563,4 +563,18 @@ TEST(ClosedLoopExact, LiftOffIsRefused) {
   EXPECT_EQ(r.find_value("T_lA_exact"), nullptr);
 }
 
+// The rope between the sections holds what is right of it: the return rope and the gathering force. Forces by the
+// lengths of a triangle, with the direction of the rope beyond section 2 from its horizontal tension of the closed
+// form.
+TEST(ClosedLoopExact, TheRopeBetweenTheSections) {
+  const Input in = two_section_example();
+  const Output o = exact(in);
+  const double gamma = in.gathering_angle, S = in.gathering_force;
+  const double rise = std::sqrt(o.T_lLB_exact * o.T_lLB_exact - o.H_2 * o.H_2);  // the rope leaves upwards, toward B
+  const double T_12 = std::hypot(o.H_2 + S * std::sin(gamma), rise - S * std::cos(gamma));
+  EXPECT_NEAR(o.T_12_exact, T_12, 0.002 * T_12);
+  EXPECT_NEAR(o.T_12_exact, o.T_12, 0.002 * o.T_12);
+  EXPECT_TRUE(std::isnan(exact(example()).T_12_exact));
+}
+
 }  // namespace taut::closed_loop::cross::closed_loop_test

@@ -25,7 +25,7 @@ Outcome exact_sag(const closed_loop::Input& in, const closed_loop::Case<double>&
   Outcome o;
   switch (in.mode) {
     case closed_loop::Mode::winch_pull:
-      o = find(solve::LoopGiven::tension_at_A, *in.winch_pull * in.head_efficiency);
+      o = find(solve::LoopGiven::tension_at_A, closed_loop::pull_at_A(in));
       break;
     case closed_loop::Mode::loop_length:
       o = find(solve::LoopGiven::length, *in.loop_length);
@@ -53,7 +53,10 @@ void keep(const solve::RunningLoop& loop, const solve::LoopState& s, closed_loop
   out.T_U_exact = std::max(s.upper_A.T_end, s.upper_B.T_start);
   out.T_lLA_exact = s.lower_A.T_end;
   out.T_lLB_exact = s.lower_B.T_start;
-  if (loop.second) out.delta_f_exact = s.delta_sag;
+  if (loop.second) {
+    out.delta_f_exact = s.delta_sag;
+    out.T_12_exact = std::max(s.between.T_start, s.between.T_end);
+  }
   out.upper_sag_exact = s.upper_sag;
   out.loop_length_exact = s.loop_length();
   out.traction_length_exact = s.traction_length;

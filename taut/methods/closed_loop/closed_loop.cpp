@@ -152,6 +152,14 @@ std::vector<Complaint> complaints(const Input& in) {
   return all;
 }
 
+double pull_at_A(const Input& in) {
+  return in.haul == Haul::in ? *in.winch_pull * in.head_efficiency : *in.winch_pull / in.head_efficiency;
+}
+
+double pull_at_winch(const Input& in, double T_lA) {
+  return in.haul == Haul::in ? T_lA / in.head_efficiency : T_lA * in.head_efficiency;
+}
+
 template <class T>
 Outcome compute(const Input& in, Sheet<T>& s, Output& out) {
   if (has_direct_weights(in) && in.position.size() <= 1) {

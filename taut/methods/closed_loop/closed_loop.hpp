@@ -129,6 +129,7 @@ struct Output {
   double T_lLA = none;
   double T_lLB = none;
   double T_12 = none;
+  double T_winch = none;  ///< only where the sheaves at A lose something
   double T_max = none;
   double H_1 = none;
   double H_2 = none;
@@ -153,6 +154,8 @@ struct Output {
   double T_U_exact = none;
   double T_lLA_exact = none;
   double T_lLB_exact = none;
+  double T_12_exact = none;
+  double T_winch_exact = none;
   double delta_f_exact = none;
   double upper_sag_exact = none;
   double loop_length_exact = none;
@@ -163,6 +166,12 @@ struct Output {
 
   static const Description& describe();
 };
+
+/// The tension of the traction rope at A that mode winch_pull asks for, N: the sheaves at A take their part of the pull
+/// when the rope runs in, and help the winch to hold when it runs out.
+double pull_at_A(const Input& in);
+/// The tension on the winch's side of the sheaves at A, N, where the traction rope has T_lA on the other side.
+double pull_at_winch(const Input& in, double T_lA);
 
 /// Citation, scope, limits, errata with the tests that show them.
 const Method& about();

@@ -240,6 +240,10 @@ Outcome solve_position(const Input& in, const Setting& at, Sheet<T>& s, Output& 
                          closed_form.message);
     });
   }
+  if (in.head_efficiency < 1) {
+    out.T_winch = pull_at_winch(in, out.T_lA);
+    out.T_winch_exact = pull_at_winch(in, out.T_lA_exact);
+  }
   warn_of_input(in, s);
   warn_of_paper(c, out, s);
   warn_of_stop(c, out, s);

@@ -18,9 +18,7 @@ constexpr double sag_step = 1.04;
 /// The tension that the mode asks about.
 double tension_of(const Input& in, const Quick<double>& q) { return in.mode == Mode::winch_pull ? q.T_lA : q.T_lLB; }
 
-double target_of(const Input& in) {
-  return in.mode == Mode::winch_pull ? *in.winch_pull * in.head_efficiency : in.gathering_force;
-}
+double target_of(const Input& in) { return in.mode == Mode::winch_pull ? pull_at_A(in) : in.gathering_force; }
 
 Outcome out_of_reach(const Input& in, const Case<double>& c, double least, double most) {
   const char* what = in.mode == Mode::winch_pull ? "a tension at A of" : "a return rope tension at the carriage of";
@@ -85,7 +83,10 @@ void warn_of_second(double second, Sheet<T>& s) {
 }
 
 const char* condition_of(const Input& in) {
-  if (in.mode == Mode::winch_pull) return "the traction rope is pulled at A with winch_pull * head_efficiency";
+  if (in.mode == Mode::winch_pull) {
+    return in.haul == Haul::in ? "the traction rope is pulled at A with winch_pull * head_efficiency"
+                               : "the traction rope is held at A with winch_pull / head_efficiency";
+  }
   if (in.mode == Mode::loop_length) return "the whole loop has the unstretched length loop_length";
   return "the return rope is pulled at the carriage with the gathering force S";
 }
@@ -138,7 +139,12 @@ Outcome set_sag(const Input& in, const Case<double>& plain, const Engine& engine
   s.note(
       "The sag is the smallest at which the closed-form tier below gives the tension asked for; exact catenaries would "
       "give a slightly different one.");
-  const T target = by_winch ? T(s.given(*in.winch_pull) * s.given(in.head_efficiency)) : c.S;
+  const auto pull = [&] {
+    const T W = s.given(*in.winch_pull);
+    const T eta_A = s.given(in.head_efficiency);
+    return in.haul == Haul::in ? T(W * eta_A) : T(W / eta_A);
+  };
+  const T target = by_winch ? pull() : c.S;
   const auto gap = [&](const T& sag) {
     Case<double> at = plain;
     at.f = value(sag);

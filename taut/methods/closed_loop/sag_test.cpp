@@ -89,4 +89,24 @@ TEST(ClosedLoopSag, WithoutContactNoSagHelps) {
   EXPECT_NE(o.message.find("no sag is feasible"), std::string::npos) << o.message;
 }
 
+// The sheaves at A take their part of the winch's pull, and help it to hold when the rope runs out.
+TEST(ClosedLoopSag, TheWinchPullsBehindItsSheaves) {
+  Input in = pulled(90e3);
+  in.head_efficiency = 0.9;
+  Output out;
+  ASSERT_TRUE(solve(in, out).ok());
+  EXPECT_NEAR(out.T_lA, 81e3, 1);
+  EXPECT_NEAR(out.T_winch, 90e3, 1);
+  in.haul = Haul::out;
+  Output back;
+  ASSERT_TRUE(solve(in, back).ok());
+  EXPECT_NEAR(back.T_lA, 100e3, 1);
+  EXPECT_NEAR(back.T_winch, 90e3, 1);
+  EXPECT_LT(back.f, out.f);
+  in.head_efficiency = 1;
+  Output plain;
+  ASSERT_TRUE(solve(in, plain).ok());
+  EXPECT_TRUE(std::isnan(plain.T_winch)) << "no sheaves, no value of its own";
+}
+
 }  // namespace taut::closed_loop::sag_test

@@ -107,29 +107,41 @@ Peaks larger(const Peaks& a, const Peaks& b) {
 
 namespace {
 
-/// Tensions of the return rope, upper branch at A, at the carriage, at B, lower branch at B, at the carriage; of the
-/// traction rope at A and at the carriage.
-Peaks peaks_at(double x, const std::array<double, 5>& of_return, const std::array<double, 2>& of_traction) {
-  constexpr std::array on_return = {"upper branch at A", "upper branch at the carriage", "upper branch at B",
-                                    "lower branch at B", "lower branch at the carriage"};
-  constexpr std::array on_traction = {"lower branch at A", "lower branch at the carriage"};
+/// The tensions of one rope by their place in it; raise() passes over those that do not exist.
+struct Place {
+  const char* where;
+  double Output::*closed_form;
+  double Output::*exact;
+};
+
+constexpr std::array on_return = {
+    Place{"upper branch at A", &Output::T_uA, &Output::T_uA_exact},
+    Place{"upper branch at the carriage", &Output::T_U, &Output::T_U_exact},
+    Place{"upper branch at B", &Output::T_uB, &Output::T_uB_exact},
+    Place{"lower branch at B", &Output::T_lB, &Output::T_lB_exact},
+    Place{"lower branch at the carriage", &Output::T_lLB, &Output::T_lLB_exact},
+    Place{"between the sections of the carriage", &Output::T_12, &Output::T_12_exact},
+};
+constexpr std::array on_traction = {
+    Place{"lower branch at A", &Output::T_lA, &Output::T_lA_exact},
+    Place{"lower branch at the carriage", &Output::T_lLA, &Output::T_lLA_exact},
+    Place{"at the winch, behind the sheaves at A", &Output::T_winch, &Output::T_winch_exact},
+};
+
+Peaks peaks_by(double Output::*Place::*tier, const Output& out) {
   Peaks p;
-  for (std::size_t i = 0; i < of_return.size(); ++i) raise(p.return_rope, of_return[i], x, on_return[i]);
-  for (std::size_t i = 0; i < of_traction.size(); ++i) raise(p.traction_rope, of_traction[i], x, on_traction[i]);
+  for (const Place& at : on_return) raise(p.return_rope, out.*(at.*tier), out.x, at.where);
+  for (const Place& at : on_traction) raise(p.traction_rope, out.*(at.*tier), out.x, at.where);
   return p;
 }
 
 }  // namespace
 
 Peaks peaks_of(const Output& out) {
-  if (!std::isfinite(out.T_lA_exact)) return closed_form_peaks_of(out);
-  return peaks_at(out.x, {out.T_uA_exact, out.T_U_exact, out.T_uB_exact, out.T_lB_exact, out.T_lLB_exact},
-                  {out.T_lA_exact, out.T_lLA_exact});
+  return std::isfinite(out.T_lA_exact) ? peaks_by(&Place::exact, out) : closed_form_peaks_of(out);
 }
 
-Peaks closed_form_peaks_of(const Output& out) {
-  return peaks_at(out.x, {out.T_uA, out.T_U, out.T_uB, out.T_lB, out.T_lLB}, {out.T_lA, out.T_lLA});
-}
+Peaks closed_form_peaks_of(const Output& out) { return peaks_by(&Place::closed_form, out); }
 
 namespace {
 

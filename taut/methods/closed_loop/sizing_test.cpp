@@ -170,4 +170,29 @@ TEST(ClosedLoopSizing, PeaksAreTheLargestOfEachRope) {
   EXPECT_EQ(p.return_rope.where, "lower branch at B");
 }
 
+// The rope between the sections is return rope, the rope behind the sheaves at A traction rope.
+TEST(ClosedLoopSizing, EveryPieceOfARopeCounts) {
+  Output out;
+  out.x = 100;
+  for (double Output::*T :
+       {&Output::T_uA, &Output::T_U, &Output::T_uB, &Output::T_lB, &Output::T_lLB, &Output::T_lA, &Output::T_lLA})
+    out.*T = 50e3;
+  EXPECT_EQ(peaks_of(out).return_rope.tension, 50e3) << "one section, no sheaves at A";
+  out.T_12 = 60e3;
+  out.T_winch = 70e3;
+  EXPECT_EQ(peaks_of(out).return_rope.tension, 60e3);
+  EXPECT_EQ(peaks_of(out).return_rope.where, "between the sections of the carriage");
+  EXPECT_EQ(peaks_of(out).traction_rope.tension, 70e3);
+  EXPECT_EQ(peaks_of(out).traction_rope.where, "at the winch, behind the sheaves at A");
+}
+
+// With the load at section 2 the rope beyond it is pulled by S sin(gamma) less.
+TEST(ClosedLoopSizing, TwoSectionsPullTheRopeBetweenThem) {
+  Input in = two_section_example();
+  Output out;
+  ASSERT_TRUE(solve(in, out).ok());
+  EXPECT_GT(out.T_12, out.T_lLB + 0.9 * in.gathering_force * std::sin(in.gathering_angle));
+  EXPECT_EQ(peaks_of(out).return_rope.tension, out.T_12);
+}
+
 }  // namespace taut::closed_loop::sizing_test

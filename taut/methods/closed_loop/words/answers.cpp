@@ -55,8 +55,9 @@ std::vector<Answer> answers(const Input& in, const Result& r, const Display& dis
   }
   const Value* x = r.find_value("x");
   const std::string place = x == nullptr ? std::string() : fmt::format(", carriage at {}", shown(*x));
-  const Value* exact = largest(r, {"T_uA_exact", "T_uB_exact", "T_lA_exact", "T_lB_exact"});
-  if (const Value* T = exact != nullptr ? exact : largest(r, {"T_uA", "T_uB", "T_lA", "T_lB"})) {
+  const Value* exact =
+      largest(r, {"T_uA_exact", "T_uB_exact", "T_lA_exact", "T_lB_exact", "T_12_exact", "T_winch_exact"});
+  if (const Value* T = exact != nullptr ? exact : largest(r, {"T_uA", "T_uB", "T_lA", "T_lB", "T_12", "T_winch"})) {
     add_answer_line(lines, "Tension", {fmt::format("{}, {}{}", shown(*T), T->label, place)});
   }
   if (const Value* f = r.find_value("f")) {

@@ -29,7 +29,8 @@ void describe_line(Describe<Input>& d) {
   d.field(&Input::winch_pull, "winch_pull", "W", si::N, "pull of the winch on the traction rope (mode winch_pull)")
       .above(0);
   d.field(&Input::head_efficiency, "head_efficiency", "eta_A", si::one,
-          "efficiency of the sheaves at A: T_lA = winch_pull * head_efficiency")
+          "efficiency of the traction rope's sheaves at A: T_lA = winch_pull * head_efficiency hauled in, winch_pull / "
+          "head_efficiency hauled out")
       .above(0)
       .at_most(1);
   d.field(&Input::loop_length, "loop_length", "L", si::m, "unstretched length of the whole loop (mode loop_length)")
@@ -198,7 +199,9 @@ void describe_closed(Describe<Output>& d) {
   d.field(&Output::T_lLA, "T_lLA", "T_lLA", si::N, "traction rope at the carriage").from("closed-form tier");
   d.field(&Output::T_lLB, "T_lLB", "T_lLB", si::N, "return rope of the lower branch at the carriage")
       .from("closed-form tier");
-  d.field(&Output::T_12, "T_12", "T_12", si::N, "connecting rope between the sections").from("closed-form tier");
+  d.field(&Output::T_12, "T_12", "T_12", si::N, "return rope between the sections").from("closed-form tier");
+  d.field(&Output::T_winch, "T_winch", "T_winch", si::N, "traction rope at the winch, behind the sheaves at A")
+      .from("closed-form tier");
   d.field(&Output::H_1, "H_1", "H_1", si::N, "horizontal tension of the lower branch between A and the carriage")
       .from("closed-form tier")
       .detail();
@@ -253,6 +256,8 @@ void describe_exact(Describe<Output>& d) {
   add_detail(&Output::T_U_exact, "T_U_exact", si::N, "upper branch at the carriage, the tighter side");
   add_detail(&Output::T_lLA_exact, "T_lLA_exact", si::N, "traction rope at the carriage");
   add_detail(&Output::T_lLB_exact, "T_lLB_exact", si::N, "return rope of the lower branch at the carriage");
+  add_detail(&Output::T_12_exact, "T_12_exact", si::N, "return rope between the sections, its larger end");
+  add(&Output::T_winch_exact, "T_winch_exact", si::N, "traction rope at the winch, behind the sheaves at A");
   add(&Output::delta_f_exact, "delta_f_exact", si::m, "sag of section 2 under the line from section 1 to B");
   add(&Output::upper_sag_exact, "upper_sag_exact", si::m, "sag of the upper branch at the roller, under its own chord");
   add(&Output::loop_length_exact, "loop_length_exact", si::m, "unstretched length of the whole loop");
