@@ -237,10 +237,12 @@ double force(const Input& in, const Case& one) {
   return force(in, one, "F", s);
 }
 
-RopeTensions tensions(const Output& out, double F) {
+namespace {
+
+RopeTensions shared(const Output& out, double F, const Shares<double>& lambda) {
   const double change = out.F0_set - F;
-  RopeTensions t{.S1 = out.S10_set + change * out.lambda_1,
-                 .S2 = out.S20_set - change * out.lambda_2,
+  RopeTensions t{.S1 = out.S10_set + change * lambda.lambda_1,
+                 .S2 = out.S20_set - change * lambda.lambda_2,
                  .extension_slack = false,
                  .retraction_slack = false};
   // A limit pretension leaves exactly nothing in the governing case: rounding must not make that a slack rope.
@@ -250,6 +252,15 @@ RopeTensions tensions(const Output& out, double F) {
   t.S1 = std::max(t.S1, 0.0);
   t.S2 = std::max(t.S2, 0.0);
   return t;
+}
+
+}  // namespace
+
+RopeTensions tensions(const Output& out, double F) { return shared(out, F, {out.lambda_1, out.lambda_2}); }
+
+std::optional<RopeTensions> corrected_tensions(const Output& out, double F) {
+  if (std::isnan(out.lambda_1_corrected)) return std::nullopt;
+  return shared(out, F, {out.lambda_1_corrected, out.lambda_2_corrected});
 }
 
 template <class T>

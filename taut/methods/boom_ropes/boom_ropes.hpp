@@ -203,6 +203,8 @@ struct RopeTensions {
   bool retraction_slack = false;
 };
 RopeTensions tensions(const Output& out, double F);
+/// The same with the shares of the corrected stiffness, where there is one.
+std::optional<RopeTensions> corrected_tensions(const Output& out, double F);
 
 /// Table 1: the tensioners are pulled alternately until section 3, held by `friction` = f0 G3, begins to slip:
 /// extension S1 := (S2 + friction)/2, retraction S2 := 2 S1 + friction.

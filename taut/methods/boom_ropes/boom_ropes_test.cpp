@@ -146,4 +146,25 @@ TEST(BoomRopes, NoCaseNoLimit) {
   EXPECT_EQ(run(in).status, Status::ok);
 }
 
+/// By hand: kappa = C2/C1 = 0.6 gives lambda_1 = 1/2.6, lambda_2 = 0.6/2.6.
+TEST(BoomRopes, TheCorrectedStiffnessSharesOtherwise) {
+  Input in = printed_boom();
+  in.cases = {lifting("rated", 248.2e3), retracting("hook", 2.94e3)};
+  in.stiffness_ratio = 0.6;
+  Output out;
+  ASSERT_TRUE(solve(in, out).ok());
+  for (const double F : out.F) {
+    const auto t = corrected_tensions(out, F);
+    ASSERT_TRUE(t);
+    EXPECT_NEAR(2 * t->S1 - t->S2, -F, 1e-6 * std::abs(F) + 1e-3) << "(1)";
+    if (t->extension_slack || t->retraction_slack) continue;
+    EXPECT_NEAR(t->S1, out.S10_set + (out.F0_set - F) / 2.6, 1e-6 * t->S1 + 1e-3);
+  }
+  in.stiffness_ratio.reset();
+  in.extension_stiffness *= 2;  // else the paper's own ratio would be taken
+  Output plain;
+  ASSERT_TRUE(solve(in, plain).ok());
+  EXPECT_FALSE(corrected_tensions(plain, 0)) << "no other stiffness is known";
+}
+
 }  // namespace taut::boom_ropes::boom_ropes_test

@@ -14,6 +14,7 @@ struct CaseRow {
   const Case& one;
   double F;  ///< N
   RopeTensions tensions;
+  std::optional<RopeTensions> corrected;
   std::string governs;
 };
 
@@ -35,7 +36,11 @@ const Quantities<CaseRow>& case_quantities() {
        [](const Row& r) { return r.tensions.S1; }},
       {"S2", "S_2", si::N, "tension of the retraction rope, (2)", [](const Row& r) { return r.tensions.S2; }},
       {"slack", "", si::one, "the rope that is slack; empty: none", slack_of},
-      {"governs", "", si::one, "the least pretension that the case governs by (3): S10, S20", &Row::governs}};
+      {"governs", "", si::one, "the least pretension that the case governs by (3): S10, S20", &Row::governs},
+      {"S1_corrected", "S_1c", si::N, "the same with the shares of the corrected stiffness, (2*), extension rope",
+       [](const Row& r) { return r.corrected ? r.corrected->S1 : unset; }},
+      {"S2_corrected", "S_2c", si::N, "the same for the retraction rope",
+       [](const Row& r) { return r.corrected ? r.corrected->S2 : unset; }}};
   return all;
 }
 
@@ -132,8 +137,11 @@ Table cases_table(const Input& in, const Output& out) {
   std::vector<CaseRow> rows;
   rows.reserve(in.cases.size());
   for (std::size_t i = 0; i < in.cases.size(); ++i) {
-    rows.push_back(
-        {.one = in.cases[i], .F = out.F[i], .tensions = tensions(out, out.F[i]), .governs = governs(out, i)});
+    rows.push_back({.one = in.cases[i],
+                    .F = out.F[i],
+                    .tensions = tensions(out, out.F[i]),
+                    .corrected = corrected_tensions(out, out.F[i]),
+                    .governs = governs(out, i)});
   }
   return make_table(
       "cases", fmt::format("Cases under a pretension of {:.4g} and {:.4g} kN", out.S10_set / 1e3, out.S20_set / 1e3),
