@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 #include <utility>
 
@@ -136,10 +137,12 @@ std::vector<rope::RopeUse> ropes_of_boom(const boom_ropes::Input& in, const Resu
     raise_to(all[i], *r, fmt::format("S{}0_set", i + 1));
     if (const Table* t = r->find_table("cases")) {
       for (std::size_t k = 0; k < t->rows.size(); ++k) {
-        const double T = number_in(*t, k, columns[i]);
+        // neither the printed stiffness nor the corrected one is the safe one for both ropes
+        const double printed = number_in(*t, k, columns[i]);
+        const double T = std::fmax(printed, number_in(*t, k, fmt::format("{}_corrected", columns[i])));
         if (!(T > all[i].tension)) continue;
         all[i].tension = T;
-        all[i].where = "case " + text_in(*t, k, "name");
+        all[i].where = fmt::format("case {}{}", text_in(*t, k, "name"), T > printed ? ", corrected stiffness" : "");
       }
     }
     one_end(all[i]);

@@ -147,4 +147,48 @@ TEST(MethodChecks, AMastWhoseWallBucklesFails) {
   EXPECT_FALSE(taut_test::has_check(mast("CHS 610x25"), "wall of CHS 610x25"));
 }
 
+// The share of the extension rope is 0.245 by the printed stiffnesses and 1/2.6 by the measured ratio: the checks take
+// the larger tension.
+TEST(MethodChecks, ABoomRopeIsCheckedByEitherStiffness) {
+  const auto with = [](const std::string& ratio) {
+    return run_text(
+        "taut: 1\nmethod: boom_ropes\ninput: {section_weight: 8.44 kN, pad_friction: 0.15, tackle_efficiency: 0.95, "
+        "extension_stiffness: 0.778 MN/m, retraction_stiffness: 1.6 MN/m, S10: 95.5 kN, S20: 190 kN, cases: [{name: "
+        "rated, operation: lift, luffing_angle: 77 deg, suspended_weight: 248.2 kN, falls: 8}]" +
+        ratio + "}\nchecks: {ropes: {extension: {safety_factor: 3, breaking_force: 700 kN}}}\n");
+  };
+  const Result printed = with(""), measured = with(", stiffness_ratio: 0.6");
+  ASSERT_EQ(measured.status, Status::ok) << measured.message << to_text(measured.errors);
+  const double F = measured.find_value("F_1")->value, F_0 = measured.find_value("F0_set")->value;
+  EXPECT_NEAR(check_of(measured, "extension.safety_factor").value, 700e3 / (95.5e3 + (F_0 - F) / 2.6), 1e-6);
+  EXPECT_LT(check_of(measured, "extension.safety_factor").value,
+            0.9 * check_of(printed, "extension.safety_factor").value);
+  // a stiff extension rope: the printed shares are the larger ones
+  EXPECT_NEAR(check_of(with(", stiffness_ratio: 6"), "extension.safety_factor").value,
+              check_of(printed, "extension.safety_factor").value, 1e-9);
+}
+
+// 400 kN on the idler: about 200 kN in each branch, twice what the rope breaks at.
+TEST(MethodChecks, ATakeUpThatTearsTheRopeFails) {
+  const auto saw = [](const std::string& take_up) {
+    return run_text(
+        "taut: 1\nmethod: friction_drive\ninput: {cutting_force: 4 kN, friction: 0.35, wrap: 200 deg, rope_mass: 0.6 "
+        "kg/m, speed: 15 m/s, sheave_radius: 250 mm, rope: 6x36-IWRC 12 mm 1960 MPa" +
+        take_up + "}\n");
+  };
+  const Result torn = saw(", take_up: {weight: 400 kN}");
+  const Check& c = check_of(torn, "rope does not break");
+  EXPECT_FALSE(c.passes);
+  EXPECT_NEAR(c.value, 200e3, 0.06 * 200e3);
+  EXPECT_EQ(c.value, torn.find_value("T_1_exact")->value);
+  EXPECT_NEAR(torn.find_value("safety_factor")->value, c.limit / c.value, 1e-12);
+  // the grip is that of the deck's pull, not of the paper's
+  const auto judges_the_paper = [](const Result& r) {
+    return std::any_of(r.checks.begin(), r.checks.end(), [](const Check& one) { return one.name == "no slip"; });
+  };
+  EXPECT_FALSE(judges_the_paper(torn));
+  EXPECT_TRUE(judges_the_paper(saw("")));
+  EXPECT_NE(verdict_of(saw(", take_up: {weight: 20 kN}"))->kind, VerdictKind::fails);
+}
+
 }  // namespace taut::app::method_checks_test

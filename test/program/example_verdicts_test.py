@@ -54,7 +54,7 @@ VERDICTS = {
     "machines/two_section_loop.yaml": (WARNS, "return.on_sheave"),
     "machines/yarder_and_carriage.yaml": (WARNS, "skyline.on_sheave"),
     "more/guyed_mast.yaml": (WARNS, "guylines"),
-    "more/rope_saw_take_up.yaml": (FAILS, "no slip"),  # the published tension, as always
+    "more/rope_saw_take_up.yaml": (UNASKED, "rope"),  # its grip holds; the deck gives no limit for its rope
     "motion/brake_stop.yaml": (PASSES, "hoist.dynamic_safety_factor"),
     "motion/equal_ropes.yaml": (UNASKED, "new, old"),
     "motion/hoist_in_segments.yaml": (PASSES, "winder.on_sheave"),

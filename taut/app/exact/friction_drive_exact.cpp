@@ -146,6 +146,7 @@ void complete_friction_drive(const friction_drive::Input& in, const friction_dri
     return;
   }
   const FrictionDriveExact e = values_from(in, d, s);
+  if (const auto rope = rope_of(in)) friction_drive::take_tension(*rope, e.T_1_exact, r);
   add_words(in, d, s, r);
   add_comparisons(out, e, r);
   if (in.take_up) check_grip(in, d, r);

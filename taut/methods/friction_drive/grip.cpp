@@ -47,17 +47,21 @@ std::optional<double> fill_for(const Input& in, double ratio) {
 
 std::string how_to_get_grip(const Input& in) {
   const double ratio = in.idler_loss * margin;
-  std::vector<std::string> ways;
+  std::vector<std::string> ways, lower;
   if (const auto wrap = wrap_for(in, ratio)) ways.push_back(fmt::format("the wrap above {:.4g} deg", *wrap / degree));
   if (const auto mu = friction_for(in, ratio)) ways.push_back(fmt::format("the friction above {:.3g}", *mu));
   if (const auto fill = fill_for(in, ratio)) ways.push_back(fmt::format("the fill ratio above {:.3g}", *fill));
-  if (in.rest_arc > 0) ways.emplace_back("or lower the rest arc");
-  if (in.section_factor > 0) ways.emplace_back("or lower the section factor");
+  if (in.rest_arc > 0) lower.emplace_back("the rest arc");
+  if (in.section_factor > 0) lower.emplace_back("the section factor");
+  // at a section factor of 1 nothing else helps
+  std::string advice;
+  if (!ways.empty()) advice = fmt::format("raise {}", fmt::join(ways, ", or "));
+  if (ways.empty() && in.section_factor < 1) advice = "raise friction, wrap and fill ratio together";
+  if (!lower.empty()) advice += fmt::format("{}lower {}", advice.empty() ? "" : ", or ", fmt::join(lower, ", or "));
   return fmt::format(
       "no grip: e = exp(mu phi) = {:.4g} does not exceed the idler loss {:.4g}, so the driving sheave can't even "
-      "turn the idler; raise {}",
-      grip_ratio(in), in.idler_loss,
-      ways.empty() ? "friction, wrap and fill ratio together" : fmt::format("{}", fmt::join(ways, ", ")));
+      "turn the idler; {}",
+      grip_ratio(in), in.idler_loss, advice);
 }
 
 double transmissible_force(double pull, double e, double m) { return std::max(0.0, pull) * (e - 1) / (e - 1 + 2 * m); }

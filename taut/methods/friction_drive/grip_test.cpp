@@ -66,6 +66,14 @@ TEST(FrictionDriveGrip, MessageNamesTheWays) {
   EXPECT_EQ(outcome.message.find("fill ratio above"), std::string::npos) << "that would not be enough";
 }
 
+TEST(FrictionDriveGrip, OnlyALowerSectionFactorHelpsAtOne) {
+  Input in = weak();
+  in.rest_arc = 0;
+  in.section_factor = 1;
+  const std::string words = how_to_get_grip(in);
+  EXPECT_TRUE(words.ends_with("; lower the section factor")) << words;
+}
+
 TEST(FrictionDriveGrip, PullAndForceAreInverse) {
   for (const double e : {1.1, 2.0, 16.0}) {
     EXPECT_NEAR(transmissible_force(pull_for(4000, e, 1.3), e, 1.3), 4000, 1e-9);

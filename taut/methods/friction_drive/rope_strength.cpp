@@ -48,14 +48,9 @@ std::optional<catalogue::RopeRow> rope_of(const Input& in) {
   return *rope;
 }
 
-void check_rope(const Input& in, const catalogue::RopeRow& rope, Output& out, Result& r) {
-  const double largest = std::max({out.P_tight, out.T_1, out.T_1_no_slip});
-  out.safety_factor = rope.breaking_force / largest;
-  if (rope.trust == catalogue::Trust::unverified) {
-    r.warnings.push_back(
-        fmt::format("the breaking force of {} is unverified ({}): compare it with the maker's certificate", rope.id,
-                    rope.trust_text));
-  }
+namespace {
+
+Check breaking_check(const catalogue::RopeRow& rope, double largest) {
   Check breaks =
       make_check("rope does not break", largest, si::N,
                  {.sense = Sense::at_most,
@@ -66,7 +61,31 @@ void check_rope(const Input& in, const catalogue::RopeRow& rope, Output& out, Re
                   .trust = trust_text(rope.trust, rope.trust_text)});
   breaks.part = "rope";
   breaks.limits = false;
-  r.checks.push_back(std::move(breaks));
+  return breaks;
+}
+
+}  // namespace
+
+void take_tension(const catalogue::RopeRow& rope, double tension, Result& r) {
+  for (Check& c : r.checks) {
+    if (c.name != "rope does not break" || !(tension > c.value)) continue;
+    c = breaking_check(rope, tension);
+    c.where = "tight branch with the take-up, exact";
+    for (Value& v : r.values) {
+      if (v.name == "safety_factor") v.value = rope.breaking_force / tension;
+    }
+  }
+}
+
+void check_rope(const Input& in, const catalogue::RopeRow& rope, Output& out, Result& r) {
+  const double largest = std::max({out.P_tight, out.T_1, out.T_1_no_slip});
+  out.safety_factor = rope.breaking_force / largest;
+  if (rope.trust == catalogue::Trust::unverified) {
+    r.warnings.push_back(
+        fmt::format("the breaking force of {} is unverified ({}): compare it with the maker's certificate", rope.id,
+                    rope.trust_text));
+  }
+  r.checks.push_back(breaking_check(rope, largest));
   if (in.rope_mass < rope.mass_per_length) {
     r.warnings.push_back(
         fmt::format("rope_mass {:.3g} kg/m is less than that of the bare rope {}, {:.3g} kg/m: the cutters come on "

@@ -16,4 +16,8 @@ std::optional<catalogue::RopeRow> rope_of(const Input& in);
 /// Safety factor, D/d and their checks and warnings, into `out` and `r`.
 void check_rope(const Input& in, const catalogue::RopeRow& rope, Output& out, Result& r);
 
+/// Where the take-up of the deck pulls the tight branch with more, `tension` (N): the check that the rope does not
+/// break and the safety factor of `r` are those of that tension.
+void take_tension(const catalogue::RopeRow& rope, double tension, Result& r);
+
 }  // namespace taut::friction_drive
