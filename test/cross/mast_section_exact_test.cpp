@@ -146,9 +146,9 @@ TEST(MastSectionExact, SlenderMastIsRefusedWithAReason) {
   const Result plain = completed(in);
   EXPECT_EQ(plain.status, Status::ok) << "the method itself knows nothing of it, but its check by second order fails";
   EXPECT_NE(plain.warnings.back().find("buckles"), std::string::npos);
-  ASSERT_EQ(plain.checks.size(), 3u);
-  EXPECT_FALSE(plain.checks[2].passes);
-  EXPECT_NE(plain.checks[2].rule.find("buckles"), std::string::npos);
+  ASSERT_EQ(plain.checks.size(), 4u);
+  EXPECT_FALSE(plain.checks[3].passes);
+  EXPECT_NE(plain.checks[3].rule.find("buckles"), std::string::npos);
   EXPECT_EQ(exit_code(plain), 4);
 }
 
@@ -164,7 +164,7 @@ TEST(MastSectionExact, TheChoiceCarriesBothDirectionsAndSecondOrder) {
   in.allowable_stress = 160e6;
   const Result r = completed(in);
   EXPECT_EQ(exit_code(r), 0) << r.message;
-  ASSERT_EQ(r.checks.size(), 3u);
+  ASSERT_EQ(r.checks.size(), 4u);
   for (const Check& c : r.checks) EXPECT_TRUE(c.passes) << c.name << ": " << c.value;
   const std::vector<ClampForces> forces = clamp_forces(in, sweep(in));
   const auto chosen = section_in_use(in, forces, second_order_of(in));
@@ -225,6 +225,87 @@ TEST(MoreExamples, AllRunAndTheirExactChecksPass) {
     ++count;
   }
   EXPECT_GT(count, 0);
+}
+
+const Check* check_named(const Result& r, std::string_view beginning) {
+  for (const Check& c : r.checks) {
+    if (c.name.starts_with(beginning)) return &c;
+  }
+  return nullptr;
+}
+
+// A guy of unknown strength is not judged, and a known one beside it does not hide it.
+TEST(MastSectionExact, AGuyWithoutABreakingForceIsNotJudged) {
+  Input in = mast();
+  for (const double angle : {120.0, 160.0, 200.0, 240.0}) in.guys.push_back(guy_at(angle * degree));
+  Result r = completed(in);
+  EXPECT_TRUE(r.unjudged.empty());
+  ASSERT_NE(check_named(r, "guylines"), nullptr);
+  EXPECT_NE(check_named(r, "guylines")->where.find("guy "), std::string::npos);
+  in.guys[1].breaking_force.reset();
+  r = completed(in);
+  ASSERT_EQ(r.unjudged.size(), 1U);
+  EXPECT_TRUE(r.unjudged[0].starts_with("guy 2"));
+  EXPECT_NE(check_named(r, "guylines"), nullptr);
+  for (Guy& g : in.guys) g.breaking_force.reset();
+  r = completed(in);
+  EXPECT_EQ(r.unjudged.size(), 4U);
+  EXPECT_EQ(check_named(r, "guylines"), nullptr);
+}
+
+// The lightest section that carries the mast with its guys, not the cantilever that it would be without them.
+TEST(MastSectionExact, AGuyedMastIsChosenWithItsGuys) {
+  Input in = mast();
+  in.section.reset();
+  in.allowable_stress = 120e6;
+  in.choose_section = ChooseSection{};
+  in.choose_section->shape = SectionKind::chs;
+  for (const double angle : {120.0, 180.0, 240.0}) in.guys.push_back(guy_at(angle * degree));
+  for (Guy& g : in.guys) g.stiffness = 60e6, g.breaking_force = 2e6;
+  const Result r = completed(in);
+  ASSERT_EQ(r.status, Status::ok) << r.message;
+  ASSERT_NE(check_named(r, "strength of"), nullptr);
+  EXPECT_TRUE(check_named(r, "strength of")->passes);
+  for (const std::string& w : r.warnings) EXPECT_EQ(w.find("carries the mast"), std::string::npos) << w;
+  const double mass = number(r, "section_mass");
+  Input lone = in;
+  lone.guys.clear();
+  EXPECT_LT(mass, number(completed(lone), "section_mass"));
+  // each lighter one fails with the guys
+  int lighter = 0;
+  for (const catalogue::SectionRow& row : candidates(in, catalogue::SectionShape::chs)) {
+    if (row.mass_per_length >= mass || row.mass_per_length < 0.8 * mass) continue;
+    Input one = in;
+    one.choose_section.reset();
+    one.section = row.name;
+    const Result tried = completed(one);
+    const Check* strength = check_named(tried, "strength of");
+    EXPECT_TRUE(strength == nullptr || !strength->passes) << row.name;
+    ++lighter;
+  }
+  EXPECT_GT(lighter, 0);
+}
+
+// By second order the stress grows faster than the forces: with the safety n the stress under n times the forces may
+// not pass the yield stress. The closed form of the cantilever, M = Q tan(k h)/k.
+TEST(MastSectionExact, TheSafetyIsMeantForTheForces) {
+  Input in = mast();
+  in.mainline_block_height.reset();
+  in.allowable_stress.reset();
+  in.steel = "EN 10210-1 S355H";
+  in.safety = 2;
+  in.section = "CHS 323.9x16";
+  const Result r = completed(in);
+  const Check* second = check_named(r, "strength of CHS 323.9x16, second order");
+  ASSERT_NE(second, nullptr);
+  const auto row = *catalogue::find_section("CHS 323.9x16");
+  const auto stress = [&](double n) {
+    const double N = n * number(r, "N_payout"), Q = n * number(r, "M_payout") / 8;
+    const double k = std::sqrt(N / (210e9 * row.I_y));
+    return (N / row.area + Q * std::tan(8 * k) / k / row.W_el_y) / n;
+  };
+  EXPECT_NEAR(second->value, stress(2), 0.03 * stress(2));
+  EXPECT_GT(second->value, 1.03 * stress(1));
 }
 
 }  // namespace taut::app::mast_section_exact_test

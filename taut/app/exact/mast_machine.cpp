@@ -88,7 +88,7 @@ std::vector<MastLoad> loads_of(const Input& in, const mast_section::ClampForces&
   const double lower = in.mainline_block_height.value_or(in.skyline_block_height);
   std::vector<MastLoad> loads = {{.height = in.skyline_block_height, .force = block_force(forces.skyline)},
                                  {.height = lower, .force = block_force(forces.mainline)}};
-  if (in.lateral_force) loads.push_back({.height = in.skyline_block_height, .force = {0, *in.lateral_force, 0}});
+  if (forces.lateral != 0) loads.push_back({.height = in.skyline_block_height, .force = {0, forces.lateral, 0}});
   return loads;
 }
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <map>
 #include <memory>
+#include <numbers>
 #include <tuple>
 
 #include "taut/app/exact/mast_machine.hpp"
@@ -40,7 +41,8 @@ class EngineMasts {
 
   /// `name`: what tells the section from the others.
   const LoadedMast& under(const ClampForces& forces, const std::string& name, const structure::BeamSection& section) {
-    const Key key{name, forces.skyline.across, forces.skyline.down, forces.mainline.across, forces.mainline.down};
+    const Key key{
+        name, forces.skyline.across, forces.skyline.down, forces.mainline.across, forces.mainline.down, forces.lateral};
     const auto [entry, is_new] = solved_.try_emplace(key);
     LoadedMast& one = entry->second;
     if (!is_new) return one;
@@ -53,10 +55,22 @@ class EngineMasts {
     return one;
   }
 
-  /// The largest stress, Pa; NaN where there is no equilibrium.
-  double stress(const catalogue::SectionRow& section, const ClampForces& forces) {
-    const LoadedMast& one = under(forces, name_of(section), structure::beam_section(section));
-    return one.found.outcome.ok() ? one.mast().points[one.mast().most_stressed].stress : not_computed;
+  /// The largest stress as it is held against [sigma], Pa: with the safety n that of n times the forces, over n, where
+  /// it is larger. NaN where there is no equilibrium.
+  double stress(const ClampForces& forces, const std::string& name, const structure::BeamSection& section) {
+    const auto largest = [&](double factor) {
+      const LoadedMast& one = under(factor * forces, name, section);
+      return one.found.outcome.ok() ? one.mast().points[one.mast().most_stressed].stress / factor : not_computed;
+    };
+    const double n = in_.safety.value_or(1), as_it_is = largest(1);
+    if (std::isnan(as_it_is) || n == 1) return as_it_is;
+    const double factored = largest(n);
+    return std::isnan(factored) ? factored : std::max(as_it_is, factored);
+  }
+
+  double buckling(const ClampForces& forces, const std::string& name, const structure::BeamSection& section) {
+    const LoadedMast& one = under(forces, name, section);
+    return one.found.outcome.ok() ? one.mast().critical_factor : not_computed;
   }
 
   const std::vector<MastGuy>& guys() const { return guys_.all; }
@@ -66,7 +80,7 @@ class EngineMasts {
   }
 
  private:
-  using Key = std::tuple<std::string, double, double, double, double>;
+  using Key = std::tuple<std::string, double, double, double, double, double>;
   const Input& in_;
   MastGuys guys_;
   std::map<Key, LoadedMast> solved_;
@@ -105,7 +119,7 @@ Section section_of(const Input& in, const Solved& method) {
 /// The forces of one position with the ropes hauled in.
 const ClampForces& hauled_in_at(const Solved& method, std::size_t index) {
   return *std::find_if(method.forces.begin(), method.forces.end(),
-                       [&](const ClampForces& f) { return f.index == index && !f.paid_out; });
+                       [&](const ClampForces& f) { return f.index == index && !f.skyline_out && !f.mainline_out; });
 }
 
 /// Breaking force over the largest tension; NaN where one of them is not known.
@@ -231,13 +245,20 @@ void add_comparisons(const Input& in, const Output& o, const Section& section, c
   add(("largest stress in the " + section.name).c_str(), "sigma", si::Pa, stress, e.sigma_exact);
 }
 
+/// The wall of a section under forces at the clamp. Of a mast that is not the method's cantilever the moment is not
+/// known there: pressed alike, as that leaves a wall the least.
+structure::WallClass wall_of(const Input& in, const catalogue::SectionRow& section, double yield,
+                             const ClampForces& f) {
+  return structure::section_class(section, yield, {.N = f.N, .M_y = asks_for_exact(in) ? 0 : f.M});
+}
+
 /// A wall that buckles before it yields fails: the method's stress limit does not know of it.
 void check_wall(const Input& in, const Solved& method, Result& r) {
   const mast_section::Assessment& a = *method.section;
   const double yield = a.allowable * limit_of(in).safety;
   structure::WallClass wall;
   for (const ClampForces& f : method.forces) {
-    const structure::WallClass one = structure::section_class(a.section, yield, {.N = f.N, .M_y = f.M});
+    const structure::WallClass one = wall_of(in, a.section, yield, f);
     if (wall.limit_3 == 0 || one.slenderness * wall.limit_3 > wall.slenderness * one.limit_3) wall = one;
   }
   if (wall.value <= 3) return;
@@ -253,10 +274,12 @@ void check_wall(const Input& in, const Solved& method, Result& r) {
   r.checks.push_back(std::move(c));
 }
 
+/// EN 1993-1-1, 5.2.2: below it second order with imperfections.
+constexpr double least_without_imperfections = 3;
+
 /// The engine's mast is straight: what a real one, which is not, bends by is far from it only well below its critical
 /// load.
 void check_buckling(const Input& in, const Section& section, const MastSectionExact& e, Result& r) {
-  constexpr double least_without_imperfections = 3;  // EN 1993-1-1, 5.2.2: below it second order with imperfections
   const double alpha = e.buckling_factor_exact;
   if (std::isnan(alpha)) return;
   if (in.safety) {
@@ -278,27 +301,74 @@ void check_buckling(const Input& in, const Section& section, const MastSectionEx
                           alpha, least_without_imperfections));
 }
 
-void add_checks(const Input& in, const Section& section, const MastSectionExact& e, Result& r) {
+/// The guy nearest to breaking, and in which case.
+struct WeakestGuy {
+  std::string name, where;
+  double safety = not_computed;
+};
+
+WeakestGuy weakest_guy(const Input& in, const Solved& method, const Section& section, EngineMasts& masts) {
+  WeakestGuy weakest;
+  for (const ClampForces& f : method.forces) {
+    const LoadedMast& at = masts.under(f, section.full_name, section.beam);
+    if (!at.found.outcome.ok()) continue;
+    for (std::size_t i = 0; i < masts.guys().size(); ++i) {
+      const double factor = safety(at, i);
+      if (std::isnan(factor) || factor >= weakest.safety) continue;
+      weakest = {.name = masts.guys()[i].name, .where = direction_words(f), .safety = factor};
+      if (in.span)
+        weakest.where = fmt::format("carriage at {:.4g} m, {}", in.span->carriage_position.at(f.index), weakest.where);
+    }
+  }
+  return weakest;
+}
+
+void check_guys(const Input& in, const Solved& method, const Section& section, EngineMasts& masts, Result& r) {
+  for (const MastGuy& guy : masts.guys()) {
+    if (!(guy.breaking_force > 0)) {
+      r.unjudged.push_back(fmt::format("guy {}: its breaking_force is not given", guy.name));
+    }
+  }
+  const WeakestGuy weakest = weakest_guy(in, method, section, masts);
+  const auto rule = catalogue::find_rule("safety.guyline.ch_at");
+  if (std::isnan(weakest.safety) || !rule || !rule->low) return;
+  const bool unverified = rule->trust == catalogue::Trust::unverified;
+  Check c = make_check("guylines do not break", weakest.safety, si::one,
+                       {.sense = Sense::at_least,
+                        .limit = *rule->low,
+                        .rule = fmt::format("{}: {}, {}", rule->field, rule->item, rule->source),
+                        .trust = unverified ? "UNVERIFIED: " + rule->trust_text : std::string(to_text(rule->trust))});
+  c.where = fmt::format("guy {}, {}", weakest.name, weakest.where);
+  r.checks.push_back(std::move(c));
+}
+
+/// The largest stress as it is held against [sigma], of all load cases; NaN where one has no equilibrium.
+double stress_of_all(const Solved& method, const Section& section, EngineMasts& masts) {
+  double largest = 0;
+  for (const ClampForces& f : method.forces) {
+    const double one = masts.stress(f, section.full_name, section.beam);
+    if (std::isnan(one)) return one;
+    largest = std::max(largest, one);
+  }
+  return largest;
+}
+
+void add_checks(const Input& in, const Solved& method, const Section& section, EngineMasts& masts,
+                const MastSectionExact& e, Result& r) {
   if (!asks_for_exact(in)) return;  // the method has checked it by second order
-  Check strength =
-      make_check(fmt::format("strength of {}, exact", section.name), e.sigma_worst_exact, si::Pa,
-                 {.sense = Sense::at_most,
-                  .limit = section.allowable,
-                  .rule = "N/A + M/W <= [sigma] at every height, second order, at every carriage position, both "
-                          "directions of the ropes",
-                  .trust = section.trust});
+  std::string rule =
+      "N/A + M/W <= [sigma] at every height, second order, at every carriage position, each rope hauled in and paid "
+      "out";
+  if (in.safety) rule += "; the larger of the stress and of that under the safety times the forces, over the safety";
+  const double stress = stress_of_all(method, section, masts);
+  if (std::isnan(stress)) rule = "the mast finds no equilibrium under the safety times the ropes' forces: it buckles";
+  Check strength = make_check(
+      fmt::format("strength of {}, exact", section.name), stress, si::Pa,
+      {.sense = Sense::at_most, .limit = section.allowable, .rule = std::move(rule), .trust = section.trust});
   strength.part = "mast";
   r.checks.push_back(std::move(strength));
   check_buckling(in, section, e, r);
-  const auto rule = catalogue::find_rule("safety.guyline.ch_at");
-  if (std::isnan(e.guy_safety_min_exact) || !rule || !rule->low) return;
-  const bool unverified = rule->trust == catalogue::Trust::unverified;
-  r.checks.push_back(
-      make_check("guylines do not break", e.guy_safety_min_exact, si::one,
-                 {.sense = Sense::at_least,
-                  .limit = *rule->low,
-                  .rule = fmt::format("{}: {}, {}", rule->field, rule->item, rule->source),
-                  .trust = unverified ? "UNVERIFIED: " + rule->trust_text : std::string(to_text(rule->trust))}));
+  check_guys(in, method, section, masts, r);
 }
 
 void add_words(const Input& in, const Section& section, const MastSectionExact& e, Result& r) {
@@ -333,10 +403,42 @@ void refuse(const Input& in, const Position& p, const Outcome& outcome, Result& 
   }
 }
 
-SecondOrder second_order_of(const std::shared_ptr<EngineMasts>& masts) {
-  return [masts](const catalogue::SectionRow& section, const ClampForces& forces) {
-    return masts->stress(section, forces);
+/// Whether the mast may stand at `factor` times its axial force. Held straight and without turning at both ends of its
+/// lowest part, which is more than blocks and guys do, that part buckles at 4 pi^2 EI/L^2 (Rayleigh: its own shape is
+/// one of the mast's); the ropes press it with no less than they pull down, as guys from below only add to that.
+bool may_stand(const Input& in, const catalogue::SectionRow& section, double factor, const ClampForces& forces) {
+  double part = std::min(in.skyline_block_height, in.mainline_block_height.value_or(in.skyline_block_height));
+  for (const Guy& g : in.guys) {
+    const double height = g.attachment_height.value_or(
+        std::max(in.skyline_block_height, in.mainline_block_height.value_or(in.skyline_block_height)));
+    if (g.anchor_height > height) return true;
+    part = std::min(part, height);
+  }
+  const structure::BeamSection beam = structure::beam_section(section);
+  const double held = 4 * square(std::numbers::pi) * std::min(beam.EI_x, beam.EI_y) / square(part);
+  return factor * (forces.skyline.down + forces.mainline.down) <= held;
+}
+
+SecondOrder second_order_of(const Input& in, const std::shared_ptr<EngineMasts>& masts) {
+  using catalogue::SectionRow;
+  SecondOrder second;
+  second.decides_alone = asks_for_exact(in);
+  second.stress = [masts](const SectionRow& section, const ClampForces& forces) {
+    return masts->stress(forces, EngineMasts::name_of(section), structure::beam_section(section));
   };
+  second.wall_yields = [&in](const SectionRow& section, double yield, const ClampForces& forces) {
+    return wall_of(in, section, yield, forces).value <= 3;
+  };
+  if (second.decides_alone) {
+    second.least_buckling = std::max(in.safety.value_or(0), least_without_imperfections);
+    second.may_stand = [&in, least = second.least_buckling](const SectionRow& section, const ClampForces& forces) {
+      return may_stand(in, section, least, forces);
+    };
+    second.buckling = [masts](const SectionRow& section, const ClampForces& forces) {
+      return masts->buckling(forces, EngineMasts::name_of(section), structure::beam_section(section));
+    };
+  }
+  return second;
 }
 
 /// The other load cases, with the ropes paid out or wrapped as they really are: their stresses and guys count as well.
@@ -349,17 +451,13 @@ void take_other_cases(const Input& in, const Solved& method, const Section& sect
     } else if (asks_for_exact(in) && r.status == Status::ok) {
       const Outcome outcome = with_share_held(at.model, at.found.outcome);
       r.status = outcome.status;
-      r.message = (forces.paid_out ? "ropes paid out: " : "ropes hauled in: ") + outcome.message;
+      r.message = fmt::format("{}: {}", direction_words(forces), outcome.message);
     }
   }
 }
 
 /// Adds the exact column to the method's result.
 void complete_mast_section(const Input& in, const Solved& method, EngineMasts& masts, Result& r) {
-  if (asks_for_exact(in)) {
-    // The method's checks are those of another mast: a clamped one without guys.
-    std::erase_if(r.checks, [](const Check& c) { return c.name.starts_with("strength of"); });
-  }
   if (method.section) check_wall(in, method, r);
   const Section section = section_of(in, method);
   MastSectionExact e;
@@ -385,7 +483,7 @@ void complete_mast_section(const Input& in, const Solved& method, EngineMasts& m
   }
   add_words(in, section, e, r);
   if (!std::isnan(e.N_exact)) add_comparisons(in, governing_output(method), section, e, r);
-  if (r.status == Status::ok && !std::isnan(e.sigma_worst_exact)) add_checks(in, section, e, r);
+  if (r.status == Status::ok && !std::isnan(e.sigma_worst_exact)) add_checks(in, method, section, masts, e, r);
   const auto values = values_of(MastSectionExact::describe(), &e);
   r.values.insert(r.values.end(), values.begin(), values.end());
 }
@@ -400,12 +498,12 @@ std::vector<TableWords> mast_section_exact_words() {
        .columns = words_of(exact_quantities())}};
 }
 
-SecondOrder second_order_of(const Input& in) { return second_order_of(std::make_shared<EngineMasts>(in)); }
+SecondOrder second_order_of(const Input& in) { return second_order_of(in, std::make_shared<EngineMasts>(in)); }
 
 Result run_mast_section(const Input& in) {
   const auto masts = std::make_shared<EngineMasts>(in);
   Solved method;
-  Result r = run(in, second_order_of(masts), method);
+  Result r = run(in, second_order_of(in, masts), method);
   if (r.status == Status::ok) complete_mast_section(in, method, *masts, r);
   return r;
 }

@@ -32,7 +32,9 @@ struct MastSectionExact {
   static const Description& describe();
 };
 
-/// The engine's largest stress for the method's choice and checks; `in` must outlive it.
+/// What the engine knows of a section for the method's choice and checks; `in` must outlive it. With `safety` n its
+/// stress is the larger of those under the ropes' forces, and under n times these, over n: of second order the stress
+/// grows faster than the forces, and the reserve is meant for them. The tension of guys put up is not multiplied.
 mast_section::SecondOrder second_order_of(const mast_section::Input& in);
 
 /// The method with second order from the engine, and with the exact values, comparisons, tables, checks and figures. A

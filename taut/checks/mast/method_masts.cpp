@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "taut/calc/answers.hpp"
 #include "taut/checks/mast/mast_checks.hpp"
 
 namespace taut::checks {
@@ -14,29 +15,30 @@ double given_number(const Result& r, const char* key) {
   return std::nan("");
 }
 
-double value_in(const Result& r, const char* name) {
-  const Value* v = r.find_value(name);
-  return v == nullptr ? std::nan("") : v->value;
-}
-
-/// The resultants of `mast_section` on its two blocks, at the position that governs.
+/// The forces of `mast_section` on its two blocks, of every load case.
 std::vector<MastLoadRequest> loads_of_mast_section(const Result& r) {
+  const Table* cases = r.find_table("load_cases");
+  if (cases == nullptr) return {};
   const double h_sky = given_number(r, "skyline_block_height");
   double h_main = given_number(r, "mainline_block_height");
   if (std::isnan(h_main)) h_main = h_sky;
   std::vector<MastLoadRequest> loads;
-  for (const auto& [R, gamma, h] :
-       {std::tuple{"R_sky", "gamma_sky", h_sky}, std::tuple{"R_main", "gamma_main", h_main}}) {
-    MastLoadRequest l;
-    l.load_case = "mast_section";
-    l.at = h;
-    l.down = value_in(r, R) * std::sin(value_in(r, gamma));
-    l.across = value_in(r, R) * std::cos(value_in(r, gamma));
-    if (std::isnan(l.down + h)) return {};
-    loads.push_back(l);
+  for (std::size_t i = 0; i < cases->rows.size(); ++i) {
+    const auto force = [&](const char* column) { return number_in(*cases, i, column); };
+    const double x = force("x");
+    MastLoadRequest sky;
+    sky.load_case = fmt::format("{} {}{}", i + 1, text_in(*cases, i, "directions"),
+                                std::isnan(x) ? std::string() : fmt::format(", carriage at {:.4g} m", x));
+    MastLoadRequest main = sky;
+    sky.at = h_sky, sky.down = force("sky_down"), sky.across = force("sky_across"), sky.sideways = force("sideways");
+    main.at = h_main, main.down = force("main_down"), main.across = force("main_across");
+    loads.insert(loads.end(), {sky, main});
   }
   return loads;
 }
+
+/// Whether the mast of `mast_section` is held by guys, which the resultants on its blocks do not show.
+bool has_guys(const Result& r) { return r.find_table("guys") != nullptr; }
 
 bool takes_methods_loads(const MastCheckRequest& one, const std::string& method) {
   return one.loads.empty() && method == "mast_section";
@@ -71,13 +73,20 @@ void add_method_masts(const std::vector<MastCheckRequest>& masts, Result& r) {
     }
     const std::vector<MastLoadRequest> loads = loads_of_mast_section(r);
     if (loads.empty()) continue;
+    if (has_guys(r)) {
+      r.unjudged.push_back(
+          fmt::format("{} by 'checks: masts', without its guys: give its 'loads', or describe the mast "
+                      "as a beam of a machine with its guys",
+                      one.name));
+      continue;
+    }
     MastCheckRequest own = one;
     const double top = std::max(*loads[0].at, *loads[1].at);
     if (!own.height || *own.height < top) own.height = top;
     MastReport report = own_mast(own, loads);
     report.words.push_back(
-        fmt::format("{}: under the resultants of the method on its blocks, at the position that governs the clamp; a "
-                    "rope paid out under load bends the mast more (M_payout).",
+        fmt::format("{}: under the forces of the method on its blocks, each rope hauled in and paid out, at every "
+                    "carriage position (table load_cases).",
                     one.name));
     add_mast_report(one, report, r);
   }

@@ -138,6 +138,7 @@ struct Output {
   double N_payout = not_computed;           ///< N, rope paid out under load
   double M_payout = not_computed;           ///< N m
   double D_tube_payout = not_computed;      ///< m
+  double D_tube_mixed = not_computed;       ///< m, one rope hauled in, the other paid out
   double section_stress = not_computed;     ///< Pa, in the section checked or chosen
   double section_allowable = not_computed;  ///< Pa
   double section_mass = not_computed;       ///< kg/m

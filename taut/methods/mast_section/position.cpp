@@ -118,8 +118,15 @@ Block<T> block(const RopeNames& names, const T& T_max, const T& f, const Angles<
 }
 
 template <class T>
+struct Blocks {
+  Block<T> sky, main;
+};
+
+template <class T>
 struct Loads {
   T N, M;
+  Angles<T> at;
+  Blocks<T> blocks;
 };
 
 /// (1)-(9) for both ropes and figure 7.
@@ -146,7 +153,7 @@ Loads<T> loads(const Mast<T>& m, const T& alpha, const T& epsilon, Sheet<T>& s, 
   out.Q = value(Q);
   out.N = value(N);
   out.M = value(M);
-  return {N, M};
+  return {N, M, angles, {sky, main}};
 }
 
 /// The root of x^3 - p x - q for p >= 0, q > 0 within a few units of the last place, by Newton's method from above
@@ -217,9 +224,33 @@ bool ideal_sizes(const Mast<T>& m, const Loads<T>& at, Sheet<T>& s, Output& out)
   return true;
 }
 
+/// A rope paid out under load: what its block takes across and down, per unit of its force on the span side.
+template <class T>
+struct PaidOut {
+  T sky, main;  ///< forces on the span side, N
+  T across, down;
+};
+
+/// One rope hauled in, the other paid out, both ways: the larger tube.
+template <class T>
+bool mixed(const Mast<T>& m, const PaidOut<T>& o, const Blocks<T>& in, Sheet<T>& s, Output& out) {
+  s.section("One rope hauled in, the other paid out under load");
+  const T N_sky = s.eq("2*", "N_in_out", si::N, in.sky.R * sin(in.sky.gamma) + o.main * o.down);
+  const T M_sky =
+      s.eq("3*", "M_in_out", si::N_m, in.sky.R * m.h_sky * cos(in.sky.gamma) + o.main * m.h_main * o.across);
+  const T N_main = s.eq("2*", "N_out_in", si::N, o.sky * o.down + in.main.R * sin(in.main.gamma));
+  const T M_main =
+      s.eq("3*", "M_out_in", si::N_m, o.sky * m.h_sky * o.across + in.main.R * m.h_main * cos(in.main.gamma));
+  double one = 0, other = 0;
+  const bool found = tube_size("D_tube_in_out", m, abs(N_sky), M_sky, s, one) &&
+                     tube_size("D_tube_out_in", m, abs(N_main), M_main, s, other);
+  out.D_tube_mixed = std::max(one, other);
+  return found;
+}
+
 /// The ropes paid out under load: then the span side carries T_max and the drum side less.
 template <class T>
-bool payout(const Input& in, const Mast<T>& m, const T& alpha, const T& epsilon, Sheet<T>& s, Output& out) {
+bool payout(const Input& in, const Mast<T>& m, const Angles<T>& at, const Blocks<T>& blocks, Sheet<T>& s, Output& out) {
   s.section("The same with the ropes paid out under load");
   T sky = m.T_sky, main = m.T_main;
   if (in.paid_out_force) {
@@ -228,12 +259,14 @@ bool payout(const Input& in, const Mast<T>& m, const T& alpha, const T& epsilon,
     sky = s.eq("2*", "T_out_sky", si::N, min(m.T_sky, slips));
     main = s.eq("2*", "T_out_main", si::N, min(m.T_main, slips));
   }
-  const T N = s.eq("2*", "N_payout", si::N, (sky + main) * (sin(alpha) + exp(-m.f * epsilon)));
-  const T M = s.eq("3*", "M_payout", si::N_m, (sky * m.h_sky + main * m.h_main) * cos(alpha));
+  const T N = s.eq("2*", "N_payout", si::N, (sky + main) * (sin(at.alpha) + exp(-m.f * at.epsilon)));
+  const T M = s.eq("3*", "M_payout", si::N_m, (sky * m.h_sky + main * m.h_main) * cos(at.alpha));
   out.N_payout = value(N);
   out.M_payout = value(M);
   // A steeply rising rope can pull the mast up when its drum side is slack: the other fibre governs then.
-  return tube_size("D_tube_payout", m, abs(N), M, s, out.D_tube_payout);
+  if (!tube_size("D_tube_payout", m, abs(N), M, s, out.D_tube_payout)) return false;
+  const PaidOut<T> paid_out{sky, main, cos(at.alpha), sin(at.alpha) + exp(-m.f * at.epsilon)};
+  return mixed(m, paid_out, blocks, s, out);
 }
 
 template <class T>
@@ -267,7 +300,7 @@ Outcome compute_at(const Input& in, std::size_t index, Sheet<T>& s, Output& out)
   const T epsilon = wrap_angle(in, m, alpha, s);
   out.wrap = value(epsilon);
   const Loads<T> at = loads(m, alpha, epsilon, s, out);
-  if (!ideal_sizes(m, at, s, out) || !payout(in, m, alpha, epsilon, s, out)) {
+  if (!ideal_sizes(m, at, s, out) || !payout(in, m, at.at, at.blocks, s, out)) {
     return not_converged(
         fmt::format("no section size follows from N = {:.4g} N and M = {:.4g} N m: check the forces "
                     "and the allowable stress {:.4g} Pa",

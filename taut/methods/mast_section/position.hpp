@@ -33,7 +33,8 @@ struct Position {
 std::vector<Position> sweep(const Input& in);
 
 /// The sizes that a position may govern, each with the numbers that go with it.
-inline constexpr std::array sizes{&Output::D_tube, &Output::b_square, &Output::B_hollow, &Output::D_tube_payout};
+inline constexpr std::array sizes{&Output::D_tube, &Output::b_square, &Output::B_hollow, &Output::D_tube_payout,
+                                  &Output::D_tube_mixed};
 
 /// For each of `sizes` the position that asks for most; the outcome is that of the last position when none is feasible.
 struct Governing {

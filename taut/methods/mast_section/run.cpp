@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
 #include <numbers>
@@ -19,6 +20,14 @@ std::string position_words(const Input& in, const ClampForces& f) {
   return in.span ? fmt::format("carriage at {:.4g} m", in.span->carriage_position.at(f.index)) : std::string();
 }
 
+/// Second order: the stress grows faster than the forces, so that a reserve n in the stress is a smaller one in them.
+const char* second_order_rule(const Input& in) {
+  return in.safety ? "N/A + M/W <= [sigma] at every height, with the moments of the mast's own deflection, each rope "
+                     "hauled in and paid out; stress under the safety times the forces, over the safety"
+                   : "N/A + M/W <= [sigma] at every height, with the moments of the mast's own deflection, each rope "
+                     "hauled in and paid out";
+}
+
 /// `allowable`: [sigma] at the section's wall, with the rule that the stress is held against it by.
 Check stress_check(std::string name, double stress, Bound allowable, std::string where) {
   Check c = make_check(std::move(name), stress, si::Pa, std::move(allowable));
@@ -27,22 +36,43 @@ Check stress_check(std::string name, double stress, Bound allowable, std::string
   return c;
 }
 
+/// Load cases whose stress of first order is checked together.
+struct Directions {
+  const char* words;
+  bool (*has)(const ClampForces& f);
+};
+constexpr std::array directions{
+    Directions{"ropes hauled in", [](const ClampForces& f) { return !f.skyline_out && !f.mainline_out; }},
+    Directions{"ropes paid out", [](const ClampForces& f) { return f.skyline_out && f.mainline_out; }},
+    Directions{"one rope hauled in, the other paid out",
+               [](const ClampForces& f) { return f.skyline_out != f.mainline_out; }},
+};
+
+/// "carriage at 10 m, ropes paid out".
+std::string case_words(const Input& in, const ClampForces& f) {
+  const std::string at = position_words(in, f);
+  return fmt::format("{}{}{}", at, at.empty() ? "" : ", ", direction_words(f));
+}
+
 /// (12)-(14) for one section under the worst of some forces, as steps and as a check.
-void check_first_order(const Input& in, const Assessment& a, const std::vector<ClampForces>& all, bool paid_out,
-                       Sheet<Num>& s, Result& r) {
+void check_first_order(const Input& in, const Assessment& a, const std::vector<ClampForces>& all,
+                       const Directions& direction, Sheet<Num>& s, Result& r) {
   std::vector<ClampForces> forces;
-  std::copy_if(all.begin(), all.end(), std::back_inserter(forces),
-               [&](const auto& f) { return f.paid_out == paid_out; });
+  std::copy_if(all.begin(), all.end(), std::back_inserter(forces), direction.has);
   const auto worst = assess(limit_of(in), a.section, forces);
-  const char* direction = paid_out ? "ropes paid out" : "ropes hauled in";
-  s.section(fmt::format("Strength of {}, {}", a.section.name, direction));
-  const std::string where = position_words(in, worst->worst);
-  if (in.span && in.span->carriage_position.size() > 1) s.note("its worst carriage position: " + where);
+  s.section(fmt::format("Strength of {}, {}", a.section.name, direction.words));
+  const bool mixed = worst->worst.skyline_out != worst->worst.mainline_out;
+  const std::string where = mixed ? case_words(in, worst->worst) : position_words(in, worst->worst);
+  if (in.span && in.span->carriage_position.size() > 1) {
+    s.note("its worst carriage position: " + where);
+  } else if (mixed) {
+    s.note("the worse of both: " + where);
+  }
   const Num N = s.named("N", si::N, std::abs(worst->worst.N)), M = s.named("M", si::N_m, std::abs(worst->worst.M));
   const Num A = s.named("A", si::m2, a.section.area), W = s.named("W", si::m3, a.section.W_el_y);
   s.eq("14", "sigma", si::Pa, N / A + M / W);
   s.move_to(r);
-  r.checks.push_back(stress_check(fmt::format("strength of {}, {}", a.section.name, direction), worst->stress,
+  r.checks.push_back(stress_check(fmt::format("strength of {}, {}", a.section.name, direction.words), worst->stress,
                                   {.sense = Sense::at_most,
                                    .limit = worst->allowable,
                                    .rule = "N/A + M/W <= [sigma], Shoshin et al. 2022, (12)-(14)",
@@ -50,43 +80,61 @@ void check_first_order(const Input& in, const Assessment& a, const std::vector<C
                                   where));
 }
 
-/// The checks of the section given or chosen.
+/// The checks of the section given or chosen; where second order decides alone they are its own, outside the method.
 void check_section(const Input& in, const Assessment& a, const std::vector<ClampForces>& forces, Sheet<Num>& s,
                    Result& r, Output& out) {
-  for (const bool paid_out : {false, true}) check_first_order(in, a, forces, paid_out, s, r);
-  if (a.second_order) {
-    const ClampForces& worst = a.second_order_worst;
-    const std::string at = position_words(in, worst);
-    const char* rule = std::isnan(*a.second_order)
-                           ? "the mast finds no equilibrium with the moments of its own deflection: it buckles"
-                           : "N/A + M/W <= [sigma] at every height, with the moments of the mast's own deflection, "
-                             "both directions of the ropes";
-    r.checks.push_back(stress_check(
-        fmt::format("strength of {}, second order", a.section.name), *a.second_order,
-        {.sense = Sense::at_most, .limit = a.allowable, .rule = rule, .trust = trust_of(limit_of(in))},
-        fmt::format("{}{}ropes {}", at, at.empty() ? "" : ", ", worst.paid_out ? "paid out" : "hauled in")));
+  if (!a.only_second_order) {
+    for (const Directions& one : directions) check_first_order(in, a, forces, one, s, r);
+    if (a.second_order) {
+      const char* rule = std::isnan(*a.second_order) ? "the mast finds no equilibrium with the moments of its own "
+                                                       "deflection: it buckles"
+                                                     : second_order_rule(in);
+      r.checks.push_back(
+          stress_check(fmt::format("strength of {}, second order", a.section.name), *a.second_order,
+                       {.sense = Sense::at_most, .limit = a.allowable, .rule = rule, .trust = trust_of(limit_of(in))},
+                       case_words(in, a.second_order_worst)));
+    }
   }
   out.section_stress = a.stress;
   out.section_allowable = a.allowable;
   out.section_mass = a.section.mass_per_length;
+  const auto steel = limit_of(in).steel;
+  if (steel && !is_made_of(a.section, *steel)) {
+    r.warnings.push_back(fmt::format("{} of {} is not made of {} steel: name a steel of the section's standard",
+                                     a.section.name, a.section.standard, steel->standard));
+  }
   if (a.section.trust == catalogue::Trust::unverified) {
     r.warnings.push_back(fmt::format("{} is an unverified row of the catalogue ({}): compare it with the maker's table",
                                      a.section.name, a.section.trust_text));
   }
 }
 
+/// "160.2 MPa", or that it buckles.
+std::string stress_words(const Assessment& a) {
+  std::string text = a.only_second_order ? std::string() : fmt::format("{:.1f} MPa", a.stress / 1e6);
+  const bool first_fails = !a.only_second_order && a.stress > a.allowable;
+  if (a.second_order && !first_fails) {
+    if (!text.empty()) text += ", by second order ";
+    text += std::isnan(*a.second_order) ? "no equilibrium" : fmt::format("{:.1f} MPa", *a.second_order / 1e6);
+  }
+  text += fmt::format(" against {:.1f} MPa", a.allowable / 1e6);
+  if (a.buckling < a.least_buckling) {
+    text += fmt::format(", and buckles at {:.3g} times its axial force against {:.3g}", a.buckling, a.least_buckling);
+  }
+  return a.wall_yields ? text : text + ", and its wall buckles before it yields";
+}
+
 std::string none_passes(const Input& in, catalogue::SectionShape shape, const std::vector<ClampForces>& forces,
                         const SecondOrder& second) {
   const auto best = strongest(in, shape, forces, second);
   const std::string kind(to_text(shape));
-  if (!best) return fmt::format("no {} of the catalogue may be chosen", kind);
-  const std::string by_second = !best->second_order || best->stress > best->allowable ? std::string()
-                                : std::isnan(*best->second_order)
-                                    ? ", and by second order buckles"
-                                    : fmt::format(", by second order {:.1f} MPa", *best->second_order / 1e6);
-  return fmt::format(
-      "no {} of the catalogue carries the mast: the strongest, {}, reaches {:.1f} MPa{} against {:.1f} MPa", kind,
-      best->section.name, best->stress / 1e6, by_second, best->allowable / 1e6);
+  if (!best)
+    return fmt::format(
+        "no {} of the catalogue may be chosen: none has the forming, standard, trust, slenderness "
+        "and steel that are asked for",
+        kind);
+  return fmt::format("no {} of the catalogue carries the mast: the nearest, {}, has {}", kind, best->section.name,
+                     stress_words(*best));
 }
 
 /// Fills the table `sections`; gives the section to be checked: the one given, or else the lightest that passes, or
@@ -99,6 +147,10 @@ std::optional<Assessment> find_sections(const Input& in, const std::vector<Clamp
   };
   std::optional<Assessment> chosen = section_in_use(in, forces, second);
   if (chosen && in.section) add(*chosen, "given");
+  if (in.section && second.decides_alone) {  // others would have to be solved one by one
+    r.tables.push_back(sections_table(lines));
+    return chosen;
+  }
   for (const catalogue::SectionShape shape : shapes_of(in)) {
     if (const auto a = lightest(in, shape, forces, second)) {
       add(*a, fmt::format("lightest {} that passes", to_text(shape)));
@@ -163,11 +215,14 @@ void add_comparisons(const Input& in, const Output& out, Result& r) {
                            not_computed, payout_words(in), shown_below(out.D_tube, out.D_tube_payout)});
 }
 
-void add_warnings(const Input& in, const Output& out, Result& r) {
+/// `alone`: the mast with its guys is solved besides, and that decides.
+void add_warnings(const Input& in, const Output& out, bool alone, Result& r) {
   auto& w = r.warnings;
-  w.emplace_back(
-      "guylines and buckling are not in this method: their forces add to N, and a slender mast fails by buckling "
-      "first; check both, and local buckling of thin walls, before building");
+  if (!alone) {
+    w.emplace_back(
+        "guylines and buckling are not in this method: their forces add to N, and a slender mast fails by buckling "
+        "first; check both, and local buckling of thin walls, before building");
+  }
   w.push_back(
       fmt::format("the tube by the printed coefficients 1.27 and 10 ({:.1f} mm) is {:.1f} % too small: build by D_tube "
                   "{:.1f} mm",
@@ -273,7 +328,8 @@ Result run(const Input& in, const SecondOrder& second, Solved& found) {
                            fmt::format("x = {:.4g} m", first->out.x), first->outcome.message});
     }
     found.forces = clamp_forces(in, positions);
-    add_warnings(in, out, r);
+    add_warnings(in, out, second.decides_alone, r);
+    r.tables.push_back(load_cases_table(in, found.forces));
     const auto& section = found.section = find_sections(in, found.forces, second, r);
     if (section) check_section(in, *section, found.forces, s, r, out);
     if (!section) r.unjudged.emplace_back("mast");

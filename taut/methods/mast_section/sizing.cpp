@@ -47,29 +47,39 @@ double stress_in(const SectionRow& section, const ClampForces& f) {
   return std::abs(f.N) / section.area + std::abs(f.M) / section.W_el_y;
 }
 
-/// The ropes hauled in: (5), (6).
-ClampForces hauled_in(const Position& p) {
-  const Output& o = p.out;
-  return {.N = o.N,
-          .M = o.M,
-          .index = p.index,
-          .paid_out = false,
-          .skyline = {.across = o.R_sky * std::cos(o.gamma_sky), .down = o.R_sky * std::sin(o.gamma_sky)},
-          .mainline = {.across = o.R_main * std::cos(o.gamma_main), .down = o.R_main * std::sin(o.gamma_main)}};
+/// The resultant on a block by its rope's direction.
+struct BothWays {
+  BlockForce in, out;
+  const BlockForce& of(bool paid_out) const { return paid_out ? out : in; }
+};
+
+/// Hauled in by (5), (6); paid out the span side carries the full force or what its brake holds, the drum side less by
+/// the friction of the block.
+BothWays block_of(const Input& in, const Output& o, double force, double R, double gamma) {
+  const double held = std::min(force, in.paid_out_force.value_or(force));
+  return {.in = {.across = R * std::cos(gamma), .down = R * std::sin(gamma)},
+          .out = {.across = held * std::cos(o.alpha),
+                  .down = held * (std::sin(o.alpha) + std::exp(-in.block_friction * o.wrap))}};
 }
 
-/// Paid out: the span side carries the full force, the drum side less by the friction of the block.
-ClampForces paid_out(const Input& in, const Position& p) {
+/// The four load cases of a position; N and M of the first two are the method's own.
+void add_cases(const Input& in, const Position& p, std::vector<ClampForces>& all) {
   const Output& o = p.out;
-  const double down = std::sin(o.alpha) + std::exp(-in.block_friction * o.wrap), across = std::cos(o.alpha);
-  const double slips = in.paid_out_force.value_or(std::max(in.skyline_force, in.mainline_force));
-  const double sky = std::min(in.skyline_force, slips), main = std::min(in.mainline_force, slips);
-  return {.N = o.N_payout,
-          .M = o.M_payout,
-          .index = p.index,
-          .paid_out = true,
-          .skyline = {.across = sky * across, .down = sky * down},
-          .mainline = {.across = main * across, .down = main * down}};
+  const BothWays sky = block_of(in, o, in.skyline_force, o.R_sky, o.gamma_sky);
+  const BothWays main = block_of(in, o, in.mainline_force, o.R_main, o.gamma_main);
+  const double h_sky = in.skyline_block_height, h_main = in.mainline_block_height.value_or(h_sky);
+  for (const auto& [sky_out, main_out] : {std::pair{false, false}, {true, true}, {false, true}, {true, false}}) {
+    ClampForces f{.index = p.index,
+                  .skyline_out = sky_out,
+                  .mainline_out = main_out,
+                  .skyline = sky.of(sky_out),
+                  .mainline = main.of(main_out),
+                  .lateral = in.lateral_force.value_or(0)};
+    f.N = f.skyline.down + f.mainline.down;
+    f.M = f.skyline.across * h_sky + f.mainline.across * h_main;
+    if (sky_out == main_out) f.N = sky_out ? o.N_payout : o.N, f.M = sky_out ? o.M_payout : o.M;
+    all.push_back(f);
+  }
 }
 
 }  // namespace
@@ -94,13 +104,23 @@ std::string trust_of(const StressLimit& limit) {
   return unverified ? fmt::format("UNVERIFIED: {}", limit.steel->trust_text) : std::string(to_text(limit.steel->trust));
 }
 
+ClampForces operator*(double factor, ClampForces f) {
+  for (double* force :
+       {&f.N, &f.M, &f.skyline.across, &f.skyline.down, &f.mainline.across, &f.mainline.down, &f.lateral})
+    *force *= factor;
+  return f;
+}
+
+const char* direction_words(const ClampForces& f) {
+  if (f.skyline_out) return f.mainline_out ? "ropes paid out" : "skyline paid out, mainline hauled in";
+  return f.mainline_out ? "skyline hauled in, mainline paid out" : "ropes hauled in";
+}
+
 std::vector<ClampForces> clamp_forces(const Input& in, const std::vector<Position>& positions) {
   std::vector<ClampForces> all;
   const auto add = [&all](const Input& one, const std::vector<Position>& solved) {
     for (const Position& p : solved) {
-      if (!p.outcome.ok()) continue;
-      all.push_back(hauled_in(p));
-      all.push_back(paid_out(one, p));
+      if (p.outcome.ok()) add_cases(one, p, all);
     }
   };
   add(in, positions);
@@ -112,10 +132,34 @@ std::vector<ClampForces> clamp_forces(const Input& in, const std::vector<Positio
   return all;
 }
 
+bool Assessment::passes() const {
+  const bool holds = wall_yields && !(buckling < least_buckling);
+  return holds && (only_second_order || stress <= allowable) && (!second_order || *second_order <= allowable);
+}
+
 double Assessment::utilisation() const {
   if (second_order && std::isnan(*second_order)) return *second_order;
-  return std::max(stress, second_order.value_or(0)) / allowable;
+  const double largest = only_second_order ? second_order.value_or(stress) : std::max(stress, second_order.value_or(0));
+  return largest / allowable;
 }
+
+namespace {
+
+void take_second_order(const StressLimit& limit, const std::vector<ClampForces>& forces, const SecondOrder& second,
+                       Assessment& a) {
+  a.only_second_order = second.decides_alone;
+  a.least_buckling = second.least_buckling;
+  for (const ClampForces& f : forces) {
+    if (second.wall_yields && !second.wall_yields(a.section, a.allowable * limit.safety, f)) a.wall_yields = false;
+    const double stress = second.stress(a.section, f);
+    const bool larger = !a.second_order || stress > *a.second_order || std::isnan(stress);
+    if (larger) a.second_order = stress, a.second_order_worst = f;
+    if (std::isnan(stress)) return;
+    if (second.buckling) a.buckling = std::fmin(a.buckling, second.buckling(a.section, f));
+  }
+}
+
+}  // namespace
 
 std::optional<Assessment> assess(const StressLimit& limit, const SectionRow& section,
                                  const std::vector<ClampForces>& forces, const SecondOrder& second) {
@@ -127,14 +171,7 @@ std::optional<Assessment> assess(const StressLimit& limit, const SectionRow& sec
     const double stress = stress_in(section, f);
     if (stress > a.stress) a.stress = stress, a.worst = f;
   }
-  if (!second) return a;
-  for (const ClampForces& f : forces) {
-    const double stress = second(section, f);
-    if (a.second_order && !(stress > *a.second_order) && !std::isnan(stress)) continue;
-    a.second_order = stress;
-    a.second_order_worst = f;
-    if (std::isnan(stress)) break;
-  }
+  if (second.stress) take_second_order(limit, forces, second, a);
   return a;
 }
 
@@ -166,30 +203,54 @@ std::vector<SectionShape> shapes_of(const Input& in) {
   return {SectionShape::chs, SectionShape::shs, SectionShape::rhs};
 }
 
+bool is_made_of(const SectionRow& section, const catalogue::SteelRow& steel) {
+  const auto is_of = [](const std::string& standard, const char* series) { return standard.starts_with(series); };
+  const auto mixes = [&](const char* one, const char* other) {
+    return is_of(section.standard, one) && is_of(steel.standard, other);
+  };
+  return !mixes("EN 10210", "EN 10219") && !mixes("EN 10219", "EN 10210");
+}
+
 std::vector<SectionRow> candidates(const Input& in, SectionShape shape) {
   const double largest = in.choose_section.value_or(ChooseSection{}).largest_slenderness;
   auto rows = catalogue::sections_by_mass(filter_of(in, shape));
-  std::erase_if(rows, [&](const SectionRow& row) { return row.height > largest * row.thickness * (1 + 1e-9); });
+  const auto steel = catalogue::find_steel(in.steel.value_or(""));
+  std::erase_if(rows, [&](const SectionRow& row) {
+    return row.height > largest * row.thickness * (1 + 1e-9) || (steel && !is_made_of(row, *steel));
+  });
   return rows;
 }
 
 namespace {
 
-/// The first of `rows` that passes: by first order, which takes no time, then by second order, under the worst force
-/// first.
+/// The first of `rows` that passes: by first order, which takes no time and decides unless second order does alone,
+/// then by second order, under the worst force first.
 std::optional<Assessment> first_that_passes(const Input& in, const std::vector<SectionRow>& rows,
                                             const std::vector<ClampForces>& forces, const SecondOrder& second) {
   const StressLimit limit = limit_of(in);
   for (const SectionRow& row : rows) {
     auto a = assess(limit, row, forces);
-    if (!a || !a->passes()) continue;
-    if (second) {
-      if (!(second(row, a->worst) <= a->allowable)) continue;
+    if (!a || (!second.decides_alone && !a->passes())) continue;
+    if (second.stress) {
+      if (second.may_stand && !second.may_stand(row, a->worst)) continue;
+      if (!(second.stress(row, a->worst) <= a->allowable)) continue;
       a = assess(limit, row, forces, second);
     }
     if (a->passes()) return a;
   }
   return std::nullopt;
+}
+
+/// Whether `a` comes nearer to passing than `b`. Walls that yield come first, and an equilibrium before none.
+bool nearer(const Assessment& a, const Assessment& b) {
+  if (a.wall_yields != b.wall_yields) return a.wall_yields;
+  const auto used = [](const Assessment& one) {
+    return std::isnan(one.buckling) ? one.utilisation()
+                                    : std::max(one.utilisation(), one.least_buckling / one.buckling);
+  };
+  const double u = used(a), v = used(b);
+  if (std::isnan(u) && std::isnan(v)) return a.stress * b.allowable < b.stress * a.allowable;
+  return std::isnan(v) || u < v;
 }
 
 }  // namespace
@@ -212,7 +273,7 @@ std::optional<Assessment> section_in_use(const Input& in, const std::vector<Clam
   std::optional<Assessment> best;
   for (const SectionShape shape : shapes_of(in)) {
     auto a = strongest(in, shape, forces, second);
-    if (a && (!best || a->stress * best->allowable < best->stress * a->allowable)) best = std::move(a);
+    if (a && (!best || nearer(*a, *best))) best = std::move(a);
   }
   return best;
 }
@@ -221,11 +282,17 @@ std::optional<Assessment> strongest(const Input& in, SectionShape shape, const s
                                     const SecondOrder& second) {
   std::optional<Assessment> best;
   const StressLimit limit = limit_of(in);
-  for (const SectionRow& row : candidates(in, shape)) {
+  auto rows = candidates(in, shape);
+  std::reverse(rows.begin(), rows.end());  // what can not stand is passed over once there is another
+  for (const SectionRow& row : rows) {
     auto a = assess(limit, row, forces);
-    if (a && (!best || a->utilisation() < best->utilisation())) best = std::move(a);
+    if (a && second.decides_alone) {
+      if (best && second.may_stand && !second.may_stand(row, a->worst)) continue;
+      a = assess(limit, row, {a->worst}, second);
+    }
+    if (a && (!best || nearer(*a, *best))) best = std::move(a);
   }
-  return best && second ? assess(limit, best->section, forces, second) : best;
+  return best && second.stress ? assess(limit, best->section, forces, second) : best;
 }
 
 }  // namespace taut::mast_section

@@ -21,19 +21,38 @@ struct BlockForce {
 struct ClampForces {
   double N = 0;
   double M = 0;
-  std::size_t index = 0;  ///< of the carriage position
-  bool paid_out = false;  ///< the ropes run out under load, else they are hauled in
+  std::size_t index = 0;                           ///< of the carriage position
+  bool skyline_out = false, mainline_out = false;  ///< the rope runs out under load, else it is hauled in
   BlockForce skyline = {}, mainline = {};
+  double lateral = 0;  ///< across the span at the skyline block, N: not in the method
 };
 
-/// What a section must carry: at every carriage position that the method can do (`positions`: all of the deck) the
-/// ropes hauled in and paid out, by the wrap as asked for and, where that is the paper's, by the geometric one as well.
+/// The same with every force of the ropes, and across the span, times `factor`.
+ClampForces operator*(double factor, ClampForces f);
+
+/// "ropes hauled in", "ropes paid out", "skyline hauled in, mainline paid out", ...
+const char* direction_words(const ClampForces& f);
+
+/// What a section must carry: at every carriage position that the method can do (`positions`: all of the deck) each
+/// rope hauled in and paid out, by the wrap as asked for and, where that is the paper's, by the geometric one as well.
 /// Empty: no position is feasible.
 std::vector<ClampForces> clamp_forces(const Input& in, const std::vector<Position>& positions);
 
-/// The largest stress anywhere in a clamped mast of that section with the moments of its own deflection, Pa; NaN where
-/// it finds no equilibrium. From outside: the published method does not know how.
-using SecondOrder = std::function<double(const catalogue::SectionRow& section, const ClampForces& forces)>;
+/// What the published method does not know of a mast, from outside; each function may be empty.
+struct SecondOrder {
+  /// The largest stress anywhere in the mast with the moments of its own deflection, Pa, as it is held against [sigma];
+  /// NaN where it finds no equilibrium.
+  std::function<double(const catalogue::SectionRow& section, const ClampForces& forces)> stress = {};
+  /// The factor of its axial force at which the straight mast buckles; NaN: none is known.
+  std::function<double(const catalogue::SectionRow& section, const ClampForces& forces)> buckling = {};
+  double least_buckling = 0;  ///< what that factor must be of a section that is chosen
+  /// Whether its walls yield (at `yield`, Pa) before they buckle.
+  std::function<bool(const catalogue::SectionRow& section, double yield, const ClampForces& forces)> wall_yields = {};
+  /// Without solving: false where the mast surely buckles below `least_buckling` times its axial force.
+  std::function<bool(const catalogue::SectionRow& section, const ClampForces& forces)> may_stand = {};
+  /// The mast is another than the method's, with guys, a side force or a hinge: the method's own stress says nothing.
+  bool decides_alone = false;
+};
 
 /// A catalogue section under the worst of several clamp forces.
 struct Assessment {
@@ -43,8 +62,12 @@ struct Assessment {
   ClampForces worst;
   std::optional<double> second_order;  ///< Pa, the worst; NaN: no equilibrium
   ClampForces second_order_worst = {};
-  bool passes() const { return stress <= allowable && (!second_order || *second_order <= allowable); }
-  /// NaN where it finds no equilibrium.
+  bool only_second_order = false;  ///< the stress of first order is that of another mast
+  double buckling = not_computed;  ///< the least factor of any force; NaN: not asked for
+  double least_buckling = 0;       ///< what it must be
+  bool wall_yields = true;         ///< before it buckles, under each force
+  bool passes() const;
+  /// The larger stress over the allowable one. NaN where it finds no equilibrium.
   double utilisation() const;
 };
 
@@ -66,7 +89,11 @@ std::string trust_of(const StressLimit& limit);
 std::optional<Assessment> assess(const StressLimit& limit, const catalogue::SectionRow& section,
                                  const std::vector<ClampForces>& forces, const SecondOrder& second = {});
 
-/// What `choose_section` lets through, of one shape, lightest first.
+/// Whether such a section is made of that steel: hot-finished sections of EN 10210 are not of cold-formed steel of EN
+/// 10219, nor the other way round.
+bool is_made_of(const catalogue::SectionRow& section, const catalogue::SteelRow& steel);
+
+/// What `choose_section` lets through, of one shape and made of the deck's steel, lightest first.
 std::vector<catalogue::SectionRow> candidates(const Input& in, catalogue::SectionShape shape);
 
 /// The shapes that `choose_section` lets through.
@@ -81,7 +108,8 @@ std::optional<Assessment> lightest(const Input& in, catalogue::SectionShape shap
 std::optional<Assessment> section_in_use(const Input& in, const std::vector<ClampForces>& forces,
                                          const SecondOrder& second = {});
 
-/// The section of a shape that comes nearest to passing by first order, for when none passes.
+/// The section of a shape that comes nearest to passing, for when none passes: by first order, or where second order
+/// decides alone by that under the worst force of first order.
 std::optional<Assessment> strongest(const Input& in, catalogue::SectionShape shape,
                                     const std::vector<ClampForces>& forces, const SecondOrder& second = {});
 

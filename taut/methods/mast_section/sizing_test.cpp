@@ -2,6 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <set>
+#include <string>
+
 #include "taut/catalogue/steel.hpp"
 #include "taut/methods/mast_section/plain_mast_test.hpp"
 
@@ -94,6 +100,78 @@ TEST(MastSectionSizing, TrustOfTheLimit) {
   EXPECT_EQ(trust_of(limit_of(in)), "verified");
   in.steel = "S355 product";
   EXPECT_EQ(trust_of(limit_of(in)).substr(0, 10), "UNVERIFIED");
+}
+
+/// By hand, friction 0.16, alpha 30 deg, wrap 120 deg, x = exp(-0.16 * 120 deg) = 0.7153: hauled in, T x cos(alpha)
+/// across and T (1 + x sin(alpha)) down; paid out, T cos(alpha) across and T (sin(alpha) + x) down.
+TEST(MastSectionSizing, EachRopeIsHauledInAndPaidOut) {
+  Input in = plain_mast();
+  in.skyline_force = 100e3;
+  in.mainline_force = 56e3;
+  in.skyline_block_height = 10;
+  in.mainline_block_height = 9;
+  in.block_friction = 0.16;
+  in.paid_out_force = 56e3;
+  in.branch_angle = std::numbers::pi / 6;
+  const auto forces = clamp_forces(in, sweep(in));
+  ASSERT_EQ(forces.size(), 4U);
+  const double x = std::exp(-0.16 * 2 * std::numbers::pi / 3), c = std::sqrt(0.75);
+  const auto in_out = std::find_if(forces.begin(), forces.end(), [](const auto& f) {
+    return std::string_view(direction_words(f)) == "skyline hauled in, mainline paid out";
+  });
+  ASSERT_NE(in_out, forces.end());
+  EXPECT_NEAR(in_out->M, 100e3 * x * c * 10 + 56e3 * c * 9, 1);
+  EXPECT_NEAR(in_out->N, 100e3 * (1 + x / 2) + 56e3 * (0.5 + x), 1);
+  for (const ClampForces& f : forces) {
+    EXPECT_LE(f.M, in_out->M) << direction_words(f);
+    EXPECT_NEAR(f.M, f.skyline.across * 10 + f.mainline.across * 9, 1e-6 * f.M);
+    EXPECT_NEAR(f.N, f.skyline.down + f.mainline.down, 1e-6 * f.N);
+  }
+  Output out;
+  ASSERT_TRUE(solve(in, out).ok());
+  EXPECT_GT(out.D_tube_mixed, std::max(out.D_tube, out.D_tube_payout));
+  const double D = out.D_tube_mixed, d = in.tube_ratio * D, pi = std::numbers::pi;
+  EXPECT_NEAR(
+      in_out->N / (pi / 4 * (D * D - d * d)) + in_out->M * D / 2 / (pi / 64 * (std::pow(D, 4) - std::pow(d, 4))), 160e6,
+      1e-6 * 160e6);
+}
+
+// Where second order decides alone the method's own stress is that of another mast.
+TEST(MastSectionSizing, AnotherMastIsJudgedByItsOwnStress) {
+  const Input in = plain_mast();
+  SecondOrder guyed;
+  guyed.decides_alone = true;
+  guyed.stress = [](const catalogue::SectionRow& row, const ClampForces&) { return 100e6 * 50 / row.mass_per_length; };
+  const auto light = lightest(in, SectionShape::chs, loads, guyed);
+  ASSERT_TRUE(light);
+  EXPECT_GT(light->stress, light->allowable);
+  EXPECT_GE(light->section.mass_per_length, 50 * 100.0 / 160);
+  EXPECT_LT(light->section.mass_per_length, 35) << "the next in the catalogue";
+  guyed.wall_yields = [](const catalogue::SectionRow& row, double, const ClampForces&) {
+    return row.mass_per_length > 60;
+  };
+  EXPECT_GT(lightest(in, SectionShape::chs, loads, guyed)->section.mass_per_length, 60);
+  guyed.stress = [](const catalogue::SectionRow&, const ClampForces&) { return NAN; };
+  EXPECT_FALSE(lightest(in, SectionShape::chs, loads, guyed));
+  ASSERT_TRUE(strongest(in, SectionShape::chs, loads, guyed));
+}
+
+// EN 10210 is hot-finished, EN 10219 cold-formed: each has its own steel.
+TEST(MastSectionSizing, ASectionIsOfTheStandardOfItsSteel) {
+  Input in = plain_mast();
+  in.allowable_stress.reset();
+  in.safety = 1.5;
+  const auto standards = [&](const char* steel) {
+    in.steel = steel;
+    std::set<std::string> all;
+    for (const catalogue::SectionRow& row : candidates(in, SectionShape::chs)) all.insert(row.standard);
+    return all;
+  };
+  EXPECT_EQ(standards("EN 10210-1 S355H").count("EN 10219-2"), 0U);
+  EXPECT_EQ(standards("EN 10210-1 S355H").count("EN 10210-2"), 1U);
+  EXPECT_EQ(standards("EN 10219-1 S355H").count("EN 10210-2"), 0U);
+  EXPECT_EQ(standards("EN 10219-1 S355H").count("EN 10219-2"), 1U);
+  EXPECT_EQ(standards("EN 10025-2 S355").count("EN 10219-2"), 1U) << "plain steel is taken for both";
 }
 
 }  // namespace taut::mast_section::sizing_test

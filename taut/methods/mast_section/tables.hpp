@@ -20,6 +20,8 @@ double height_of(const Input& in);
 
 /// `governing`: the values of the whole result.
 Table positions_table(const std::vector<Position>& positions, const Output& governing);
+/// What a section must carry, case by case.
+Table load_cases_table(const Input& in, const std::vector<ClampForces>& forces);
 Table sections_table(const std::vector<SectionLine>& lines);
 
 /// These tables as described.

@@ -64,7 +64,8 @@ std::vector<Answer> answers(const Input& in, const Result& r, const Display& dis
   add_answer_line(lines, "Foot",
                   {fmt::format("moment {}, ropes paid out {}", shown("M"), shown("M_payout")),
                    fmt::format("axial force {}, shear {}", shown("N"), shown("Q"))});
-  const double tube = std::fmax(number_of(r, "D_tube"), number_of(r, "D_tube_payout"));
+  const double tube =
+      std::fmax(std::fmax(number_of(r, "D_tube"), number_of(r, "D_tube_payout")), number_of(r, "D_tube_mixed"));
   if (std::isfinite(tube)) {
     const Unit mm = si::m.in("mm");
     add_answer_line(lines, has_section ? std::string_view("Ideal tube") : needs_label,

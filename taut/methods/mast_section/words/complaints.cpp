@@ -67,8 +67,10 @@ void section_rules(const Input& in, std::vector<Complaint>& all) {
   const bool any = std::any_of(shapes.begin(), shapes.end(),
                                [&](catalogue::SectionShape shape) { return !candidates(in, shape).empty(); });
   if (!any)
-    all.push_back({"choose_section",
-                   "no section of the catalogue is like that: allow another standard, forming, trust or slenderness"});
+    all.push_back(
+        {"choose_section",
+         "no section of the catalogue is like that: allow another standard, forming, trust or slenderness, or take "
+         "the steel of its standard (EN 10210-1 hot-finished, EN 10219-1 cold-formed)"});
 }
 
 void guy_rules(const Input& in, std::size_t i, std::vector<Complaint>& all) {

@@ -142,7 +142,8 @@ const Description& Input::describe() {
           .field(&Input::allowable_stress, "allowable_stress", "[sigma]", si::Pa,
                  "allowable stress; or give steel and safety")
           .above(0)
-          .field(&Input::steel, "steel", "steel grade of the catalogue, S355H; with safety")
+          .field(&Input::steel, "steel",
+                 "steel grade of the catalogue, EN 10210-1 S355H; with safety; a section chosen is one of its standard")
           .field(&Input::safety, "safety", "n", si::one, "yield stress over allowable stress")
           .at_least(1)
           .field(&Input::tube_ratio, "tube_ratio", "c", si::one, "inner over outer diameter of the tube")
@@ -203,6 +204,9 @@ void describe_sizes(Describe<Output>& d) {
       .from("(3) corrected");
   d.field(&Output::D_tube_payout, "D_tube_payout", "D_tube_payout", si::m.in("mm"),
           "tube for the ropes paid out under load");
+  d.field(&Output::D_tube_mixed, "D_tube_mixed", "D_tube_mixed", si::m.in("mm"),
+          "tube for one rope hauled in, the other paid out under load, the worse of both ways")
+      .from("(2), (3) corrected for one rope");
   d.field(&Output::section_stress, "section_stress", "sigma", si::Pa, "stress in the section checked or chosen")
       .from("(12)-(14)");
   d.field(&Output::section_allowable, "section_allowable", "[sigma]", si::Pa,

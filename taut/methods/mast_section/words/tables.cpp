@@ -32,10 +32,39 @@ const Quantities<PositionRow>& position_quantities() {
        of(&Output::D_tube_printed)},
       {"D_tube_payout", "D_tube_payout", mm, "outer diameter of the tube for ropes paid out under load",
        of(&Output::D_tube_payout)},
+      {"D_tube_mixed", "D_tube_mixed", mm, "the same with one rope hauled in and the other paid out",
+       of(&Output::D_tube_mixed)},
       {"governs", "", si::one, "governs: the values of the result are those of this position",
        [](const Row& r) { return std::string(r.governs ? "governs" : ""); }},
       {"reason", "", si::one, "why the position lies outside the method; empty: it does not",
        [](const Row& r) { return r.position.outcome.message; }}};
+  return all;
+}
+
+/// One load case.
+struct LoadCase {
+  const Input& in;
+  const ClampForces& f;
+};
+
+const Quantities<LoadCase>& load_case_quantities() {
+  using Row = LoadCase;
+  const auto of = [](double ClampForces::*part) { return [part](const Row& r) { return r.f.*part; }; };
+  static const Quantities<Row> all = {
+      {"x", "x", si::m, "carriage position, where the span is given",
+       [](const Row& r) { return r.in.span ? r.in.span->carriage_position.at(r.f.index) : not_computed; }},
+      {"directions", "", si::one, "whether each rope is hauled in or paid out",
+       [](const Row& r) { return std::string(direction_words(r.f)); }},
+      {"sky_across", "", si::N, "force on the skyline block, towards the span",
+       [](const Row& r) { return r.f.skyline.across; }},
+      {"sky_down", "", si::N, "force on the skyline block, downwards", [](const Row& r) { return r.f.skyline.down; }},
+      {"main_across", "", si::N, "force on the mainline block, towards the span",
+       [](const Row& r) { return r.f.mainline.across; }},
+      {"main_down", "", si::N, "force on the mainline block, downwards",
+       [](const Row& r) { return r.f.mainline.down; }},
+      {"sideways", "", si::N, "force across the span at the skyline block", of(&ClampForces::lateral)},
+      {"N", "N", si::N, "axial force at the clamp of the method's mast", of(&ClampForces::N)},
+      {"M", "M", si::N_m, "bending moment at the clamp of the method's mast", of(&ClampForces::M)}};
   return all;
 }
 
@@ -86,12 +115,23 @@ Table positions_table(const std::vector<Position>& positions, const Output& gove
   return make_table("positions", "Carriage positions", position_quantities(), rows);
 }
 
+Table load_cases_table(const Input& in, const std::vector<ClampForces>& forces) {
+  std::vector<LoadCase> rows;
+  rows.reserve(forces.size());
+  for (const ClampForces& f : forces) rows.push_back({.in = in, .f = f});
+  return make_table("load_cases", "What the mast must carry", load_case_quantities(), rows);
+}
+
 Table sections_table(const std::vector<SectionLine>& lines) {
   return make_table("sections", "Catalogue sections, RHS about the strong axis", section_quantities(), lines);
 }
 
 std::vector<TableWords> table_words() {
   return {{.name = "positions", .rows = "every carriage position", .columns = words_of(position_quantities())},
+          {.name = "load_cases",
+           .rows = "each rope hauled in and paid out, at every carriage position; with wrap: paper by the geometric "
+                   "wrap too",
+           .columns = words_of(load_case_quantities())},
           {.name = "sections",
            .rows = "the section given, or the lightest of each shape that passes",
            .columns = words_of(section_quantities())}};
