@@ -260,8 +260,8 @@ void Judge::take_places(const machine::Model& m, const solve::EquilibriumResult&
   take_spans(m, e.state, {}, words);
 }
 
-/// What carries ropes and stands on the ground by feet has all of them there as the motion begins. A load may be
-/// picked up; a machine may not tip.
+/// What carries ropes and stands on the ground by feet may not tip, nor lift one of them where all stand as the motion
+/// begins. A load may be picked up.
 void Judge::take_stand(const machine::Model& m, const solve::TransientFrame& first, const solve::TransientFrame& moment,
                        const std::string& words) {
   std::map<int, std::vector<std::size_t>> feet;
@@ -271,7 +271,7 @@ void Judge::take_stand(const machine::Model& m, const solve::TransientFrame& fir
   }
   for (const auto& [body, all] : feet) {
     const auto stood = [&](std::size_t foot) { return first.faces[foot].closed; };
-    if (all.size() < 2 || !carries_ropes(m, body) || !std::all_of(all.begin(), all.end(), stood)) continue;
+    if (all.size() < 2 || !carries_ropes(m, body)) continue;
     const std::string& name = m.bodies[body].name;
     const Matrix3 turned = moment.bodies[body].orientation * m.bodies[body].orientation.transpose();
     const double tilt = std::acos(std::clamp(turned(2, 2), -1.0, 1.0));
@@ -281,8 +281,9 @@ void Judge::take_stand(const machine::Model& m, const solve::TransientFrame& fir
                        tilt * 180 / std::numbers::pi),
            true, tilt);
     }
+    const bool all_stood = std::all_of(all.begin(), all.end(), stood);
     for (const std::size_t foot : all) {
-      if (moment.faces[foot].closed) continue;
+      if (!all_stood || moment.faces[foot].closed) continue;
       warn(m.contacts[foot].name + " lifted",
            fmt::format("{}: '{}' lifts '{}' off the ground: it begins to tip", words, name, m.contacts[foot].name),
            true);

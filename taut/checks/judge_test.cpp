@@ -155,7 +155,7 @@ std::string crane(const std::string& load) {
   return R"(taut: 1
 machine:
   signals: {up: {ramp: {to: 0.2 m/s, duration: 0.5 s, smooth: true}}}
-  points: {tip: {body: crane, at: [2 m, 0 m, 3 m]}, left: {body: crane, at: [-1 m, 0 m, -1 m]},
+  points: {left: {body: crane, at: [-1 m, 0 m, -1 m]},
     right: {body: crane, at: [1 m, 0 m, -1 m]}}
   ropes: {line: {mass: 0 kg/m, stiffness: 1 MN, breaking_force: 200 kN, damping_ratio: 0.1}}
   bodies:
@@ -165,8 +165,8 @@ machine:
   drums: {winch: {body: crane, at: [2 m, 0 m, 3 m], core_diameter: 400 mm, drive: {speed: up}}}
   faces: {ground: {from: [-20 m, 0 m, 0 m], to: [20 m, 0 m, 0 m], normal: [0, 0, 1]}}
   contacts:
-    - {point: left, face: ground, stiffness: 5 MN/m, damping: 100 kN s/m, friction: 0.5, clearance: 0 mm}
-    - {point: right, face: ground, stiffness: 5 MN/m, damping: 100 kN s/m, friction: 0.5, clearance: 0 mm}
+    - {point: left, face: ground, stiffness: 5 MN/m, damping: 100 kN s/m, static_friction: 0.5}
+    - {point: right, face: ground, stiffness: 5 MN/m, damping: 100 kN s/m, static_friction: 0.5}
   reevings: [{rope: line, path: [{drum: winch, side: right}, {anchor: hook}], length: 3 m, may_slack: true}]
 checks: {ropes: {line: {dynamic_safety_factor: 2}}, confirmed: [elastic_limit]}
 analyses: [{transient: {duration: 2.5 s, start: settled, tolerance: 1e-3}}]

@@ -131,9 +131,8 @@ const Description& RopeLoad::describe() {
           .at_least(1)
           .at_most(64)
           .field(&RopeLoad::signal, "signal",
-                 "in motion the force, or the rate, over time: a signal, below 0 the other way; statics takes "
-                 "'tangential' "
-                 "or 'rate'")
+                 "in motion the force, or the rate, over time: a signal, whose sign does not count against the motion; "
+                 "statics takes 'tangential' or 'rate'")
           .field(&RopeLoad::name, "name", "name in tables; default: ROPE.load");
   return d;
 }

@@ -51,8 +51,7 @@ machine::Model with_loads_at_rest(machine::Model model) {
       if (node.kind != machine::NodeKind::load) continue;
       if (node.load.signal)
         (node.load.part > 0 ? node.load.rate : node.load.force) = machine::at(*node.load.signal, 0).value;
-      if (node.load.by_motion && node.load.sense * (node.load.force + node.load.rate) <= 0)
-        node.load.force = node.load.rate = 0;
+      if (node.load.by_motion && node.load.sense < 0) node.load.force = node.load.rate = 0;
     }
   }
   return model;

@@ -54,10 +54,9 @@ RopeLoadStep rope_load(const Mechanism& m, const Contact& contact, double when, 
   const double size = given.part > 0 ? force * given.part * contact.load_length : force;
   if (!given.by_motion) return {-given.sense * size, false};
   if (lossless) return {0, true};
-  const double against = -given.sense * size;  // a signal below 0 turns it round
-  if (against >= 0) return {against, true};
+  if (given.sense < 0) return {std::abs(size), true};
   const int haul = m.model->reevings[contact.reeving].haul;
-  return {flow > 0 || (flow == 0 && haul > 0) ? against : -against, false};
+  return {flow > 0 || (flow == 0 && haul > 0) ? -size : size, false};
 }
 
 Grip grip_at_load(const RopeLoadStep& load, double difference, double slip) {

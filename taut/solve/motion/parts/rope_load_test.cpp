@@ -297,22 +297,5 @@ TEST(TransientRopeLoad, GoesOnFromItsStateAndAgreesWithTheReference) {
   }
 }
 
-/// Friction by a signal that goes below 0 pushes: the rope goes with the motion that it has, or hauls.
-TEST(TransientRopeLoad, ASignalBelowZeroTurnsTheForceRound) {
-  for (const bool against : {false, true}) {
-    machine::Model m = hanging(0);
-    machine::RopeLoad& load = m.reevings[0].nodes[1].load;
-    load.by_motion = true;
-    load.sense = against ? -1 : 1;
-    load.signal = smooth_move(0, against ? -500 : 500, 0, 0.3);
-    const TransientResult r = run_to_end(m, lasting(0.6, 1e-6));
-    const auto& last = r.frames.back().branches;
-    EXPECT_NEAR(std::abs(last[1].T_from - last[0].T_from), 500, 1e-3) << against;
-    // it supplies energy, and no slip is booked
-    EXPECT_GT(std::abs(r.frames.back().energy.supplied), 0.1);
-    EXPECT_NEAR(r.frames.back().energy.slipped, 0, 1e-6);
-  }
-}
-
 }  // namespace
 }  // namespace taut_test::transient_rope_load_test
