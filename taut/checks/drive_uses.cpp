@@ -147,6 +147,16 @@ void DriveUses::keep_turns(const machine::Model& m, const solve::DrumResult& d, 
   if (!is_new && left < at->second.left) at->second = {.left = left, .words = words};
 }
 
+/// Pulls, torques and brakes are those of the layer that the machine is calculated with.
+void DriveUses::keep_layer(const machine::Model& m, const solve::DrumResult& d, const std::string& words) {
+  if (d.filled.value_or(0) <= d.layer) return;
+  const std::string& drum = m.drums[d.drum].name;
+  layers_.try_emplace(
+      drum, fmt::format("{}: the rope on '{}' reaches layer {}, but its torque and its brake are those of layer "
+                        "{}: give 'layers: auto'",
+                        words, drum, *d.filled, d.layer));
+}
+
 void DriveUses::take(const machine::Model& m, const solve::EquilibriumResult& state, const std::string& words) {
   std::vector<Check> made;
   for (const auto& d : solve::drives(m, state)) check_drive(m, d, made);
@@ -160,6 +170,7 @@ void DriveUses::take(const machine::Model& m, const solve::EquilibriumResult& st
   for (const auto& d : ends) {
     check_rest_of_rope(m, d, made);
     keep_turns(m, d, words);
+    keep_layer(m, d, words);
   }
   keep(std::move(made), words);
 }
@@ -171,7 +182,10 @@ void DriveUses::take_moment(const machine::Model& m, const solve::TransientFrame
   if (drums.empty()) return;
   std::vector<Check> made;
   check_capacities(m, drums, made);
-  for (const auto& d : drums) keep_turns(m, d, when);
+  for (const auto& d : drums) {
+    keep_turns(m, d, when);
+    keep_layer(m, d, when);
+  }
   keep(std::move(made), when);
 }
 
@@ -224,6 +238,7 @@ void DriveUses::add_checks(Result& r) const {
   for (const auto& [name, slip] : slips_) warn_unsafe(r, slip.words);
   for (const auto& [drum, words] : unbraked_) warn_unsafe(r, words);
   for (const auto& [cylinder, words] : yielding_) warn_unsafe(r, words);
+  for (const auto& [drum, words] : layers_) warn_unsafe(r, words);
   const RuleLimit least = rule_limit("layout.turns_left", false);
   for (const auto& [drum, turns] : turns_) {
     if (turns.left >= least.value) continue;

@@ -29,6 +29,7 @@ class DriveUses {
  private:
   void keep(std::vector<Check> made, const std::string& words);
   void keep_turns(const machine::Model& model, const solve::DrumResult& drum, const std::string& words);
+  void keep_layer(const machine::Model& m, const solve::DrumResult& d, const std::string& words);
 
   std::map<std::string, Check> worst_;
   struct Slip {
@@ -39,6 +40,7 @@ class DriveUses {
   std::map<std::string, std::string> unbraked_;         // drums whose brake slips, or that turn on when a motion ends
   std::map<std::string, std::string> unloaded_brakes_;  // drums that turn in a state: where
   bool moves_ = false;                                  // a motion has been seen
+  std::map<std::string, std::string> layers_;           // drums with more layers than they are calculated with
   std::map<std::string, std::string> yielding_;         // cylinders at their force limit
   struct Turns {
     double left = 0;

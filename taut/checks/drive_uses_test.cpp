@@ -328,4 +328,26 @@ analyses: [)" + analyses + "]\n"))
   EXPECT_EQ(to_text(judged("equilibrium: {}, equilibrium: {name: up, motion: hoist}").kind), "fails");
 }
 
+// The brake of a drum in its third layer has more to hold than in the first one, with which the machine is calculated.
+TEST(DriveUses, ALayerThatTheRopePassesIsUnsafe) {
+  const auto run = [](const std::string& layers) {
+    return run_text(R"(taut: 1
+machine:
+  ropes: {w: {diameter: 20 mm, mass: 0 kg/m, stiffness: 20 MN, breaking_force: 300 kN}}
+  sheaves: {s1: {at: [0 m, 0 m, 10 m], diameter: 800 mm}}
+  bodies: {load: {mass: 4 t, at: [0.4 m, 0 m, 2 m], free: [x, z]}}
+  drums: {winch: {at: [-10 m, 0 m, 0 m], core_diameter: 400 mm, face_width: 400 mm, flange_diameter: 700 mm,
+    length_on_drum: 79 m, brake_torque: 9 kN m, inertia: 10 kg m^2)" +
+                    layers + R"(}}
+  reevings: [{rope: w, path: [{drum: winch}, {over: s1}, {anchor: load}], length: 20 m}]
+checks: {ropes: {w: {safety_factor: 3}}}
+)");
+  };
+  const Result first = run("");
+  ASSERT_EQ(first.unsafe.size(), 1U) << first.message << to_text(first.errors);
+  EXPECT_NE(first.unsafe[0].find("reaches layer 3"), std::string::npos) << first.unsafe[0];
+  EXPECT_TRUE(run(", layers: auto").unsafe.empty());
+  EXPECT_EQ(to_text(verdict_of(run(", layers: auto"))->kind), "fails");  // 39.2 kN x 0.25 m over 9 kN m
+}
+
 }  // namespace taut::drive_uses_test

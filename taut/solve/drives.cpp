@@ -164,6 +164,7 @@ DrumResult at_drum(const machine::Model& model, int reeving, bool at_end, double
     const double stretch = 1 + drum.wound_at.value_or(0) / rope.stiffness;
     if (d.length && *d.length >= 0) {
       const rope::OnDrum on = rope::on_drum(measures, *d.length * stretch);
+      d.filled = on.layer;
       if (drum.automatic_layers) d.layer = on.layer;
       d.wraps = (on.layer - 1) * rope::turns_per_layer(measures) + on.turns;
     }

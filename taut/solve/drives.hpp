@@ -45,6 +45,7 @@ struct DrumResult {
   int sense = 1;        ///< in which it is wound: 1 as the first rope of the drum, -1 the other way
   double pull = 0;      ///< tension of one copy where the rope leaves it, N
   int layer = 1;
+  std::optional<int> filled;              ///< the layer that its length reaches, whatever `layer` is
   double radius = 0;                      ///< m
   double torque = 0;                      ///< of all copies, N m
   std::optional<double> length;           ///< on the drum, unstretched, m; negative: the rope does not reach

@@ -6,6 +6,7 @@
 #include <numbers>
 #include <vector>
 
+#include "taut/units/jet.hpp"
 #include "taut/units/unit.hpp"
 
 /// Kinks and extremes of formulas, however narrow.
