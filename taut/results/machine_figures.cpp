@@ -12,6 +12,7 @@
 #include <set>
 
 #include "taut/calc/none.hpp"
+#include "taut/checks/check_state.hpp"
 #include "taut/results/answers/line_profile.hpp"
 #include "taut/results/described_state.hpp"
 #include "taut/results/machine_beams.hpp"
@@ -557,9 +558,13 @@ void add_figures(MachineRun& run, Result& r) {
     return;
   }
   const Answer& drawn = deciding(all);
-  const bool is_equilibrium = std::any_of(run.equilibria.begin(), run.equilibria.end(),
-                                          [&](const auto& one) { return &one.result == drawn.result; });
-  const std::string words = (is_equilibrium ? "Equilibrium, " : "") + drawn.words;
+  const auto at_rest = std::find_if(run.equilibria.begin(), run.equilibria.end(),
+                                    [&](const auto& one) { return &one.result == drawn.result; });
+  std::string words = drawn.words;
+  if (at_rest != run.equilibria.end()) {
+    const bool alone = run.equilibria.size() == 1 && at_rest->ending.empty();
+    words = "Equilibrium, " + (alone ? words : checks::analysis_words(at_rest->ending, "equilibrium") + ", " + words);
+  }
   add_drawings(*drawn.model, *drawn.result, line_of(run),
                text_of_answer(all.size() == 1 ? words : "The state that strains its ropes most: " + words), r);
   run.key_figure.offer(Pictured::machine, "machine");

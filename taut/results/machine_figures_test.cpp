@@ -37,7 +37,7 @@ TEST(MachineFigures, ANumberIsTheWholeForce) {
   const Result r = run_text(R"(taut: 1
 machine:
   points: {low: [0 m, 0 m, 0 m], high: [30 m, 40 m, 120 m]}
-  ropes: {guy: {stiffness: 10 MN, breaking_force: 100 kN}}
+  ropes: {guy: {mass: 0 kg/m, stiffness: 10 MN, breaking_force: 100 kN}}
   reevings: [{rope: guy, path: [{anchor: low}, {anchor: high}], tension_at_start: 13 kN}]
 )");
   const ForceArrow side = arrow(drawing(r, "machine"), "F low"), above = arrow(drawing(r, "plan"), "F low");

@@ -1,6 +1,7 @@
 #include "taut/checks/rope/lasting_tension.hpp"
 
 #include <algorithm>
+#include <iterator>
 
 namespace taut::checks {
 
@@ -19,6 +20,12 @@ void LastingTension::take(double t, double T, long steps) {
   if (all_.front().t > t - lasts || rising_.front().T <= largest_) return;
   largest_ = rising_.front().T;
   when_ = t;
+}
+
+double LastingTension::before_end() const {
+  if (all_.empty()) return 0;
+  const auto later = std::find_if(all_.begin(), all_.end(), [&](const Moment& m) { return m.t > last_moment() - gap; });
+  return later == all_.begin() ? later->T : std::prev(later)->T;
 }
 
 double LastingTension::at_end() const {

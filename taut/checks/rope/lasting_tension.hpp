@@ -20,6 +20,8 @@ class LastingTension {
   /// of a motion that has come to rest its tension there. Of a shorter motion the mean of all of it.
   double at_end() const;
   double last_moment() const { return all_.empty() ? 0 : all_.back().t; }  ///< s
+  /// Tension `gap` before the last moment, or at the first one, N.
+  double before_end() const;
 
  private:
   struct Moment {

@@ -17,6 +17,8 @@
 namespace taut::checks {
 namespace {
 
+constexpr double still_grows = 0.01;  ///< in LastingTension::gap: what is less comes to rest
+
 double largest(const solve::ContactResult& c) { return std::max({c.T_in, c.T_out, c.T_in_max, c.T_out_max}); }
 
 rope::BendKind kind_of(const machine::Node& node) {
@@ -185,7 +187,8 @@ void RopeUses::take_motion(int reeving, const solve::RopeExtreme& extreme, bool 
   at_rest(lasting.largest(),
           fmt::format("{}, for {:g} s until t = {:.4g} s", words, LastingTension::lasts, lasting.when()));
   use.last = std::max(use.last, lasting.at_end());
-  if (T.t_max >= lasting.last_moment() && rope::goes_beyond_rest(T.max, use.tension)) {
+  const bool grows = T.t_max >= lasting.last_moment() && T.max > (1 + still_grows) * lasting.before_end();
+  if (grows && rope::goes_beyond_rest(T.max, use.tension)) {
     growing_.push_back(fmt::format(
         "{}: the tension of {} is largest where the motion ends, {:.4g} kN at t = {:.4g} s: its peak may lie "
         "behind the end; give a longer 'duration'",
