@@ -183,6 +183,42 @@ TEST(DesignUnknowns, load_cases_all_pass) {
   }
 }
 
+/// A clamped carriage with logs in the middle of a line that is put up, by the key `install`; 300 kN.
+std::string put_up_line(const std::string& install, const std::string& more) {
+  return R"(taut: 1
+machine:
+  temperature: 15 degC
+  points: {A: [0 m, 0 m, 60 m], B: [200 m, 0 m, 80 m]}
+  ropes: {sky: {mass: 1.7 kg/m, stiffness: 20 MN, breaking_force: 300 kN, diameter: 20 mm, reference_temperature: 15 degC}}
+  carriages: {car: {mass: 300 kg, rides: sky, hold: clamped, length_before: 100 m}}
+  reevings: [{rope: sky, path: [{anchor: A}, {through: car}, {anchor: B}], )" +
+         install + R"(}]
+  loads: [{at: car, mass: 0.5 t, name: logs}]
+analyses: [equilibrium: {}]
+checks: {ropes: {sky: {safety_factor: 1.1}}, confirmed: [elastic_limit]}
+)" + more;
+}
+
+// The line is put up with its logs of 0.5 t at 15 degC. The cases have the length of that day.
+TEST(DesignUnknowns, cases_keep_the_length_of_a_line) {
+  const std::string install = "install: {tension: 60 kN, at: start, with: [car, logs]}";
+  const std::string design = R"(design:
+  seek: lightest
+  unknowns: {m: {parameter: carriages.car.mass, from: 299.999 kg, to: 300 kg, start: 300 kg}}
+  cases: {heavy: {loads.logs.mass: 5 t}, cold: {temperature: -20 degC}}
+)";
+  const Result r = run_text(put_up_line(install, design));
+  ASSERT_EQ(r.status, Status::ok) << r.message << to_text(r.errors);
+  const double cut = value_of(run_text(put_up_line(install, {})), "sky.unstretched");
+  const std::string length = fmt::format("length: {:.17g} m", cut);
+  const auto factor = [&](const std::string& set) {
+    return value_of(run_text(put_up_line(length, {}), {set}), "sky.safety_factor");
+  };
+  EXPECT_NEAR(check_of(r, "sky.safety_factor [heavy]").value / factor("machine.loads.logs.mass=5 t"), 1, 1e-4);
+  EXPECT_NEAR(check_of(r, "sky.safety_factor [cold]").value / factor("machine.temperature=-20 degC"), 1, 1e-4);
+  EXPECT_LT(check_of(r, "sky.safety_factor [cold]").value, 4.99) << "5 as it is put up";
+}
+
 TEST(DesignUnknowns, mistakes) {
   const auto design = [](const std::string& words) {
     return run_text(saw(saw_rope, "1 t", "design: {" + words + "}"));

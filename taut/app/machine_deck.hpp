@@ -1,5 +1,6 @@
 #pragma once
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -30,7 +31,10 @@ struct MachineDeck {
   std::optional<CalibrateRequest> calibrate;
   checks::AskedChecks asked;                         ///< not of the deck: what its checks name
   std::map<std::string, catalogue::RopeRow> chosen;  ///< not of the deck: rows of the ropes that a design has put in
-  Display display;                                   ///< not of the deck's machine: units for the sentences of a result
+  /// Not of the deck: the machine on which its lines and guys are put up, where this deck is a load case of another
+  /// one. Empty: its own.
+  std::shared_ptr<const machine::Machine> put_up_on;
+  Display display;  ///< not of the deck's machine: units for the sentences of a result
   static const Description& describe();
 
   /// What its checks see of it; it outlives that.

@@ -138,6 +138,24 @@ Result solve_more(const std::vector<study::Asked>& asked, results::MachineRun& r
   return more;
 }
 
+/// Guys and lines. In a load case they have the lengths of the machine that they were put up on.
+Outcome put_up(const MachineDeck& deck, machine::Model& model, std::vector<study::PutUpLine>& lines) {
+  const machine::Machine& machine = deck.put_up_on ? *deck.put_up_on : deck.machine;
+  machine::Model other;
+  if (deck.put_up_on) {
+    auto compiled = machine::compile(machine, machine::ModelFor::rest);
+    if (!compiled) return infeasible(compiled.error().front().message);
+    other = std::move(*compiled);
+  }
+  machine::Model& built = deck.put_up_on ? other : model;
+  if (Outcome outcome = study::install_guys(machine, built); !outcome.ok()) return outcome;
+  if (Outcome outcome = study::put_up_lines(built, lines); !outcome.ok()) return outcome;
+  if (!deck.put_up_on) return {};
+  study::keep_guys(machine, built, model);
+  study::keep_lines(built, model);
+  return {};
+}
+
 /// All that was asked, as deep as wanted. `run`: what it rests on, for whoever goes on from there.
 Result compute(const MachineDeck& deck, machine::Model model, study::AskedAll asked, RunDepth depth,
                const std::function<bool(const Progress&)>& progress, results::MachineRun& run) {
@@ -159,8 +177,7 @@ Result compute(const MachineDeck& deck, machine::Model model, study::AskedAll as
   results::add_rope_stiffness(deck.machine, r);
   for (std::string& text : terrain_warnings(deck.machine, run.model)) r.warnings.push_back(std::move(text));
   std::vector<study::PutUpLine> lines;
-  study::note_failure(r, study::install_guys(deck.machine, run.model), "installation");
-  if (r.status == Status::ok) study::note_failure(r, study::put_up_lines(run.model, lines), "installation");
+  study::note_failure(r, put_up(deck, run.model, lines), "installation");
   if (r.status != Status::ok) {
     if (report) results::add_described_figures(run, "no equilibrium was found", r);
     return r;
@@ -169,6 +186,10 @@ Result compute(const MachineDeck& deck, machine::Model model, study::AskedAll as
     r.warnings.push_back(std::move(text));
   solve_states(deck, run, r);
   if (run.judges || !asked.more.empty()) run.checked = std::make_shared<checks::CheckedParts>(deck, run.model);
+  for (const study::Asked& one : asked.more) {
+    const auto* payload = std::get_if<study::PayloadRun>(&one.question);
+    if (payload != nullptr && one.judged) run.checked->payloads.add(*payload, run.model);
+  }
   if (run.judges) {
     results::show_put_up(run.model, lines, *run.checked);
     results::show_answers(run, *run.checked);
@@ -193,6 +214,7 @@ Result compute(const MachineDeck& deck, machine::Model model, study::AskedAll as
     r.key_figure = run.key_figure.name;
   }
   results::append(more, r);
+  if (run.checked) run.checked->payloads.add_checks(r);
   if (report) {
     for (std::string& words : absurd_answers(results::answers_of(run))) r.warnings.push_back(std::move(words));
   }

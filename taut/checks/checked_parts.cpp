@@ -48,6 +48,7 @@ void CheckedParts::take(const machine::Model& model, const solve::EquilibriumRes
   judge.take(model, state, words);
   ropes.take(model, state, words);
   drives.take(model, state, words);
+  payloads.take(model, state, words);
   if (guys.empty() && !any_shown()) return;
   const CheckState seen = state_of(model, state, words, analysis);
   for (GuyStates& one : guys) checks::take(seen, one);
@@ -59,6 +60,7 @@ void CheckedParts::take_empty(const machine::Model& model, const solve::Equilibr
   if (!judged) return;
   put_up ? judge.take_ropes(model, state, words) : judge.take_empty(model, state, words);
   ropes.take_empty(model, state, words);
+  payloads.take_ropes(model, state, words);
   const auto show_as = [&](auto& one, const CheckState& seen) {  // by its place among the ropes of that model
     const int own = one.reeving;
     const auto rope = std::find_if(model.reevings.begin(), model.reevings.end(),
@@ -136,6 +138,7 @@ void CheckedParts::take(const machine::Model& model, const solve::TransientResul
   judge.take(model, motion, words);
   if (motion.frames.empty()) return;
   drives.take(model, motion, words);
+  payloads.take(model, motion, words, slowly);
   for (std::size_t i = 0; i < motion.ropes.size(); ++i) {
     const solve::RopeExtreme& e = motion.ropes[i];
     ropes.take_motion(static_cast<int>(i), e, slowly, words);

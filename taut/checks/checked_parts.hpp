@@ -8,6 +8,7 @@
 #include "taut/checks/drive_uses.hpp"
 #include "taut/checks/guy/guy_checks.hpp"
 #include "taut/checks/judge.hpp"
+#include "taut/checks/limits_of_payloads.hpp"
 #include "taut/checks/mast/machine_masts.hpp"
 #include "taut/checks/rope/rope_uses.hpp"
 #include "taut/checks/yarder/carriage_checks.hpp"
@@ -58,6 +59,7 @@ struct CheckedParts {
   Judge judge;
   RopeUses ropes;
   DriveUses drives;
+  LimitsOfPayloads payloads;
   std::vector<GuyStates> guys;
   std::vector<AnchorStates> anchors;
   std::vector<LineStates> lines;

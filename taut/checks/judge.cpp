@@ -93,6 +93,13 @@ void pass_on_own_limit(std::vector<Check>& checks) {
   }
 }
 
+/// Whether the deck asks for the clearance of a rope: then its check tells where it is not known.
+bool asks_clearance(const std::optional<ChecksRequest>& checks, const std::string& rope) {
+  return checks && std::any_of(checks->lines.begin(), checks->lines.end(), [&](const LineCheckRequest& one) {
+           return one.name == rope && (one.clearance || one.least_clearance);
+         });
+}
+
 /// The names of what holds ropes in the ground, each once.
 std::vector<std::string> anchors_in_ground(const machine::Model& m) {
   std::vector<std::string> anchors;
@@ -138,12 +145,28 @@ void Judge::take_height(const std::string& part, const std::string& words, doubl
   if (height < worst.value) worst = {.value = height, .x = x, .part = words, .where = where};
 }
 
+void Judge::take_carriage(const machine::Model& m, const machine::Carriage& car, const Vector3& place,
+                          const std::string& where) {
+  const double x = terrain_x(m, place), ground = study::ground_height(m.terrain, x);
+  take_height(car.name, "carriage " + car.name, place.z() - ground, x, where, carriages_);
+  if (!std::isnan(ground)) return;
+  Beyond& beyond = beyond_[car.name];
+  beyond.low = std::min(beyond.low, x);
+  beyond.high = std::max(beyond.high, x);
+}
+
+void Judge::take_gap(const std::string& rope, const study::TerrainGap& gap) {
+  study::TerrainGap& worst = gaps_[rope];
+  if (gap.missing() > worst.missing()) worst = gap;
+}
+
 void Judge::take_heights(const machine::Model& m, const solve::EquilibriumResult& e, const std::string& words) {
   if (m.terrain.empty()) return;
   for (const machine::Carriage& car : m.carriages) {
-    const Vector3& p = e.state.bodies[car.body].position;
-    const double x = terrain_x(m, p);
-    take_height(car.name, "carriage " + car.name, p.z() - study::ground_height(m.terrain, x), x, words, carriages_);
+    take_carriage(m, car, e.state.bodies[car.body].position, words);
+  }
+  for (std::size_t i = 0; i < m.reevings.size(); ++i) {
+    take_gap(m.reevings[i].name, study::terrain_gap(m, e.branches, static_cast<int>(i)));
   }
   for (const solve::BranchResult& branch : e.branches) {
     const study::RopeClearance own = study::rope_clearance(m, branch);
@@ -398,9 +421,7 @@ void Judge::take_moment(const machine::Model& m, const solve::TransientResult& s
   if (m.terrain.empty()) return;
   for (const machine::Carriage& car : m.carriages) {
     if (broken_.contains(m.reevings[car.reeving].name)) continue;
-    const Vector3& p = moment.bodies[car.body].position;
-    const double x = terrain_x(m, p);
-    take_height(car.name, "carriage " + car.name, p.z() - study::ground_height(m.terrain, x), x, when, carriages_);
+    take_carriage(m, car, moment.bodies[car.body].position, when);
   }
   if (moment.t <= so_far.frames.front().t) warn_of_buried(m, words);
   for (const solve::TransientFrame::Branch& branch : moment.branches) {
@@ -411,6 +432,9 @@ void Judge::take_moment(const machine::Model& m, const solve::TransientResult& s
   for (const FreeRope& one : free) {
     const machine::Reeving& rope = m.reevings[one.reeving];
     if (broken_.contains(rope.name)) continue;
+    const auto by_x = [&](const Vector3& a, const Vector3& b) { return terrain_x(m, a) < terrain_x(m, b); };
+    const auto [low, high] = std::minmax_element(one.places.begin(), one.places.end(), by_x);
+    take_gap(rope.name, study::terrain_gap(m, terrain_x(m, *low), terrain_x(m, *high)));
     const study::RopeClearance own = clearance_of(m, one);
     const std::string part =
         fmt::format("{} between {} and {}", rope.name, rope.nodes[one.from].name, rope.nodes[one.to].name);
@@ -520,9 +544,28 @@ void Judge::add_heights(Result& r) const {
   add(rope_heights_, "rope_clearance_min");
 }
 
+/// A guy goes to the ground beside its mast, and a rope may well lie in it near its anchor.
+void Judge::add_gaps(Result& r) const {
+  constexpr double to_anchor = 6;  // m
+  for (const auto& [car, beyond] : beyond_) {
+    warn_unsafe(r, fmt::format("{} stands at x = {:.4g} m{} without terrain below it: its height is not judged there; "
+                               "give the ground under all of its way",
+                               car, beyond.low,
+                               beyond.high > beyond.low ? fmt::format(" to {:.4g} m", beyond.high) : std::string{}));
+  }
+  for (std::size_t i = 0; i < deck_->machine.reevings.size(); ++i) {
+    const std::string& rope = model_->reevings[i].name;
+    const auto found = gaps_.find(rope);
+    if (found == gaps_.end() || asks_clearance(deck_->checks, rope)) continue;
+    const study::TerrainGap& gap = found->second;
+    if (std::max(gap.before, gap.after) > to_anchor) warn_unsafe(r, gap_words(rope, gap));
+  }
+}
+
 void Judge::add_values(Result& r) const {
   add_tensions(r);
   add_heights(r);
+  add_gaps(r);
   for (const Warned& one : warned_) {
     if (one.unsafe) {
       warn_unsafe(r, one.text);

@@ -14,6 +14,7 @@
 #include "taut/checks/two_blocked.hpp"
 #include "taut/solve/equilibrium.hpp"
 #include "taut/solve/motion/transient.hpp"
+#include "taut/study/line/rope_clearance.hpp"
 
 namespace taut::checks {
 
@@ -113,6 +114,10 @@ class Judge {
     double x = 0;                                            ///< along the terrain, m
     std::string part, where;                                 ///< "skyline between head and car", "load path, x = 12 m"
   };
+  /// Where a carriage has stood without terrain below it, m along the terrain.
+  struct Beyond {
+    double low = std::numeric_limits<double>::infinity(), high = -low;
+  };
   struct Warned {
     std::string text;
     bool unsafe = false;
@@ -124,6 +129,10 @@ class Judge {
   void take_height(const std::string& part, const std::string& words, double height, double x, const std::string& where,
                    std::map<std::string, Height>& all);
   void take_heights(const machine::Model& model, const solve::EquilibriumResult& state, const std::string& words);
+  void take_carriage(const machine::Model& model, const machine::Carriage& car, const Vector3& place,
+                     const std::string& where);
+  void take_gap(const std::string& rope, const study::TerrainGap& gap);
+  void add_gaps(Result& r) const;
   void warn_of_buried(const machine::Model& model, const std::string& words);
   void take_beams(const solve::EquilibriumResult& state, const std::string& words);
   /// `once`: what it is of, whatever the state; of several states the one with the largest `size`, else the first.
@@ -150,6 +159,8 @@ class Judge {
   std::map<std::string, RopeWorst> ropes_;  ///< by the name of a reeving or guy
   std::map<std::string, Height> carriages_, rope_heights_;
   std::set<std::string> slack_over_ground_;  ///< ropes that were slack over terrain: how low they hang is not known
+  std::map<std::string, Beyond> beyond_;           ///< carriages
+  std::map<std::string, study::TerrainGap> gaps_;  ///< of ropes, the largest of one state
   std::vector<BeamWorst> beams_;
   OffGroove off_groove_;
   TwoBlocked two_blocked_;

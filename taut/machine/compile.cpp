@@ -151,14 +151,12 @@ class Compiler {
   }
 
   void check_axes() {
-    const auto check = [&](const char* list, const auto& all) {
-      for (const auto& one : all) {
-        if (vector_of(one.axis).norm() == 0) complain(fmt::format("{}.{}.axis", list, one.name), "the axis is zero");
-      }
+    const auto check = [&](const char* list, const std::string& name, const Triple& axis) {
+      if (vector_of(axis).norm() == 0) complain(fmt::format("{}.{}.axis", list, name), "the axis is zero");
     };
-    check("sheaves", machine_.sheaves);
-    check("supports", machine_.supports);
-    check("drums", machine_.drums);
+    for (const auto& one : machine_.sheaves) check("sheaves", one.name, one.axis.value_or(Triple{0, 1, 0}));
+    for (const auto& one : machine_.supports) check("supports", one.name, one.axis.value_or(Triple{0, 1, 0}));
+    for (const auto& one : machine_.drums) check("drums", one.name, one.axis);
   }
 
   const RopeData* rope(const std::string& name, const std::string& path) {
@@ -240,6 +238,7 @@ class Compiler {
       const DeckPlace rope = is_guy ? DeckPlace(list, model_.reevings[r].name) : DeckPlace(list, r);
       const DeckPlace path = is_guy ? rope : DeckPlace(rope, "path");
       if (!check_apart(stops, places, closed, path, complaints_) || !complaints_.empty()) continue;
+      set_axes(stops, places, closed);
       set_sides(stops, places, closed);
       model_.reevings[r].guides = guides_of(stops, places, static_cast<int>(machine_.bodies.size()), complaints_);
       check_room(model_, stops, closed, path, complaints_);

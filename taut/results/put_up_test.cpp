@@ -145,6 +145,30 @@ TEST(PutUp, IsDoneAnewForEveryValueOfASweep) {
   }
 }
 
+// The line hangs with 0.5 t as it is put up, and with 5 t in the last state: the deck of that length.
+TEST(PutUp, IsKeptWhileLoadsChange) {
+  const std::string rest = "  - equilibrium: {motion: at_rest}";
+  const auto deck = [&](const std::string& analysis) {
+    return replaced(put_up_deck("{tension: 60 kN, with: [car, logs]}", analysis), "{at: car, mass: 0 kg}",
+                    "{name: logs, at: car, mass: 500 kg}");
+  };
+  const Result once = run_text(deck(rest));
+  expect_ok(once);
+  const std::string length = fmt::format("length: {:.17g} m", value_of(once, "skyline.unstretched"));
+  const Result swept = run_text(
+      deck("  - sweep: {parameter: loads.logs.mass, from: 500 kg, to: 2000 kg, steps: 3, carriage: car, x: 170 m}"));
+  expect_ok(swept);
+  const Table& t = table_of(swept, "sweep");
+  for (std::size_t i = 0; i < 4; ++i) {
+    const Result alone = run_text(replaced(
+        replaced(skyline_deck("  - equilibrium: {carriage: car, x: 170 m, motion: at_rest}"), "length: 382 m", length),
+        "{at: car, mass: 0 kg}", fmt::format("{{name: logs, at: car, mass: {} kg}}", 500 + 500 * i)));
+    expect_ok(alone);
+    EXPECT_NEAR(cell(t, i, "skyline.unstretched"), value_of(once, "skyline.unstretched"), 1e-9);
+    EXPECT_NEAR(cell(t, i, "skyline.T_max") / value_of(alone, "skyline.T_max"), 1, 1e-7);
+  }
+}
+
 TEST(PutUp, ALineThatBreaksWhileItIsPutUpFails) {
   const Result r = run_text(put_up_deck("{tension: 300 kN}", at_rest));
   expect_ok(r);

@@ -9,6 +9,8 @@
 #include "taut/base/array.hpp"
 #include "taut/base/expects.hpp"
 #include "taut/base/number.hpp"
+#include "taut/machine/compile/carriage_span.hpp"
+#include "taut/machine/compile/guides.hpp"
 
 namespace taut::study {
 
@@ -80,6 +82,13 @@ std::optional<machine::State> ahead(const Array<LoadPathPoint>& points) {
 
 }  // namespace
 
+machine::Model standing_at(const machine::Model& model, const LoadPathOptions& options, double x) {
+  machine::Model there = machine::with_carriage_at(model, options.carriage, x, options.along);
+  const bool same_span = there.carriages[options.carriage].node == model.carriages[options.carriage].node &&
+                         machine::same_guides(there, model);
+  return same_span ? there : model;
+}
+
 double Way::x(int i) const { return step_between(from, to, i, steps); }
 
 LoadPath load_path(const machine::Model& model, const LoadPathOptions& options) {
@@ -94,12 +103,17 @@ LoadPath load_path(const machine::Model& model, const LoadPathOptions& options) 
     if (options.go_on && !options.go_on(point.x)) break;
     solve::EquilibriumOptions here = options.equilibrium;
     here.prescribed = machine::Prescribed{.carriage = options.carriage, .x = point.x, .along = options.along};
+    const std::optional<machine::State> start = ahead(path.points);
+    // without a state before it a place does not begin from the first one
+    const bool alone = !start && i > 0;
     if (options.condition) {
-      solve::Conditioned found = solve::equilibrium_under(varied, *options.condition, here, ahead(path.points));
+      if (alone) varied = standing_at(varied, options, point.x);
+      solve::Conditioned found = solve::equilibrium_under(varied, *options.condition, here, start);
       point.at = std::move(found.result);
       if (point.at.outcome.ok()) varied = std::move(found.model);
     } else {
-      point.at = solve::equilibrium(model, here, ahead(path.points));
+      point.at = alone ? solve::equilibrium(standing_at(model, options, point.x), here)
+                       : solve::equilibrium(model, here, start);
     }
     if (point.at.outcome.ok()) {
       const Vector3& place = point.at.state.bodies[carriage.body].position;

@@ -47,6 +47,9 @@ struct LoadPath {
   Array<LoadPathPoint> points;  ///< [position]; fewer where `go_on` ended it
 };
 
+/// The model with the carriage of a load path put at x, where that is in the span of the model's path; else the model.
+machine::Model standing_at(const machine::Model& model, const LoadPathOptions& options, double x);
+
 /// The equilibria along a load path. Each search starts from an extrapolation of the positions before it. A position
 /// without equilibrium stays in the list with its outcome. Throws ContractViolation for steps < 1.
 LoadPath load_path(const machine::Model& model, const LoadPathOptions& options);

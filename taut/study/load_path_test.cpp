@@ -55,6 +55,19 @@ TEST(LoadPath, EveryPositionIsTheEquilibriumThere) {
   }
 }
 
+// Where the place before had no answer, a search begins with the carriage at its own place.
+TEST(LoadPath, APlaceWithoutOneBeforeItBeginsWhereItIs) {
+  const machine::Model m = with_carriage(false);
+  LoadPathOptions options;
+  options.from = 95;
+  options.to = 195;
+  const machine::Model there = standing_at(m, options, 170);
+  EXPECT_NEAR(there.bodies[0].position.x(), 170, 1e-9);
+  EXPECT_EQ(there.carriages[0].node, m.carriages[0].node);
+  const machine::Model outside = standing_at(m, options, 1e4);
+  EXPECT_EQ(outside.bodies[0].position, m.bodies[0].position) << "in no span";
+}
+
 TEST(LoadPath, SameThereAndBack) {
   LoadPathOptions there;
   there.from = 95;

@@ -262,6 +262,7 @@ Array<PayloadPoint> payload_path(const machine::Model& model, const PayloadLimit
   expects(options.steps >= 1, "a load path has a step");
   const machine::Carriage& carriage = model.carriages.at(as_size(options.carriage));
   Array<PayloadPoint> points;
+  machine::Model there;
   std::optional<machine::State> start;
   double expected = 0;
   for (int i = 0; i <= options.steps; ++i) {
@@ -270,7 +271,9 @@ Array<PayloadPoint> payload_path(const machine::Model& model, const PayloadLimit
     if (options.go_on && !options.go_on(point.x)) break;
     solve::EquilibriumOptions here = options.equilibrium;
     here.prescribed = machine::Prescribed{.carriage = options.carriage, .x = point.x, .along = options.along};
-    point.payload = payload(model, carriage.body, limits, here, start, expected);
+    const bool alone = !start && i > 0;
+    if (alone) there = standing_at(model, options, point.x);
+    point.payload = payload(alone ? there : model, carriage.body, limits, here, start, expected);
     if (point.payload.at.outcome.ok()) {
       start = point.payload.unloaded;
       expected = point.payload.mass;

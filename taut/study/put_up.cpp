@@ -100,6 +100,22 @@ Outcome install_guys(const machine::Machine& machine, machine::Model& model) {
   return {};
 }
 
+void keep_guys(const machine::Machine& machine, const machine::Model& installed, machine::Model& model) {
+  for (std::size_t i = machine.reevings.size(); i < model.reevings.size(); ++i) {
+    model.reevings[i].given = installed.reevings[i].given;
+    model.reevings[i].value = installed.reevings[i].value;
+  }
+}
+
+void keep_lines(const machine::Model& installed, machine::Model& model) {
+  for (std::size_t i = 0; i < model.reevings.size(); ++i) {
+    machine::Reeving& rope = model.reevings[i];
+    if (!rope.put_up && rope.given != machine::Given::equal) continue;
+    rope.given = installed.reevings[i].given;
+    rope.value = installed.reevings[i].value;
+  }
+}
+
 std::string put_up_words(const machine::Model& model, const PutUpLine& line) {
   const machine::Reeving& rope = model.reevings[line.reeving];
   std::vector<std::string> with;

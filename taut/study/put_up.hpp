@@ -32,6 +32,12 @@ Outcome put_up_lines(machine::Model& model, std::vector<PutUpLine>& lines);
 /// then keeps its length.
 Outcome install_guys(const machine::Machine& machine, machine::Model& model);
 
+/// Gives the guys of a model the lengths that they have in another one of the same machine.
+void keep_guys(const machine::Machine& machine, const machine::Model& installed, machine::Model& model);
+
+/// The same of the ropes that are put up or drawn to equal tensions.
+void keep_lines(const machine::Model& installed, machine::Model& model);
+
 /// The state of a line as it is put up: "skyline as put up", or with what hangs on it meanwhile.
 std::string put_up_words(const machine::Model& model, const PutUpLine& line);
 

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "taut/machine/compile.hpp"
@@ -22,8 +23,7 @@ std::string below_machine(const std::string& parameter) {
 }
 
 /// Guys put up once keep their lengths while loads, ropes' lengths and the temperature change; where the machine is
-/// built otherwise they are put up anew. Lines that are put up (`install:`) are so at every value, as in a deck with
-/// that value; while the temperature changes they keep their lengths.
+/// built otherwise they are put up anew.
 bool changes_the_building(const Parameter& parameter) {
   const std::string below = below_machine(parameter.place);
   for (const char* kind : {"points", "sheaves", "supports", "guys", "ropes", "terrain", "gravity"}) {
@@ -58,18 +58,18 @@ tl::expected<machine::Model, Outcome> model_at(const SweepRun& run, const machin
   if (const Outcome outcome = put(*parameter, value); !outcome.ok()) return tl::unexpected(outcome);
   auto model = machine::compile(machine, machine::ModelFor::rest);
   if (!model) return tl::unexpected(infeasible(model.error().front().message));
-  const std::size_t guys = machine.reevings.size();
   if (changes_the_building(*parameter)) {
     const Outcome outcome = install_guys(machine, *model);
     if (!outcome.ok()) return tl::unexpected(outcome);
   } else {
-    for (std::size_t i = guys; i < model->reevings.size(); ++i) {
-      model->reevings[i].given = installed.reevings[i].given;
-      model->reevings[i].value = installed.reevings[i].value;
-    }
+    keep_guys(machine, installed, *model);
   }
   std::vector<PutUpLine> lines;
-  if (const Outcome outcome = put_up_lines(*model, lines); !outcome.ok()) return tl::unexpected(outcome);
+  if (puts_up_anew(*parameter)) {
+    if (const Outcome outcome = put_up_lines(*model, lines); !outcome.ok()) return tl::unexpected(outcome);
+  } else {
+    keep_lines(installed, *model);
+  }
   return placed(*model, run);
 }
 
@@ -98,6 +98,13 @@ void resolve_values(const SweepRequest& request, const std::string& path, Names&
 }
 
 }  // namespace
+
+bool puts_up_anew(const Parameter& parameter) {
+  const std::string below = below_machine(parameter.place);
+  if (changes_the_building(parameter) || below.find(".install") != std::string::npos) return true;
+  const auto kinds = {"loads", "rope_loads", "temperature", "reevings", "analyses"};
+  return std::none_of(kinds.begin(), kinds.end(), [&](const char* kind) { return below.starts_with(kind); });
+}
 
 const Description& SweepRequest::describe() {
   static const Description d =

@@ -5,6 +5,7 @@
 
 #include "taut/solve/continuation.hpp"
 #include "taut/study/deck/names.hpp"
+#include "taut/study/deck/parameter.hpp"
 #include "taut/study/deck/rope_motion.hpp"
 
 namespace taut::study {
@@ -41,11 +42,15 @@ struct SweepRun {
   solve::Sweep answer;
 };
 
+/// Whether lines and guys that are put up (`install:`, `tension_equals`) get other lengths by this number of the deck.
+/// They keep those that they have while loads, the lengths of other ropes and the temperature change.
+bool puts_up_anew(const Parameter& parameter);
+
 /// The request with its names resolved; complaints below `path`.
 SweepRun resolve(const SweepRequest& request, const std::string& path, Names& names);
 
-/// Fills `run.answer`. `model`: with its guys put up, which keep their lengths where the parameter does not change what
-/// they are built on.
+/// Fills `run.answer`. `model`: with its guys and lines put up, which keep their lengths where the parameter does not
+/// change what they are built on.
 void solve(const machine::Model& model, SweepRun& run, Watch& watch);
 
 }  // namespace taut::study

@@ -15,6 +15,7 @@
 #include "taut/io/deck/read.hpp"
 #include "taut/machine/compile.hpp"
 #include "taut/study/deck/temperature.hpp"
+#include "taut/study/sweep.hpp"
 
 namespace taut::app {
 namespace {
@@ -251,6 +252,16 @@ void add_rows(const MachineDeck& deck, Result& r) {
   }
 }
 
+/// What a load case changes before lines and guys are put up.
+design::DesignCase built_by(const design::DesignCase& load_case, const FindParameter& find) {
+  design::DesignCase built = load_case;
+  std::erase_if(built.settings, [&](const auto& setting) {
+    const auto found = find(setting.first);
+    return found && !study::puts_up_anew(*found);
+  });
+  return built;
+}
+
 /// What a search keeps from one calculation to the next.
 struct Memory {
   std::map<const design::DesignCase*, std::map<std::size_t, double>>
@@ -302,7 +313,11 @@ MachineDeck with_design(const MachineDeck& deck, const design::DesignSpace& spac
       if (from && to) to->set(from->value);
     }
   }
-  if (load_case != nullptr) put_case(*load_case, parameters_of(own));
+  if (load_case != nullptr) {
+    put_case(built_by(*load_case, parameters_of(own)), parameters_of(own));
+    own.put_up_on = std::make_shared<const machine::Machine>(own.machine);
+    put_case(*load_case, parameters_of(own));
+  }
   if (own.machine.temperature != deck.machine.temperature) {
     study::keep_references(own.machine, deck.machine.temperature);
   }

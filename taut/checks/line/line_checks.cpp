@@ -152,8 +152,9 @@ void check_clearance(const LineStates& line, Result& r) {
   }
   if (std::isnan(line.clearance.value)) {
     if (!slack.empty()) return;
-    r.unmade.push_back(
-        fmt::format("{}: its clearance is not checked: no state of the deck has it over the terrain", request.name));
+    r.unmade.push_back(fmt::format(
+        "{}: its clearance is not checked: in no state of the deck is a lowest place of it over the terrain",
+        request.name));
     r.warnings.push_back(r.unmade.back());
     return;
   }

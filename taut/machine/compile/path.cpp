@@ -50,7 +50,9 @@ Stop round_stop(const Machine& machine, const Target& target, Side side) {
   node.kind = NodeKind::contact;
   node.at = target.place;
   node.radius = round.diameter / 2;
-  node.axis = unit_axis(round.axis);
+  node.axis = round.axis ? unit_axis(*round.axis) : Vector3::UnitY();
+  // what several ropes drive turns about one axis
+  stop.axis_open = !round.axis && target.place.body == ground && !node.wheel;
   node.inertia = stop.saddle ? 0 : round.inertia.value_or(0);
   node.drag = round.drag;
   if (stop.saddle) {
@@ -196,7 +198,10 @@ class PathReader {
     if (other == nullptr) return;
     const bool between = !e.between.empty();
     const int turns = between && !is_over(path[i - 1], *name) ? e.parts : e.parts - 1;
-    for (int k = 0; k < turns; ++k) stops.push_back(round_stop(machine_, k % 2 == 0 ? *own : *other, e.side));
+    for (int k = 0; k < turns; ++k) {
+      stops.push_back(round_stop(machine_, k % 2 == 0 ? *own : *other, e.side));
+      stops.back().axis_open = false;  // its parts are parallel
+    }
   }
 
   const Machine& machine_;
@@ -205,6 +210,22 @@ class PathReader {
   const RopeData& rope_;
   std::vector<Complaint>& complaints_;
 };
+
+/// The horizontal axis of a round by the directions in plan to its neighbours: see set_axes.
+Vector3 axis_across(const Vector3& h, const Vector3& k) {
+  constexpr double much_longer = 2;
+  const double both = h.norm() * k.norm(), along = h.dot(k);
+  Vector3 way = along < 0 ? Vector3(h - k) : Vector3(h + k);
+  if (!(std::abs(along) >= M_SQRT1_2 * both) || both == 0) {
+    const Vector3 &longer = h.norm() > k.norm() ? h : k, &shorter = h.norm() > k.norm() ? k : h;
+    if (!(longer.norm() > much_longer * shorter.norm())) return Vector3::UnitY();
+    way = longer;
+  }
+  if (std::abs(way.y()) <= straight_bend * straight_bend * way.norm()) return Vector3::UnitY();
+  const Vector3 across = up().cross(way).normalized();
+  const bool turned = std::abs(across.y()) > straight_bend ? across.y() < 0 : across.x() > 0;
+  return turned ? Vector3(-across) : across;
+}
 
 /// +1 where the tangent point lies above the centre of a rope in direction `d`.
 int upper_side(const Vector3& d, const Vector3& axis) { return d.cross(axis).z() >= -straight_bend ? 1 : -1; }
@@ -333,6 +354,20 @@ Array<Stop> stops_of(const Machine& machine, const Links& links, const descripti
   }
   if (reeving.closed) begin_at_drive(reader.stops, path, complaints);
   return std::move(reader.stops);
+}
+
+void set_axes(Array<Stop>& stops, const Array<Vector3>& places, bool closed) {
+  const std::size_t count = stops.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    if (!stops[i].axis_open || (!closed && (i == 0 || i + 1 == count))) continue;
+    const Vector3& at = places[i];
+    const auto to = [&](std::size_t k) {
+      Vector3 direction = (places[k] - at).normalized();
+      direction.z() = 0;
+      return direction;
+    };
+    stops[i].node.axis = axis_across(to((i + count - 1) % count), to((i + 1) % count));
+  }
 }
 
 void set_sides(Array<Stop>& stops, const Array<Vector3>& places, bool closed) {

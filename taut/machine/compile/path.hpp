@@ -25,6 +25,7 @@ struct Stop {
   bool saddle = false;
   bool drives = false;     ///< has a motor
   bool by_torque = false;  ///< that has a given torque
+  bool axis_open = false;  ///< the deck does not say how its axis lies, and its path may
   std::optional<AheadOf> ahead_of = std::nullopt;
 };
 
@@ -33,6 +34,13 @@ struct Stop {
 /// the first part. Sides are not set. `rope`: lies on a drum half a diameter above the core.
 Array<Stop> stops_of(const Machine& machine, const Links& links, const description::Reeving& reeving,
                      const RopeData& rope, const std::string& path, std::vector<Complaint>& complaints);
+
+/// Lays the axes that the deck leaves open horizontally across the path in plan: by the directions of unit length from
+/// the round to its neighbours, whose parts in plan, h and k, are halved by h - k where the rope passes and by h + k
+/// where it turns back. Where it does neither (within 45 degrees of a right angle) the longer of the two counts if it
+/// is twice as long as the other one, as of the leg down a mast; else the axis stays [0, 1, 0]. Of the two senses it
+/// has that with y > 0, along y that with x < 0. `places`: as for set_sides, to be called before it.
+void set_axes(Array<Stop>& stops, const Array<Vector3>& places, bool closed);
 
 /// Sets the side of every round. As the deck says; else a saddle carries the rope on its upper side, a sheave lies on
 /// the inner side of the bend that the straight path makes there, a sheave that turns the rope back beside

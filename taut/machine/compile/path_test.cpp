@@ -3,6 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
 
 #include "taut/machine/compile.hpp"
 #include "test/support/complaints.hpp"
@@ -63,6 +66,85 @@ TEST(Sides, ASmallBendTurnsATackleWhereNothingElseDoes) {
       }
     }
   }
+}
+
+/// A line over a jack, turned about the vertical by an angle; its points and the jack in plan from their x alone.
+Machine turned_line(double angle, std::optional<Triple> axis = {}) {
+  Machine m = line();
+  const auto turn = [&](Triple& at) {
+    const double x = at[0];
+    at[0] = x * std::cos(angle);
+    at[1] = x * std::sin(angle);
+  };
+  for (auto& point : m.points) turn(point.at);
+  turn(m.supports[0].at);
+  turn(m.drums[0].at);
+  m.supports[0].diameter = 0.4;
+  m.supports[0].axis = axis;
+  return m;
+}
+
+Vector3 jack_axis(const Machine& m) {
+  const auto model = compile(m);
+  EXPECT_TRUE(model) << complaints_of(m);
+  for (const Node& node : model->reevings[0].nodes) {
+    if (node.name == "jack") return node.axis;
+  }
+  ADD_FAILURE() << "no jack";
+  return {};
+}
+
+TEST(Axes, LieAcrossThePathInPlan) {
+  EXPECT_EQ(jack_axis(turned_line(0)), Vector3::UnitY());
+  EXPECT_EQ(jack_axis(turned_line(std::numbers::pi)), Vector3::UnitY()) << "the same sense either way";
+  for (const double angle : {0.3, -0.3, 1.2, -1.2, 2.5, -2.9}) {
+    const Vector3 across = Vector3(-std::sin(angle), std::cos(angle), 0) * (std::cos(angle) < 0 ? -1 : 1);
+    EXPECT_NEAR((jack_axis(turned_line(angle)) - across).norm(), 0, 1e-12) << angle;
+    EXPECT_EQ(jack_axis(turned_line(angle, Triple{0, 1, 0})), Vector3::UnitY()) << "as the deck says";
+  }
+  for (const double angle : {std::numbers::pi / 2, -std::numbers::pi / 2}) {
+    EXPECT_NEAR((jack_axis(turned_line(angle)) + Vector3::UnitX()).norm(), 0, 1e-6) << angle;
+  }
+}
+
+// On a body the axis is the body's; one wheel of several ropes has one axis.
+TEST(Axes, ThatPathsDoNotSayAreY) {
+  Machine m = turned_line(0.3);
+  m.supports[0].one_wheel = true;
+  EXPECT_EQ(jack_axis(m), Vector3::UnitY());
+  m = turned_line(0.3);
+  description::Body mast;
+  mast.name = "mast";
+  m.bodies = {mast};
+  m.supports[0].body = "mast";
+  EXPECT_EQ(jack_axis(m), Vector3::UnitY());
+}
+
+// A tail block turns the rope back: it lies in the plane of both parts. At a right angle in plan nothing is said.
+TEST(Axes, OfABlockThatTurnsTheRope) {
+  const auto tail_axis = [](const Triple& first, const Triple& last) {
+    Machine m = line();
+    m.carriages.clear();
+    m.supports.clear();
+    m.drums.clear();
+    m.ropes.resize(1);
+    m.points = {{.name = "first", .body = {}, .at = first}, {.name = "last", .body = {}, .at = last}};
+    description::Round tail;
+    tail.name = "jack";
+    tail.at = {100, 100, 30};
+    tail.diameter = 0.4;
+    m.sheaves = {tail};
+    m.reevings.resize(1);
+    m.reevings[0].path = {anchor("first"), over("jack"), anchor("last")};
+    m.reevings[0].length = 300;
+    return jack_axis(m);
+  };
+  const Vector3 across = Vector3(-1, 1, 0).normalized();
+  EXPECT_NEAR((tail_axis({0, 0, 30}, {1, 1, 20}) - across).norm(), 0, 1e-9);
+  EXPECT_NEAR((tail_axis({200, 200, 30}, {199, 199, 20}) - across).norm(), 0, 1e-9);
+  EXPECT_EQ(tail_axis({0, 100, 30}, {100, 0, 30}), Vector3::UnitY()) << "a corner";
+  // down a mast the leg has no direction in plan
+  EXPECT_NEAR((tail_axis({0, 0, 30}, {100.5, 99.5, 0}) - across).norm(), 0, 1e-9);
 }
 
 }  // namespace taut::machine::path_test

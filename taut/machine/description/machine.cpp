@@ -140,7 +140,9 @@ const Description& Round::describe() {
                  "pitch diameter, to the centre of the rope; 0: a point")
           .at_most(farthest)
           .at_least(0)
-          .field(&Round::axis, "axis", "", si::one, "direction of its axis, in the frame of its body")
+          .field(&Round::axis, "axis", "", si::one,
+                 "direction of its axis, in the frame of its body; default: [0, 1, 0], on the ground across the line "
+                 "in plan")
           .choice(&Round::law, "law", {{"sheave", RoundLaw::sheave}, {"saddle", RoundLaw::saddle}},
                   "a sheave turns (default in sheaves), a saddle does not (default in supports)")
           .field(&Round::friction, "friction", "mu", si::one,

@@ -83,7 +83,7 @@ struct Round {
   std::optional<std::string> body;
   Triple at{};          ///< centre, m
   double diameter = 0;  ///< pitch, at the rope's centre, m; 0: a point
-  Triple axis{0, 1, 0};
+  std::optional<Triple> axis;
   RoundLaw law = RoundLaw::usual;
   std::optional<double> friction;  ///< rope on groove; a sheave without it does not slip
   double efficiency = 1;           ///< of a turning sheave

@@ -10,7 +10,6 @@
 #include "taut/calc/answers.hpp"
 #include "taut/calc/none.hpp"
 #include "taut/calc/quantity.hpp"
-#include "taut/catalogue/rule.hpp"
 #include "taut/checks/checked_parts.hpp"
 #include "taut/math/index.hpp"
 #include "taut/results/analyses/analyses.hpp"
@@ -168,34 +167,6 @@ Plot used_plot(const machine::Model& model, const study::PayloadRun& run) {
   return p;
 }
 
-/// Each rope with a limit of its tension, at its largest tension over all positions: against its rule, else against the
-/// limit itself.
-void add_limits(const machine::Model& model, const study::PayloadRun& run, Result& r) {
-  const auto add = [&](std::size_t reeving, double limit, std::string words, std::string trust) {
-    double T = 0;
-    for (const study::PayloadPosition& one : run.positions) {
-      if (one.answered()) T = std::max(T, one.point.payload.at.ropes[reeving].T_max);
-    }
-    const std::string& name = model.reevings[reeving].name;
-    r.checks.push_back(
-        make_check(fmt::format("{}.payload_T_max{}", name, run.ending), T, si::N,
-                   {.sense = Sense::at_most, .limit = limit, .rule = std::move(words), .trust = std::move(trust)}));
-    r.checks.back().part = name;
-  };
-  for (std::size_t i = 0; i < model.reevings.size(); ++i) {
-    const auto rule = std::find_if(run.rules.begin(), run.rules.end(),
-                                   [&](const study::PayloadRule& one) { return as_size(one.reeving) == i; });
-    if (rule != run.rules.end()) {
-      add(i, model.reevings[i].breaking_force / rule->factor,
-          fmt::format("{}: {}, {}; safety factor {:.4g} on the breaking force; {}", rule->row->id, rule->row->field,
-                      rule->row->item, rule->factor, rule->row->source),
-          rule->row->trust_text);
-    } else if (std::isfinite(run.limits.tension[i])) {
-      add(i, run.limits.tension[i], "limit of the payload: the load is the largest one within it", "user");
-    }
-  }
-}
-
 /// Where a rope has to be clear of the ground and hangs slack, without mass.
 void add_slack(const machine::Model& model, const study::PayloadRun& run, Result& r) {
   std::set<int> told;
@@ -338,7 +309,6 @@ void add_results(MachineRun& machine, const study::PayloadRun& run, Result& r) {
   const ValueKind& place = named(value_kinds(), "payload_min_x");
   r.values.push_back(make_value(place, "", run.ending, least.of_all->point.x, place.about.words));
   r.tables.push_back(payload_table(machine.model, run));
-  if (judged) add_limits(machine.model, run, r);
   if (judged) add_gaps(machine.model, run, r);
   if (judged) add_slack(machine.model, run, r);
   if (run.positions.size() > 1) {
@@ -358,7 +328,9 @@ void add_answer(const study::PayloadRun& asked, MachineRun& machine, Result& r) 
   study::PayloadRun run = asked;
   study::Watch watch(machine.progress, "payload" + run.ending, run.way.steps + 1);
   study::solve(machine.model, run, watch);
+  machine.checked->payloads.begin(run.ending);
   add_results(machine, run, r);
+  machine.checked->payloads.end();
   watch.note(r);
 }
 

@@ -157,6 +157,38 @@ TEST(PayloadAnalysis, ARuleIsALimitAndACheckWithItsTrust) {
   EXPECT_EQ(exit_code(run_text(payload_of("skyline: {safety_factor: 2.5, rule: safety.skyline.ch}", 140, 180, 4))), 4);
 }
 
+// Supports at the same places, on the ground and on bodies that are held.
+TEST(PayloadAnalysis, ASupportOnABodyIsASupport) {
+  const auto deck = [](const std::string& jacks, const std::string& bodies) {
+    return R"(taut: 1
+machine:
+  points: {A: [0 m, 0 m, 9 m], B: [330 m, 0 m, 141 m]}
+  ropes: {sky: {mass: 1.7 kg/m, stiffness: 20 MN, breaking_force: 300 kN, diameter: 20 mm}}
+  supports: {)" +
+           jacks + "}\n" + bodies + R"(
+  carriages: {car: {mass: 350 kg, rides: sky, hold: clamped}}
+  reevings:
+    - {rope: sky, path: [{anchor: A}, {over: j1}, {through: car}, {over: j2}, {anchor: B}], install: {tension: 60 kN}}
+  loads: [{at: car, mass: 1 t}]
+analyses:
+  - payload: {carriage: car, from: 10 m, to: 310 m, steps: 10, limits: {sky: {safety_factor: 3}}}
+)";
+  };
+  const std::string round = ", diameter: 400 mm, friction: 0.1";
+  const Result ground =
+      run_text(deck("j1: {at: [100 m, 0 m, 60 m]" + round + "}, j2: {at: [220 m, 0 m, 108 m]" + round + "}", ""));
+  const Result held = run_text(
+      deck("j1: {body: m1, at: [10 m, 0 m, 50 m]" + round + "}, j2: {body: m2, at: [20 m, 0 m, 58 m]" + round + "}",
+           "  bodies: {m1: {at: [90 m, 0 m, 10 m]}, m2: {at: [200 m, 0 m, 50 m]}}"));
+  ASSERT_EQ(held.status, Status::ok) << held.message << to_text(held.errors);
+  EXPECT_TRUE(held.missing.empty());
+  EXPECT_NEAR(value_of(held, "payload_min") / value_of(ground, "payload_min"), 1, 1e-7);
+  const Table &t = table_of(held, "payload"), &u = table_of(ground, "payload");
+  ASSERT_EQ(t.rows.size(), u.rows.size());
+  for (std::size_t i = 0; i < t.rows.size(); ++i) EXPECT_EQ(text_cell(t, i, "governing"), text_cell(u, i, "governing"));
+  EXPECT_EQ(text_cell(t, 3, "governing"), "on 'j1'");
+}
+
 TEST(PayloadAnalysis, NothingCanBeCarriedIsAnAnswer) {
   const Result r = run_text(payload_of("clearance: 30 m", 140, 180, 2));
   ASSERT_EQ(r.status, Status::ok) << r.message << to_text(r.errors);

@@ -12,12 +12,23 @@
 #include "taut/study/deck/names.hpp"
 
 namespace taut::study {
+namespace {
+
+/// Where a node stands whatever the load: on the ground, on a body that is held, on a mast but for what it bends.
+std::optional<Vector3> stays_at(const machine::Model& model, const machine::Node& node) {
+  if (node.at.body == machine::ground) return node.at.at;
+  const machine::Body& body = model.bodies[node.at.body];
+  if (!body.free.empty() && !body.beam) return std::nullopt;
+  return Vector3(body.position + body.orientation * node.at.at);
+}
+
+}  // namespace
 
 const machine::Node* support_at(const machine::Model& model, int carriage, double x, const Vector3& along) {
   const machine::Carriage& car = model.carriages[carriage];
   for (const machine::Node& node : model.reevings[car.reeving].nodes) {
-    if (node.at.body == machine::ground && std::abs(node.at.at.dot(along) - x) <= std::max(node.radius, 1e-6))
-      return &node;
+    const auto place = stays_at(model, node);
+    if (place && std::abs(place->dot(along) - x) <= std::max(node.radius, 1e-6)) return &node;
   }
   return machine::guide_at(model, carriage, x, along);
 }

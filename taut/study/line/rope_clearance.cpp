@@ -47,6 +47,8 @@ class ClearanceSearch {
     take_end(branch_.to, length_, branch_.end);
     // at a fixed end, but for rounding
     between({.first = near * length_, .last = (1 - near) * length_});
+    take_edge(true);
+    take_edge(false);
     return found_;
   }
 
@@ -88,6 +90,21 @@ class ClearanceSearch {
     const RopeClearance end = found_;
     take_at(h == 0 ? buried_rope : length_ - buried_rope);
     if (found_.height >= 0) found_ = end;
+  }
+
+  /// Over the first or last place of the terrain: what is known of a rope may be lowest there. Where the rope goes on
+  /// to an end that may be on the ground, it may come down to the ground, as it may behind any such end.
+  void take_edge(bool first) {
+    if (under_.rate == 0) return;
+    const double h = ((first ? ground_.front().x : ground_.back().x) - under_.from) / under_.rate;
+    if (!(h > near * length_ && h < (1 - near) * length_)) return;
+    const RopeClearance above = found_;
+    take_at(h);
+    const bool to_start = first == (under_.rate > 0);
+    if (!may_be_on_ground(model_, branch_.reeving, to_start ? branch_.from : branch_.to)) return;
+    const bool buried = (h < buried_rope && may_be_on_ground(model_, branch_.reeving, branch_.from)) ||
+                        (length_ - h < buried_rope && may_be_on_ground(model_, branch_.reeving, branch_.to));
+    if (found_.height >= (buried ? -buried_anchor : 0)) found_ = above;
   }
 
   /// The rope at the distance h: by its sag under the chord.
@@ -208,7 +225,11 @@ RopeClearance rope_clearance(const machine::Model& model, const Array<Vector3>& 
   for (std::size_t i = 0; i <= last; ++i) {
     const bool end = i == 0 || i == last;
     const bool counts = end && (i == 0 ? begins : ends);
-    const bool lowest = !end && heights[i - 1] >= heights[i] && heights[i + 1] >= heights[i];
+    // NaN: the terrain has ended
+    const auto falls_from = [&](double next, bool counts_there) {
+      return std::isnan(next) ? counts_there : next >= heights[i];
+    };
+    const bool lowest = !end && falls_from(heights[i - 1], begins) && falls_from(heights[i + 1], ends);
     const bool buried = (!begins && apart_in_plan(rope.front(), places[i]) < buried_rope) ||
                         (!ends && apart_in_plan(rope.back(), places[i]) < buried_rope);
     if (counts || lowest || heights[i] < (buried ? -buried_anchor : 0))

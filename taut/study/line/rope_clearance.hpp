@@ -15,9 +15,10 @@ struct RopeClearance {
 };
 
 /// Clearance of one branch over the terrain: catenary against polyline, exact. Candidates are the places where the rope
-/// is parallel to the ground below, the places over hilltops, and ends that move with a body. Fixed ends are candidates
-/// only where they are more than 3 m below the ground, because a rope may begin at a buried anchor. NaN where the rope
-/// only rises from a fixed end, is slack, or has no terrain below it.
+/// is parallel to the ground below, the places over hilltops, ends that move with a body, and the ends of the terrain
+/// from which the rope goes on to such an end. Fixed ends are candidates only where they are more than 3 m below the
+/// ground, because a rope may begin at a buried anchor; ends of the terrain before a fixed end only where the rope is
+/// in the ground there. NaN where the rope only rises from a fixed end, is slack, or has no terrain below it.
 RopeClearance rope_clearance(const machine::Model& model, const solve::BranchResult& branch);
 
 /// Whether a rope may lie on the ground at a node: where it is fixed or winds, and at sheaves that do not move; not on

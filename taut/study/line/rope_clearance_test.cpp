@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "test/support/machines.hpp"
 
 /// A rope hung as the catenary z = a cosh((x - 50)/a) + const over ground of one kind and another.
@@ -98,6 +101,40 @@ TEST(RopeClearance, AFixedEndCountsWhereItIsDeeperThanAnAnchorIsBuried) {
   EXPECT_GT(least(2), 0);
   EXPECT_NEAR(least(4), -4, 1e-6);
   EXPECT_NEAR(least(1000), -1000, 1e-6);
+}
+
+/// Ground that ends at 60 m, 10 m behind the lowest place of the rope, at this height there.
+TEST(RopeClearance, WhereTheTerrainEndsTheRopeMayBeLowest) {
+  std::vector<Vector3> places;
+  for (int i = 0; i <= 100; ++i) places.emplace_back(i, 0, rope_height(i));
+  const auto both = [&](const Line& line) {
+    const auto exact = taut::study::rope_clearance(line.machine, line.rope);
+    const double polyline = taut::study::rope_clearance(line.machine, places, 0, 0, 1).height;
+    EXPECT_TRUE((std::isnan(exact.height) && std::isnan(polyline)) || std::abs(exact.height - polyline) < 1e-6)
+        << exact.height << " " << polyline;
+    return exact;
+  };
+  const auto ends_at = [](double x, double z) { return line_over({{.x = -10, .z = 0}, {.x = x, .z = z}}); };
+  const auto deep = both(ends_at(60, 16));
+  EXPECT_NEAR(deep.height, rope_height(60) - 16, 1e-6);
+  EXPECT_NEAR(deep.place.x(), 60, 1e-9);
+  // the same seen from the other end
+  std::reverse(places.begin(), places.end());
+  Line turned = line_over({{.x = 40, .z = 16}, {.x = 110, .z = 0}});
+  EXPECT_NEAR(both(turned).height, rope_height(40) - 16, 1e-6);
+  std::reverse(places.begin(), places.end());
+  // behind the end it may come down to the ground, as behind any fixed end
+  EXPECT_TRUE(std::isnan(both(ends_at(60, 11)).height));
+  Line moves = ends_at(60, 11);
+  moves.machine.bodies.push_back(body("car", {span, 0, support}, 10, "z"));
+  moves.machine.reevings[0].nodes[1] = anchor_on("car", 0);
+  EXPECT_NEAR(both(moves).height, rope_height(60) - 11, 1e-6);
+  // 2 m before the anchor it may be buried
+  const auto near_anchor = [&](double depth) {
+    return line_over({{.x = -10, .z = 0}, {.x = 90, .z = 0}, {.x = 98, .z = rope_height(98) + depth}});
+  };
+  EXPECT_GT(both(near_anchor(-0.5)).height, 0);
+  EXPECT_NEAR(both(near_anchor(4)).height, -4, 1e-6);
 }
 
 TEST(RopeClearance, CountsEndsThatMove) {

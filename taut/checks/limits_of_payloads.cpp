@@ -1,0 +1,171 @@
+#include "taut/checks/limits_of_payloads.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include "taut/catalogue/rule.hpp"
+#include "taut/math/index.hpp"
+
+namespace taut::checks {
+namespace {
+
+constexpr double rounding = 1e-6;  ///< relative: a state on a limit keeps it
+
+/// A value and a limit of that kind, "1.2 m", "84 kN".
+std::string amount(study::LimitKind kind, double value) {
+  using Kind = study::LimitKind;
+  if (kind == Kind::pull) return fmt::format("{:.4g} kN", value / 1e3);
+  if (kind == Kind::clearance || kind == Kind::rope_clearance) return fmt::format("{:.4g} m", value);
+  return fmt::format("{:.4g} deg", value * 180 / std::numbers::pi);
+}
+
+/// A tension has its own check, and so has what a carriage is rated for.
+bool has_check(study::LimitKind kind) {
+  return kind == study::LimitKind::tension || kind == study::LimitKind::rated_payload;
+}
+
+/// Whether the carriage stands where the payload asks what it carries.
+bool on_way(const study::Way& way, const Vector3& place) {
+  const auto [low, high] = std::minmax(way.from, way.to);
+  const double x = place.dot(way.along), near = rounding * std::max(1.0, std::abs(x));
+  return x >= low - near && x <= high + near;
+}
+
+}  // namespace
+
+void LimitsOfPayloads::add(const study::PayloadRun& run, const machine::Model& model) {
+  Payload& one = payloads_.emplace_back();
+  one.ending = run.ending;
+  one.carriage = run.way.carriage;
+  one.way = run.way;
+  one.limits = run.limits;
+  for (std::size_t i = 0; i < model.reevings.size(); ++i) {
+    RopeSeen& rope = one.ropes.emplace_back();
+    rope.name = model.reevings[i].name;
+    rope.limit = run.limits.tension[i];
+    for (const study::PayloadRule& rule : run.rules) {
+      if (as_size(rule.reeving) != i) continue;
+      rope.row = rule.row;
+      rope.factor = rule.factor;
+      rope.by_rule = model.reevings[i].breaking_force / rule.factor;
+    }
+  }
+}
+
+bool LimitsOfPayloads::limits_itself(const std::string& rope) const {
+  return std::any_of(payloads_.begin(), payloads_.end(), [&](const Payload& one) {
+    return runs(one) && std::any_of(one.ropes.begin(), one.ropes.end(), [&](const RopeSeen& seen) {
+             return seen.name == rope && std::isfinite(seen.limit);
+           });
+  });
+}
+
+void LimitsOfPayloads::take_tension(const std::string& rope, double T, const std::string& words) {
+  const bool itself = limits_itself(rope);
+  for (Payload& one : payloads_) {
+    for (RopeSeen& seen : one.ropes) {
+      if (seen.name != rope) continue;
+      if (runs(one)) {
+        seen.seen = true;
+        seen.own = std::max(seen.own, T);
+      } else if (!itself && T > seen.elsewhere.T) {
+        seen.elsewhere = {.T = T, .where = words};
+      }
+    }
+  }
+}
+
+void LimitsOfPayloads::take_others(const machine::Model& m, const solve::EquilibriumResult& e, const std::string& words,
+                                   Payload& one) const {
+  const int body = m.carriages[one.carriage].body;
+  for (const study::LimitState& state : study::limits_at(m, body, one.limits, e)) {
+    if (state.margin >= -rounding || has_check(state.kind)) continue;
+    if (state.kind == study::LimitKind::clearance && !on_way(one.way, e.state.bodies[body].position)) continue;
+    const std::string limit = study::limit_words(m, body, state);
+    Exceeded& worst = one.exceeded[limit];
+    if (state.margin >= worst.margin) continue;
+    worst.margin = state.margin;
+    worst.words = fmt::format(
+        "the payload limits the {} to {}, and '{}' has {}: a payload keeps its limits in its own states; "
+        "give this one under 'checks' too, or give that analysis 'judge: false'",
+        limit, amount(state.kind, state.limit), words, amount(state.kind, state.value));
+    if (state.kind == study::LimitKind::lift_off) {
+      worst.words = fmt::format(
+          "the payload allows no {}, which '{}' has: a payload keeps its limits in its own "
+          "states; change the line, or give that analysis 'judge: false'",
+          limit, words);
+    }
+  }
+}
+
+void LimitsOfPayloads::take(const machine::Model& m, const solve::EquilibriumResult& e, const std::string& words) {
+  take_ropes(m, e, words);
+  if (running_ != nullptr) return;
+  for (Payload& one : payloads_) {
+    if (m.reevings.size() == one.ropes.size()) take_others(m, e, words, one);
+  }
+}
+
+void LimitsOfPayloads::take_ropes(const machine::Model& m, const solve::EquilibriumResult& e,
+                                  const std::string& words) {
+  for (std::size_t i = 0; i < m.reevings.size(); ++i) take_tension(m.reevings[i].name, e.ropes[i].T_max, words);
+}
+
+void LimitsOfPayloads::take(const machine::Model& m, const solve::TransientResult& motion, const std::string& words,
+                            bool slowly) {
+  for (std::size_t i = 0; i < motion.ropes.size(); ++i) {
+    const solve::RopeExtreme& rope = motion.ropes[i];
+    const std::string& name = m.reevings[i].name;
+    const std::string peak = fmt::format("{}, t = {:.4g} s", words, rope.T.t_max);
+    take_tension(name, rope.T_static, words + ", before it begins");
+    if (slowly) take_tension(name, rope.T.max, peak);
+    for (Payload& one : payloads_) {
+      RopeSeen& seen = one.ropes[i];
+      if (!slowly && rope.T.max > seen.moving.T) seen.moving = {.T = rope.T.max, .where = peak};
+    }
+  }
+}
+
+void LimitsOfPayloads::add_checks(Result& r) const {
+  for (const Payload& one : payloads_) {
+    for (const RopeSeen& rope : one.ropes) {
+      if (!rope.seen || !std::isfinite(rope.limit)) continue;
+      const double T = std::max(rope.own, rope.elsewhere.T);
+      const auto add = [&](double limit, std::string words, std::string trust) {
+        Check c =
+            make_check(fmt::format("{}.payload_T_max{}", rope.name, one.ending), T, si::N,
+                       {.sense = Sense::at_most, .limit = limit, .rule = std::move(words), .trust = std::move(trust)});
+        c.part = rope.name;
+        if (rope.elsewhere.T > rope.own * (1 + rounding)) c.where = rope.elsewhere.where;
+        c.limits = rope.moving.T <= limit * (1 + rounding);
+        if (!c.limits) {
+          r.warnings.push_back(
+              fmt::format("{}: the payload's limit, {:.4g} kN, is one of a rope at rest, and '{}' has {:.4g} kN: "
+                          "judge the rope by 'checks: {{ropes: {{{}: ...}}}}'",
+                          rope.name, limit / 1e3, rope.moving.where, rope.moving.T / 1e3, rope.name));
+        }
+        r.checks.push_back(std::move(c));
+      };
+      if (rope.row != nullptr) {
+        add(rope.by_rule,
+            fmt::format("{}: {}, {}; safety factor {:.4g} on the breaking force; {}", rope.row->id, rope.row->field,
+                        rope.row->item, rope.factor, rope.row->source),
+            rope.row->trust_text);
+      }
+      // the payload keeps within its own limit, so that its rule says more; another analysis need not
+      if (rope.row == nullptr || T > rope.limit * (1 + rounding)) {
+        add(rope.limit, "limit of the payload: the load is the largest one within it", "user");
+      }
+    }
+    for (const auto& [limit, exceeded] : one.exceeded) {
+      r.unmade.push_back(exceeded.words);
+      r.warnings.push_back(exceeded.words);
+    }
+  }
+}
+
+}  // namespace taut::checks

@@ -1,0 +1,76 @@
+#pragma once
+#include <limits>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "taut/calc/result.hpp"
+#include "taut/machine/model.hpp"
+#include "taut/solve/equilibrium.hpp"
+#include "taut/solve/motion/transient.hpp"
+#include "taut/study/payload.hpp"
+
+namespace taut::checks {
+
+/// The limits of a deck's judged payloads over the states of all its judged analyses: a rope that has its limit from a
+/// payload is not limited in that payload's states alone. The states of a payload are held against its own limits, and
+/// against those of other payloads where it has none of that kind for that part.
+class LimitsOfPayloads {
+ public:
+  /// Before any state is shown. `model`: of the machine.
+  void add(const study::PayloadRun& run, const machine::Model& model);
+  /// States from here on are those of the payload with this ending.
+  void begin(const std::string& ending) { running_ = &ending; }
+  void end() { running_ = nullptr; }
+
+  /// `words`: which state it is. The model has the machine's ropes and bodies.
+  void take(const machine::Model& model, const solve::EquilibriumResult& state, const std::string& words);
+  /// Of a model of some of the ropes, known by their names: tensions alone.
+  void take_ropes(const machine::Model& model, const solve::EquilibriumResult& state, const std::string& words);
+  /// A motion as a whole: tensions alone. `slowly`: all its steps are at rest.
+  void take(const machine::Model& model, const solve::TransientResult& motion, const std::string& words, bool slowly);
+
+  /// NAME.payload_T_max of each rope with a limit of its tension: largest tension at rest over all states. It is no
+  /// limit of a rope that has more in a motion. What another limit does not allow in a state of another analysis is
+  /// left unjudged (Result::unmade).
+  void add_checks(Result& r) const;
+
+ private:
+  struct Largest {
+    double T = 0;  ///< N
+    std::string where;
+  };
+  struct RopeSeen {
+    std::string name;
+    double limit = std::numeric_limits<double>::infinity();  ///< of the payload, N
+    double by_rule = std::numeric_limits<double>::infinity();
+    const catalogue::RuleRow* row = nullptr;
+    double factor = 1;  ///< of the rule
+    bool seen = false;
+    double own = 0;  ///< largest tension with the payload, N
+    Largest elsewhere, moving;
+  };
+  struct Exceeded {
+    double margin = 0;
+    std::string words;
+  };
+  struct Payload {
+    std::string ending;
+    int carriage = 0;
+    study::Way way;
+    study::PayloadLimits limits;
+    std::vector<RopeSeen> ropes;
+    std::map<std::string, Exceeded> exceeded;  ///< by the words of the limit
+  };
+
+  bool runs(const Payload& one) const { return running_ != nullptr && *running_ == one.ending; }
+  bool limits_itself(const std::string& rope) const;
+  void take_tension(const std::string& rope, double T, const std::string& words);
+  void take_others(const machine::Model& model, const solve::EquilibriumResult& state, const std::string& words,
+                   Payload& one) const;
+
+  std::vector<Payload> payloads_;
+  const std::string* running_ = nullptr;
+};
+
+}  // namespace taut::checks
