@@ -159,7 +159,7 @@ class Judge {
   std::map<std::string, RopeWorst> ropes_;  ///< by the name of a reeving or guy
   std::map<std::string, Height> carriages_, rope_heights_;
   std::set<std::string> slack_over_ground_;  ///< ropes that were slack over terrain: how low they hang is not known
-  std::map<std::string, Beyond> beyond_;           ///< carriages
+  std::map<std::string, Beyond> beyond_;     ///< carriages
   std::map<std::string, study::TerrainGap> gaps_;  ///< of ropes, the largest of one state
   std::vector<BeamWorst> beams_;
   OffGroove off_groove_;
