@@ -20,7 +20,7 @@ namespace {
 using catalogue::RuleRow;
 using rope::Limit;
 
-constexpr double rounding = 1e-9;  // of values that are given
+constexpr double same_value = 1e-9;  // of two that are given, relative
 
 /// The highest temperature for which a row holds, K.
 double hottest_of(const RuleRow& row) {
@@ -335,7 +335,7 @@ class RopeLimits {
       const auto row = rule_named(fmt::format("termination.{}.{}", name, core));
       if (row && row->low && (!worst || *row->low < *worst->low)) worst = row;
     }
-    if (!worst || (worst->up_to && !(rope_.diameter > 0 && rope_.diameter <= *worst->up_to * (1 + rounding)))) return;
+    if (!worst || (worst->up_to && !(rope_.diameter > 0 && rope_.diameter <= *worst->up_to * (1 + same_value)))) return;
     rules_.termination = limit_of(*worst, SafeEnd::low);
   }
 
@@ -429,7 +429,7 @@ catalogue::RopeRow with_request(catalogue::RopeRow rope, const RopeCheckRequest&
 
 void complain_of_second(const std::optional<double>& given, double known, const std::string& path,
                         std::vector<Complaint>& complaints) {
-  if (!given || known == 0 || std::abs(*given - known) <= rounding * known) return;
+  if (!given || known == 0 || std::abs(*given - known) <= same_value * known) return;
   complaints.push_back({path, "the rope has another value already: change it there, or leave this one out"});
 }
 
