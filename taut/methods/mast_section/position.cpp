@@ -231,21 +231,27 @@ struct PaidOut {
   T across, down;
 };
 
-/// One rope hauled in, the other paid out, both ways: the larger tube.
+/// One rope hauled in, the other paid out: of both ways the one that asks for the larger tube.
 template <class T>
 bool mixed(const Mast<T>& m, const PaidOut<T>& o, const Blocks<T>& in, Sheet<T>& s, Output& out) {
-  s.section("One rope hauled in, the other paid out under load");
-  const T N_sky = s.eq("2*", "N_in_out", si::N, in.sky.R * sin(in.sky.gamma) + o.main * o.down);
-  const T M_sky =
-      s.eq("3*", "M_in_out", si::N_m, in.sky.R * m.h_sky * cos(in.sky.gamma) + o.main * m.h_main * o.across);
-  const T N_main = s.eq("2*", "N_out_in", si::N, o.sky * o.down + in.main.R * sin(in.main.gamma));
-  const T M_main =
-      s.eq("3*", "M_out_in", si::N_m, o.sky * m.h_sky * o.across + in.main.R * m.h_main * cos(in.main.gamma));
-  double one = 0, other = 0;
-  const bool found = tube_size("D_tube_in_out", m, abs(N_sky), M_sky, s, one) &&
-                     tube_size("D_tube_out_in", m, abs(N_main), M_main, s, other);
-  out.D_tube_mixed = std::max(one, other);
-  return found;
+  const double c2 = value(m.c2), c4 = value(m.c4), k_N = 4 / (std::numbers::pi * (1 - c2) * value(m.sigma)),
+               k_M = 32 / (std::numbers::pi * (1 - c4) * value(m.sigma));
+  const auto across = [](const Block<T>& b) { return value(b.R) * std::cos(value(b.gamma)); };
+  const auto down = [](const Block<T>& b) { return value(b.R) * std::sin(value(b.gamma)); };
+  const double h_sky = value(m.h_sky), h_main = value(m.h_main), a = value(o.across), d = value(o.down);
+  const double mainline_out = cubic_root(k_N * std::abs(down(in.sky) + value(o.main) * d),
+                                         k_M * (across(in.sky) * h_sky + value(o.main) * a * h_main));
+  const double skyline_out = cubic_root(k_N * std::abs(value(o.sky) * d + down(in.main)),
+                                        k_M * (value(o.sky) * a * h_sky + across(in.main) * h_main));
+  const bool sky = skyline_out > mainline_out;
+  s.section(sky ? "Skyline paid out under load, mainline hauled in"
+                : "Skyline hauled in, mainline paid out under load");
+  const T N = sky ? s.eq("2*", "N_mixed", si::N, o.sky * o.down + in.main.R * sin(in.main.gamma))
+                  : s.eq("2*", "N_mixed", si::N, in.sky.R * sin(in.sky.gamma) + o.main * o.down);
+  const T M =
+      sky ? s.eq("3*", "M_mixed", si::N_m, o.sky * m.h_sky * o.across + in.main.R * m.h_main * cos(in.main.gamma))
+          : s.eq("3*", "M_mixed", si::N_m, in.sky.R * m.h_sky * cos(in.sky.gamma) + o.main * m.h_main * o.across);
+  return tube_size("D_tube_mixed", m, abs(N), M, s, out.D_tube_mixed);
 }
 
 /// The ropes paid out under load: then the span side carries T_max and the drum side less.

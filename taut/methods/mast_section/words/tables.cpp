@@ -119,7 +119,9 @@ Table load_cases_table(const Input& in, const std::vector<ClampForces>& forces) 
   std::vector<LoadCase> rows;
   rows.reserve(forces.size());
   for (const ClampForces& f : forces) rows.push_back({.in = in, .f = f});
-  return make_table("load_cases", "What the mast must carry", load_case_quantities(), rows);
+  Table t = make_table("load_cases", "What the mast must carry", load_case_quantities(), rows);
+  t.detail = true;
+  return t;
 }
 
 Table sections_table(const std::vector<SectionLine>& lines) {
