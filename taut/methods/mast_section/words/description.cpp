@@ -142,9 +142,9 @@ const Description& Input::describe() {
           .field(&Input::allowable_stress, "allowable_stress", "[sigma]", si::Pa,
                  "allowable stress; or give steel and safety")
           .above(0)
-          .field(&Input::steel, "steel",
-                 "steel grade of the catalogue, EN 10210-1 S355H; with safety; a section chosen is one of its standard")
-          .field(&Input::safety, "safety", "n", si::one, "yield stress over allowable stress")
+          .field(&Input::steel, "steel", "steel grade of the catalogue, EN 10210-1 S355H; with safety")
+          .field(&Input::safety, "safety", "n", si::one,
+                 "yield stress over allowable stress; by second order also what the ropes' forces are multiplied by")
           .at_least(1)
           .field(&Input::tube_ratio, "tube_ratio", "c", si::one, "inner over outer diameter of the tube")
           .at_least(0)
