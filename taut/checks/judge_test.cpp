@@ -311,32 +311,33 @@ machine:
 analyses: [transient: {duration: 0.1 s}]
 )");
   EXPECT_THAT(deck.beside, Contains(HasSubstr("contacts foot"))) << deck.message << to_text(deck.errors);
+}
 
-  // The ground is known up to 140 m only.
-  TEST(Judge, WhereTheTerrainEndsTheAnswerPassesWithWarningsAtBest) {
-    const auto with = [](const std::string& ends, const std::string& from) {
-      return run_text(R"(taut: 1
+// The ground is known up to 140 m only.
+TEST(Judge, WhereTheTerrainEndsTheAnswerPassesWithWarningsAtBest) {
+  const auto with = [](const std::string& ends, const std::string& from) {
+    return run_text(R"(taut: 1
 machine:
   points: {A: [0 m, 0 m, 20 m], B: [200 m, 0 m, 20 m]}
   ropes: {sky: {mass: 1.7 kg/m, stiffness: 20 MN, breaking_force: 300 kN, diameter: 20 mm}}
   carriages: {car: {mass: 300 kg, rides: sky, hold: clamped}}
   reevings: [{rope: sky, path: [{anchor: A}, {through: car}, {anchor: B}], length: 203 m}]
   terrain: {x: [-10 m, )" +
-                      ends + "], z: [0 m, 1 m]}\nanalyses:\n  - load_path: {carriage: car, from: " + from +
-                      ", to: 190 m, steps: 4}\nchecks: {ropes: {sky: {safety_factor: 3}}}\n");
-    };
-    const Result beyond = with("140 m", "150 m");
-    EXPECT_EQ(verdict_of(beyond)->kind, VerdictKind::passes_with_warnings) << verdict_of(beyond)->reason;
-    EXPECT_THAT(beyond.unsafe, Contains(HasSubstr("car stands at x = 150 m to 190 m without terrain below it")));
-    EXPECT_THAT(beyond.unsafe, Contains(HasSubstr("sky: its clearance is not judged on 60 m")));
-    const Result near = with("195 m", "150 m");
-    EXPECT_THAT(near.unsafe, IsEmpty()) << "5 m from the anchor the rope may be in the ground";
-    EXPECT_THAT(with("210 m", "150 m").unsafe, IsEmpty());
-  }
+                    ends + "], z: [0 m, 1 m]}\nanalyses:\n  - load_path: {carriage: car, from: " + from +
+                    ", to: 190 m, steps: 4}\nchecks: {ropes: {sky: {safety_factor: 3}}}\n");
+  };
+  const Result beyond = with("140 m", "150 m");
+  EXPECT_EQ(verdict_of(beyond)->kind, VerdictKind::passes_with_warnings) << verdict_of(beyond)->reason;
+  EXPECT_THAT(beyond.unsafe, Contains(HasSubstr("car stands at x = 150 m to 190 m without terrain below it")));
+  EXPECT_THAT(beyond.unsafe, Contains(HasSubstr("sky: its clearance is not judged on 60 m")));
+  const Result near = with("195 m", "150 m");
+  EXPECT_THAT(near.unsafe, IsEmpty()) << "5 m from the anchor the rope may be in the ground";
+  EXPECT_THAT(with("210 m", "150 m").unsafe, IsEmpty());
+}
 
-  // It hangs 8 m below the ground where that ends, and nowhere else over it.
-  TEST(Judge, ARopeInTheGroundWhereTheTerrainEndsFails) {
-    const Result r = run_text(R"(taut: 1
+// It hangs 8 m below the ground where that ends, and nowhere else over it.
+TEST(Judge, ARopeInTheGroundWhereTheTerrainEndsFails) {
+  const Result r = run_text(R"(taut: 1
 machine:
   points: {A: [0 m, 0 m, 20 m], B: [200 m, 0 m, 20 m]}
   ropes: {sky: {mass: 1.7 kg/m, stiffness: 20 MN, breaking_force: 300 kN, diameter: 20 mm}}
@@ -344,9 +345,9 @@ machine:
   terrain: {x: [-10 m, 100 m], z: [0 m, 13 m]}
 checks: {ropes: {sky: {safety_factor: 3}}}
 )");
-    EXPECT_EQ(verdict_of(r)->kind, VerdictKind::fails) << verdict_of(r)->reason;
-    // a level catenary: L = 2 a sinh(100/a) is 203 m (but for 0.06 m of stretch), its sag a (cosh(100/a) - 1) 15.2 m
-    EXPECT_NEAR(check_of(r, "sky.ground").value, 20 - 15.22 - 13, 0.02);
-  }
+  EXPECT_EQ(verdict_of(r)->kind, VerdictKind::fails) << verdict_of(r)->reason;
+  // a level catenary: L = 2 a sinh(100/a) is 203 m (but for 0.06 m of stretch), its sag a (cosh(100/a) - 1) 15.2 m
+  EXPECT_NEAR(check_of(r, "sky.ground").value, 20 - 15.22 - 13, 0.02);
+}
 
 }  // namespace taut::checks::judge_test
