@@ -184,6 +184,11 @@ CheckState state_of(const machine::Model& model, const solve::TransientResult& m
   return all;
 }
 
+std::string span_words(const machine::Model& m, const solve::BranchResult& branch) {
+  const machine::Reeving& rope = m.reevings[branch.reeving];
+  return fmt::format("{} between {} and {}", rope.name, rope.nodes[branch.from].name, rope.nodes[branch.to].name);
+}
+
 std::string gap_words(const std::string& what, const study::TerrainGap& gap) {
   return fmt::format(
       "{}: its clearance is not judged on {:.4g} m, where there is no terrain ({:.4g} m before its first place, {:.4g} "

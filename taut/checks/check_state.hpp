@@ -69,6 +69,9 @@ CheckState state_of(const machine::Model& model, const solve::EquilibriumResult&
 CheckState state_of(const machine::Model& model, const solve::TransientResult& motion,
                     const solve::TransientFrame& moment, std::string words, std::string analysis);
 
+/// "skyline between head and car".
+std::string span_words(const machine::Model& model, const solve::BranchResult& branch);
+
 /// Why a clearance that is asked for is not judged everywhere: "skyline: its clearance is not judged on 12 m ...".
 std::string gap_words(const std::string& what, const study::TerrainGap& gap);
 

@@ -21,12 +21,6 @@ constexpr double fallen_angle = std::numbers::pi / 3;  ///< rad
 constexpr double of_largest = 1e-9;    ///< a rope carries tension from this share of the machine's largest one on
 constexpr double on_own_limit = 1e-6;  ///< a state of a payload lies on a limit to this share of it
 
-/// "skyline between head and car".
-std::string between(const machine::Model& m, const solve::BranchResult& branch) {
-  const machine::Reeving& rope = m.reevings[branch.reeving];
-  return fmt::format("{} between {} and {}", rope.name, rope.nodes[branch.from].name, rope.nodes[branch.to].name);
-}
-
 /// Words for a rope that is shorter than the distance of its ends, with both lengths; else empty.
 std::string too_short(const machine::Model& m, const solve::EquilibriumResult& e, std::size_t reeving) {
   if (m.reevings[reeving].closed) return {};
@@ -93,13 +87,6 @@ void pass_on_own_limit(std::vector<Check>& checks) {
   }
 }
 
-/// Whether the deck asks for the clearance of a rope: then its check tells where it is not known.
-bool asks_clearance(const std::optional<ChecksRequest>& checks, const std::string& rope) {
-  return checks && std::any_of(checks->lines.begin(), checks->lines.end(), [&](const LineCheckRequest& one) {
-           return one.name == rope && (one.clearance || one.least_clearance);
-         });
-}
-
 /// The names of what holds ropes in the ground, each once.
 std::vector<std::string> anchors_in_ground(const machine::Model& m) {
   std::vector<std::string> anchors;
@@ -135,60 +122,6 @@ void Judge::warn(const std::string& once, const std::string& text, bool unsafe, 
     warned_.push_back({text, unsafe, size});
   } else if (size > warned_[at->second].size) {
     warned_[at->second] = {text, unsafe, size};
-  }
-}
-
-void Judge::take_height(const std::string& part, const std::string& words, double height, double x,
-                        const std::string& where, std::map<std::string, Height>& all) {
-  if (std::isnan(height)) return;
-  Height& worst = all[part];
-  if (height < worst.value) worst = {.value = height, .x = x, .part = words, .where = where};
-}
-
-void Judge::take_carriage(const machine::Model& m, const machine::Carriage& car, const Vector3& place,
-                          const std::string& where) {
-  const double x = terrain_x(m, place), ground = study::ground_height(m.terrain, x);
-  take_height(car.name, "carriage " + car.name, place.z() - ground, x, where, carriages_);
-  if (!std::isnan(ground)) return;
-  Beyond& beyond = beyond_[car.name];
-  beyond.low = std::min(beyond.low, x);
-  beyond.high = std::max(beyond.high, x);
-}
-
-void Judge::take_gap(const std::string& rope, const study::TerrainGap& gap) {
-  study::TerrainGap& worst = gaps_[rope];
-  if (gap.missing() > worst.missing()) worst = gap;
-}
-
-void Judge::take_heights(const machine::Model& m, const solve::EquilibriumResult& e, const std::string& words) {
-  if (m.terrain.empty()) return;
-  for (const machine::Carriage& car : m.carriages) {
-    take_carriage(m, car, e.state.bodies[car.body].position, words);
-  }
-  for (std::size_t i = 0; i < m.reevings.size(); ++i) {
-    take_gap(m.reevings[i].name, study::terrain_gap(m, e.branches, static_cast<int>(i)));
-  }
-  for (const solve::BranchResult& branch : e.branches) {
-    const study::RopeClearance own = study::rope_clearance(m, branch);
-    const std::string& rope = m.reevings[branch.reeving].name;
-    if (branch.slack) slack_over_ground_.insert(rope);
-    take_height(rope, between(m, branch), own.height, terrain_x(m, own.place), words, rope_heights_);
-  }
-  warn_of_buried(m, words);
-}
-
-/// Supports, sheaves and drums that stand in the ground; an anchor may be buried.
-void Judge::warn_of_buried(const machine::Model& m, const std::string& words) {
-  constexpr double rough = 0.1;  // m; a terrain is not surveyed better
-  for (const machine::Reeving& rope : m.reevings) {
-    for (const machine::Node& node : rope.nodes) {
-      const bool anchor = node.kind == machine::NodeKind::anchor && !node.drum;
-      if (anchor || node.at.body != machine::ground) continue;
-      const double height = node.at.at.z() - study::ground_height(m.terrain, terrain_x(m, node.at.at));
-      if (!(height < -rough)) continue;
-      warn(node.name + " buried", fmt::format("{}: '{}' is {:.3g} m below the ground", words, node.name, -height), true,
-           -height);
-    }
   }
 }
 
@@ -263,7 +196,7 @@ bool Judge::may_slack(const std::string& reeving) const {
 void Judge::take_slack(const machine::Model& m, const solve::EquilibriumResult& e, const std::string& words) {
   for (const solve::BranchResult& s : e.branches) {
     if (!s.slack) continue;
-    const std::string name = between(m, s);
+    const std::string name = span_words(m, s);
     warn(name, fmt::format("{}: {} is slack", words, name), !may_slack(m.reevings[s.reeving].name));
   }
 }
@@ -513,53 +446,6 @@ void Judge::add_tensions(Result& r) const {
   const ValueKind& largest = named(value_kinds(), "T_max");
   r.values.insert(r.values.begin(),
                   make_value(largest, "", "", worst, fmt::format("{} ({})", largest.about.words, where)));
-}
-
-void Judge::add_heights(Result& r) const {
-  const auto add = [&](const std::map<std::string, Height>& all, const char* name) {
-    const Height* least = nullptr;
-    for (const auto& [part, one] : all) {
-      if (!std::isfinite(one.value)) continue;
-      if (least == nullptr || one.value < least->value) least = &one;
-      if (one.value >= 0) continue;
-      Check c = make_check(
-          part + ".ground", one.value, si::m,
-          {.sense = Sense::at_least,
-           .limit = 0,
-           .rule = fmt::format("{} is {:.4g} m below the ground at x = {:.6g} m", one.part, -one.value, one.x),
-           .trust = "user"});
-      c.utilisation = std::numeric_limits<double>::quiet_NaN();  // a limit of 0 m is no measure
-      c.part = part;
-      c.limits = false;
-      c.where = one.where;
-      r.checks.push_back(std::move(c));
-    }
-    if (least == nullptr) return;
-    const ValueKind& kind = named(value_kinds(), name);
-    r.values.push_back(
-        make_value(kind, "", "", least->value,
-                   fmt::format("{}: {} at x = {:.6g} m ({})", kind.about.words, least->part, least->x, least->where)));
-  };
-  add(carriages_, "clearance_min");
-  add(rope_heights_, "rope_clearance_min");
-}
-
-/// A guy goes to the ground beside its mast, and a rope may well lie in it near its anchor.
-void Judge::add_gaps(Result& r) const {
-  constexpr double to_anchor = 6;  // m
-  for (const auto& [car, beyond] : beyond_) {
-    warn_unsafe(r, fmt::format("{} stands at x = {:.4g} m{} without terrain below it: its height is not judged there; "
-                               "give the ground under all of its way",
-                               car, beyond.low,
-                               beyond.high > beyond.low ? fmt::format(" to {:.4g} m", beyond.high) : std::string{}));
-  }
-  for (std::size_t i = 0; i < deck_->machine.reevings.size(); ++i) {
-    const std::string& rope = model_->reevings[i].name;
-    const auto found = gaps_.find(rope);
-    if (found == gaps_.end() || asks_clearance(deck_->checks, rope)) continue;
-    const study::TerrainGap& gap = found->second;
-    if (std::max(gap.before, gap.after) > to_anchor) warn_unsafe(r, gap_words(rope, gap));
-  }
 }
 
 void Judge::add_values(Result& r) const {
