@@ -80,7 +80,8 @@ TEST(LimitsOfPayloads, AnotherPayloadKeepsItsOwn) {
 
 TEST(LimitsOfPayloads, OtherLimitsLeaveAnotherAnalysisUnjudged) {
   const std::string checks = "checks: {ropes: {sky: {safety_factor: 1.2}}, confirmed: [elastic_limit]}\n";
-  const Result deep = run_text(line("clearance: 50 m", envelope("5 t"), checks));
+  const Result deep =
+      run_text(line("clearance: 50 m", envelope("5 t"), checks), {"machine.ropes.sky.breaking_force=600 kN"});
   EXPECT_EQ(verdict_of(deep)->kind, VerdictKind::not_judged) << verdict_of(deep)->reason;
   EXPECT_THAT(deep.unmade, Contains(HasSubstr("the payload limits the clearance of 'car' to 50 m")));
   const Result high = run_text(line("clearance: 50 m", envelope("0.1 t"), checks));

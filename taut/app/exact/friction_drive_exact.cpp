@@ -108,31 +108,27 @@ solve::BeltDrive belt_drive(const friction_drive::Input& in, const friction_driv
 
 namespace {
 
-/// Whether the take-up of the deck holds the cutting force with its reserve: m P_p in the place of P_p.
-void check_grip(const friction_drive::Input& in, const solve::BeltDrive& drive, Result& r) {
-  solve::BeltDrive d = drive;
-  d.load = in.grip_reserve * in.cutting_force;
-  solve::BeltDriveState s;
+/// Whether the take-up of the deck holds the pull of the sheave with its reserve, as the method has it:
+/// m (T_1 - T_2) <= (e - 1)(T_2 - c), as an arc.
+void check_grip(const friction_drive::Input& in, const solve::BeltDrive& d, const solve::BeltDriveState& s, Result& r) {
   const char* const name = "grip with the take-up, exact";
-  const std::string reserve = fmt::format("with the reserve m = {:.4g}", in.grip_reserve);
-  if (!solve::solve(d, s).ok()) {
-    r.unmade.push_back(fmt::format("{}: no state of the drive is found {}", name, reserve));
-    r.warnings.push_back(r.unmade.back());
-  } else if (s.slips) {
-    r.checks.push_back(
-        make_check(name, d.load, si::N,
-                   {.sense = Sense::at_most,
-                    .limit = s.load,
-                    .rule = fmt::format("cutting force {} against what the slipping drive passes on", reserve),
-                    .trust = "derived"}));
-  } else {
-    r.checks.push_back(
-        make_check(name, s.slip_arc, si::rad,
-                   {.sense = Sense::at_most,
-                    .limit = d.working_arc,
-                    .rule = fmt::format("slip arc ln((T_1 - c)/(T_2 - c))/mu {} against the working arc", reserve),
-                    .trust = "derived"}));
+  const double m = in.grip_reserve;
+  if (s.slips) {
+    r.checks.push_back(make_check(
+        name, m * in.cutting_force, si::N,
+        {.sense = Sense::at_most,
+         .limit = s.load,
+         .rule = fmt::format("m = {:.4g} times the cutting force against what the slipping drive passes on", m),
+         .trust = "derived"}));
+    return;
   }
+  const double arc = std::log1p(m * (s.T_1 - s.T_2) / (s.T_2 - d.momentum_flow)) / d.friction;
+  r.checks.push_back(make_check(
+      name, arc, si::rad,
+      {.sense = Sense::at_most,
+       .limit = d.working_arc,
+       .rule = fmt::format("slip arc ln(1 + m (T_1 - T_2)/(T_2 - c))/mu, m = {:.4g}, against the working arc", m),
+       .trust = "derived"}));
 }
 
 /// Adds the exact column to the method's result.
@@ -149,7 +145,7 @@ void complete_friction_drive(const friction_drive::Input& in, const friction_dri
   if (const auto rope = rope_of(in)) friction_drive::take_tension(*rope, e.T_1_exact, r);
   add_words(in, d, s, r);
   add_comparisons(out, e, r);
-  if (in.take_up) check_grip(in, d, r);
+  if (in.take_up) check_grip(in, d, s, r);
   const auto values = values_of(FrictionDriveExact::describe(), &e);
   r.values.insert(r.values.end(), values.begin(), values.end());
 }

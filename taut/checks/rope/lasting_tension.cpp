@@ -6,8 +6,12 @@
 namespace taut::checks {
 
 void LastingTension::take(double t, double T, long steps) {
+  if (!all_.empty() && t == all_.back().t) {  // a moment that is shown twice
+    all_.back().T = std::max(all_.back().T, T);
+    return;
+  }
   const bool unseen = !all_.empty() && t - all_.back().t > gap && steps - steps_ > 2;
-  if (unseen || (!all_.empty() && t <= all_.back().t)) {
+  if (unseen || (!all_.empty() && t < all_.back().t)) {
     all_.clear();
     rising_.clear();
   }

@@ -187,7 +187,9 @@ void RopeUses::take_motion(int reeving, const solve::RopeExtreme& extreme, bool 
   at_rest(lasting.largest(),
           fmt::format("{}, for {:g} s until t = {:.4g} s", words, LastingTension::lasts, lasting.when()));
   use.last = std::max(use.last, lasting.at_end());
-  const bool grows = T.t_max >= lasting.last_moment() && T.max > (1 + still_grows) * lasting.before_end();
+  constexpr double same_time = 1e-9;  // relative; the last step and the last output differ by rounding
+  const bool grows =
+      T.t_max >= (1 - same_time) * lasting.last_moment() && T.max > (1 + still_grows) * lasting.before_end();
   if (grows && rope::goes_beyond_rest(T.max, use.tension)) {
     growing_.push_back(fmt::format(
         "{}: the tension of {} is largest where the motion ends, {:.4g} kN at t = {:.4g} s: its peak may lie "

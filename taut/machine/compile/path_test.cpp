@@ -142,7 +142,7 @@ TEST(Axes, OfABlockThatTurnsTheRope) {
   const Vector3 across = Vector3(-1, 1, 0).normalized();
   EXPECT_NEAR((tail_axis({0, 0, 30}, {1, 1, 20}) - across).norm(), 0, 1e-9);
   EXPECT_NEAR((tail_axis({200, 200, 30}, {199, 199, 20}) - across).norm(), 0, 1e-9);
-  EXPECT_EQ(tail_axis({0, 100, 30}, {100, 0, 30}), Vector3::UnitY()) << "a corner";
+  EXPECT_EQ(tail_axis({0, 100, 20}, {100, 0, 20}), Vector3::UnitY()) << "a corner";
   // down a mast the leg has no direction in plan
   EXPECT_NEAR((tail_axis({0, 0, 30}, {100.5, 99.5, 0}) - across).norm(), 0, 1e-9);
 }
