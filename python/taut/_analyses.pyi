@@ -1,6 +1,6 @@
 """Made from the descriptions by python/tools/make_stub.py; do not edit. `./dev python stub` makes it again.
 
-schema: a6e143b4ab7f9eb62ffaa2c0e5f56617e04d2d4af5d28fca06ac027c1a4bab3e
+schema: 07d7572c7f1be1eaf80db25f1d5a79efeb1031e3d0df5f41536374fef0c7169a
 """
 
 from collections.abc import Mapping, Sequence
@@ -379,7 +379,8 @@ class Analyses:
         pull: pulls, one after the other.
         least: lengths of ropes for which each keeps a least tension under all loads.
         rounds: number of times that the list of pulls is repeated (at least 1 and at most 1000). Default: 1.
-        longest: m. largest length that a pull may take out (above 0 m and at most 10000 m). Default: 0.5 m.
+        longest: m. largest length that a pull may take out or let in; default: 0.5 m with contacts or cylinders, else any
+            (above 0 m and at most 10000 m).
         tolerance: tolerance of tensions relative to the largest of the rope, of places relative to the size of the machine
             (at least 1e-13 and at most 0.001). Default: 1e-9.
         start: of a machine with contacts or cylinders. settled: from the equilibrium at rest; assembled: from places and

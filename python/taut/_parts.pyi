@@ -1,6 +1,6 @@
 """Made from the descriptions by python/tools/make_stub.py; do not edit. `./dev python stub` makes it again.
 
-schema: a6e143b4ab7f9eb62ffaa2c0e5f56617e04d2d4af5d28fca06ac027c1a4bab3e
+schema: 07d7572c7f1be1eaf80db25f1d5a79efeb1031e3d0df5f41536374fef0c7169a
 """
 
 from collections.abc import Mapping, Sequence
@@ -108,7 +108,7 @@ class Parts:
             mm.
         efficiency: T_small/T_large over the turning sheave (above 0 and at most 1). Default: 1.
         body: the body that carries it; default: the ground.
-        axis: direction of its axis, in the frame of its body.
+        axis: direction of its axis, in the frame of its body; default: [0, 1, 0], on the ground across the line in plan.
         law: a sheave turns (default in sheaves), a saddle does not (default in supports): `sheave`, `saddle`.
         friction: friction coefficient of the rope in the groove; on a sheave without it the rope does not slip (at least
             0).
@@ -151,7 +151,7 @@ class Parts:
         diameter: m. pitch diameter, to the centre of the rope; 0: a point (at least 0 mm and at most 1e9 mm). Default: 0
             mm.
         body: the body that carries it; default: the ground.
-        axis: direction of its axis, in the frame of its body.
+        axis: direction of its axis, in the frame of its body; default: [0, 1, 0], on the ground across the line in plan.
         law: a sheave turns (default in sheaves), a saddle does not (default in supports): `sheave`, `saddle`.
         efficiency: T_small/T_large over the turning sheave (above 0 and at most 1). Default: 1.
         uplift: where the rope pulls upwards: hold it (default of a sheave), report it (default of a saddle), or let it lift
@@ -293,10 +293,10 @@ class Parts:
         path: elements from end to end.
         name: name in tables and references; default: the name of the rope.
         length: m. unstretched length of the rope from end to end (above 0 m and at most 1000000 m).
-        tension_at_start: N. in place of the length: tension that is constant in every state, as by a counterweight (above 0
-            kN and at most 1e9 kN).
-        tension_at_end: N. in place of the length: tension that is constant in every state, as by a counterweight (above 0
-            kN and at most 1e9 kN).
+        tension_at_start: N. in place of the length: tension that is constant in every state at rest, as by a counterweight;
+            a motion begins with it and keeps the length (above 0 kN and at most 1e9 kN).
+        tension_at_end: N. in place of the length: tension that is constant in every state at rest, as by a counterweight; a
+            motion begins with it and keeps the length (above 0 kN and at most 1e9 kN).
         tension_equals: in place of the length: a rope; at rest as described both have the same tension at the start of
             their paths, and the length found there is kept.
         install: in place of the length: tension when the line is put up; the length found there is kept.
@@ -361,7 +361,8 @@ class Parts:
         from_: fraction at which a rate begins; default: 0 (at least 0 and at most 1).
         to: fraction at which a rate ends; default: 1 (at least 0 and at most 1).
         elements: number of parts into which a rate is divided; default: up to 16 (at least 1 and at most 64).
-        signal: in motion the force, or the rate, over time: a signal; statics takes 'tangential' or 'rate'.
+        signal: in motion the force, or the rate, over time: a signal, whose sign does not count against the motion; statics
+            takes 'tangential' or 'rate'.
         name: name in tables; default: ROPE.load.
 
         A number is SI, a text has its unit. Returns the machine; its mistakes are told when it is calculated.
@@ -477,7 +478,8 @@ class Parts:
         y: m. of a survey: y in the ground frame; its rows are projected on the line.
         between: two points: the line runs from the first (chainage 0) to the second; default for a survey: from its first
             to its last row.
-        corridor: m. a warning names surveyed rows farther off the line than this (at least 0 m). Default: 5 m.
+        corridor: m. a warning names surveyed rows, and ropes with a carriage, farther off the line than this (at least 0
+            m). Default: 5 m.
         from_: m. place with chainage 0, [x, y] in the ground frame; for lines oblique to the axes.
         along: horizontal direction of the chainage, [x, y].
 
@@ -640,7 +642,7 @@ class Parts:
         stop: true: the run ends. Default: false.
         actuator: an actuator that changes its mode.
         brake: a drum whose brake is set, or with 'mode: open' opened.
-        drive: a drum or driven sheave that gets a new speed, torque or pull.
+        drive: a drum or driven sheave that gets a new speed, torque or pull; a brake that is set stays set.
         mode: new mode of an actuator: extend, retract, lock, free; of a brake: set, open.
         speed: new speed of a drive: a signal, or a speed.
         torque: new torque of a drive: a signal, or a moment.

@@ -1,6 +1,6 @@
 """Made from the descriptions by python/tools/make_stub.py; do not edit. `./dev python stub` makes it again.
 
-schema: a6e143b4ab7f9eb62ffaa2c0e5f56617e04d2d4af5d28fca06ac027c1a4bab3e
+schema: 07d7572c7f1be1eaf80db25f1d5a79efeb1031e3d0df5f41536374fef0c7169a
 """
 
 from collections.abc import Mapping, Sequence
@@ -58,8 +58,9 @@ def mast_section(
         (at least -60 deg and at most 85 deg).
     span: the span, from which the branch angle follows; or give branch_angle.
     allowable_stress: Pa. allowable stress; or give steel and safety (above 0 MPa).
-    steel: steel grade of the catalogue, S355H; with safety.
-    safety: yield stress over allowable stress (at least 1).
+    steel: steel grade of the catalogue, EN 10210-1 S355H; with safety.
+    safety: yield stress over allowable stress; by second order also what the ropes' forces are multiplied by (at least
+        1).
     tube_ratio: inner over outer diameter of the tube (at least 0 and below 1). Default: 0.9.
     section: catalogue section to check, CHS 508x16; RHS about the strong axis.
     choose_section: which catalogue sections may be chosen; or give section.
@@ -143,8 +144,8 @@ def closed_loop(
         carriage: `sag`, `winch_pull`, `loop_length`, `free_running`. Default: sag.
     sag: m. vertical sag of the lower branch at the carriage, under the chord (above 0 m).
     winch_pull: N. pull of the winch on the traction rope (mode winch_pull) (above 0 kN).
-    head_efficiency: efficiency of the sheaves at A: T_lA = winch_pull * head_efficiency (above 0 and at most 1).
-        Default: 1.
+    head_efficiency: efficiency of the traction rope's sheaves at A: T_lA = winch_pull * head_efficiency hauled in,
+        winch_pull / head_efficiency hauled out (above 0 and at most 1). Default: 1.
     loop_length: m. unstretched length of the whole loop (mode loop_length) (above 0 m).
     gathering_angle_from: line from which gathering_angle is measured: `vertical`, `horizontal`. Default: vertical.
     return_weight: N/m. weight of the return rope per metre of rope (above 0 N/m).
@@ -200,6 +201,7 @@ def friction_drive(
     take_up: Mapping[str, Any] | None = None,
     rope_stiffness: Quantity | None = None,
     centre_distance: Quantity | None = None,
+    idler_radius: Quantity | None = None,
     cut: Literal["at_idler", "in_tight_branch"] | None = None,
     checks: Mapping[str, Any] | None = None,
     design: Mapping[str, Any] | None = None,
@@ -233,6 +235,8 @@ def friction_drive(
     rope_stiffness: N. stiffness EA, for the creep; default: 100 GPa times the area (above 0 kN).
     centre_distance: m. distance of driving sheave and idler, for the length of the rope with a screw; with
         sheave_radius the arcs count too (above 0 m).
+    idler_radius: m. radius of the idler to the rope's centre: `checks` need it for D/d, groove pressure and life (above
+        0 m).
     cut: place of the cutting force in the exact solution: at_idler (the idler feels the whole tight tension, as in the
         method), or in the middle of the tight branch: `at_idler`, `in_tight_branch`. Default: at_idler.
     checks: the block `checks` of the deck.
