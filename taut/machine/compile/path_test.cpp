@@ -87,6 +87,7 @@ Machine turned_line(double angle, std::optional<Triple> axis = {}) {
 Vector3 jack_axis(const Machine& m) {
   const auto model = compile(m);
   EXPECT_TRUE(model) << complaints_of(m);
+  if (!model) return {};
   for (const Node& node : model->reevings[0].nodes) {
     if (node.name == "jack") return node.axis;
   }
