@@ -15,6 +15,8 @@ constexpr double endless = std::numeric_limits<double>::infinity();
 /// All numbers from lo to hi.
 struct Range {
   double lo = 0, hi = 0;
+  constexpr Range() = default;
+  constexpr Range(double least, double most) : lo(least), hi(most) {}
   bool has_zero() const { return !(lo > 0 || hi < 0); }  // nor without bounds
   bool is_zero() const { return lo == 0 && hi == 0; }
 };
@@ -65,6 +67,8 @@ Range cosine(const Range& a) { return sine(a + Range{half_turn / 2, half_turn / 
 /// Bounds of a part of a formula and of its slope.
 struct Bounds {
   Range value, slope;
+  Bounds() = default;
+  Bounds(const Range& of_value, const Range& of_slope) : value(of_value), slope(of_slope) {}
 };
 
 Bounds root(const Bounds& a) {
