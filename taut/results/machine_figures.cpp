@@ -562,7 +562,7 @@ void add_figures(MachineRun& run, Result& r) {
                                     [&](const auto& one) { return &one.result == drawn.result; });
   std::string words = drawn.words;
   if (at_rest != run.equilibria.end()) {
-    const bool alone = run.equilibria.size() == 1 && at_rest->ending.empty();
+    const bool alone = at_rest->ending.empty();
     words = "Equilibrium, " + (alone ? words : checks::analysis_words(at_rest->ending, "equilibrium") + ", " + words);
   }
   add_drawings(*drawn.model, *drawn.result, line_of(run),
