@@ -170,7 +170,7 @@ CheckState state_of(const machine::Model& model, const solve::TransientResult& m
   all.model = &model;
   all.words = std::move(words);
   all.analysis = std::move(analysis);
-  all.moves = true;  // whoever takes it knows better
+  all.moves = true;  // until whoever shows it says that it is at rest
   all.t = moment.t;
   for (const auto& b : moment.branches) {
     add_branch(b, model.reevings[b.reeving], is_heavy(motion, b.reeving), all.branches);

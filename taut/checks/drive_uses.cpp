@@ -52,11 +52,13 @@ struct DrumLoad {
   double torque = 0;   ///< N m
   bool stands = true;  ///< none of them runs
 };
+/// `flow`: by reeving, how it runs at its nodes; empty: all stand.
 std::map<int, DrumLoad> loads_of(const Array<solve::DrumResult>& ends, const Array<Array<int>>& flow) {
   std::map<int, DrumLoad> loads;
   for (const solve::DrumResult& d : ends) {
     DrumLoad& load = loads[d.drum];
     load.torque += d.sense * d.torque;
+    if (flow.empty()) continue;
     const Array<int>& runs = flow[d.reeving];
     load.stands = load.stands && std::all_of(runs.begin(), runs.end(), [](int f) { return f == 0; });
   }
@@ -76,6 +78,13 @@ void check_torque(const machine::Drum& drum, const DrumLoad& d, std::vector<Chec
 /// A drum that stands does so by its brake, or by a motor with a torque or a pull.
 bool stands_by_brake(const machine::Drum& drum) {
   return drum.brake && drum.drive.kind != machine::DriveKind::torque && drum.drive.kind != machine::DriveKind::pull;
+}
+
+/// Whether a motion has the brake set, from its start or by an event: then it shows whether it holds.
+bool is_braked(const machine::Model& m, int drum) {
+  return m.drums[drum].drive.brake || std::any_of(m.events.begin(), m.events.end(), [&](const machine::Event& event) {
+           return event.kind == machine::EventKind::brake && event.brake_set && event.index == drum;
+         });
 }
 
 /// It has to hold the pull of its rope.
@@ -182,6 +191,11 @@ void DriveUses::take_moment(const machine::Model& m, const solve::TransientFrame
   if (drums.empty()) return;
   std::vector<Check> made;
   check_capacities(m, drums, made);
+  for (const auto& [drum, load] : loads_of(drums, {})) {
+    // a motion lets a drum without a drive stand whatever it takes
+    if (m.drums[drum].drive.kind == machine::DriveKind::held && !is_braked(m, drum))
+      check_brake(m.drums[drum], load, made);
+  }
   for (const auto& d : drums) {
     keep_turns(m, d, when);
     keep_layer(m, d, when);
@@ -190,7 +204,15 @@ void DriveUses::take_moment(const machine::Model& m, const solve::TransientFrame
 }
 
 void DriveUses::take(const machine::Model& m, const solve::TransientResult& motion, const std::string& words) {
-  moves_ = true;
+  for (std::size_t d = 0; d < m.drums.size(); ++d) {
+    const machine::Drum& drum = m.drums[d];
+    if (!stands_by_brake(drum)) continue;
+    if (is_braked(m, static_cast<int>(d))) {
+      braked_.insert(drum.name);
+    } else if (drum.drive.kind != machine::DriveKind::held) {
+      unloaded_brakes_.try_emplace(drum.name, words);
+    }
+  }
   const solve::TransientFrame& first = motion.frames.front();
   for (std::size_t c = 0; c < motion.ways.size(); ++c) {
     const machine::Node& node = m.reevings[first.contacts[c].reeving].nodes[first.contacts[c].node];
@@ -228,7 +250,7 @@ void DriveUses::take(const machine::Model& m, const solve::TransientResult& moti
 void DriveUses::add_checks(Result& r) const {
   for (const auto& [name, check] : worst_) r.checks.push_back(check);
   for (const auto& [drum, words] : unloaded_brakes_) {
-    if (moves_ || worst_.contains(drum + ".brake_torque")) continue;
+    if (braked_.contains(drum) || worst_.contains(drum + ".brake_torque")) continue;
     r.unmade.push_back(
         fmt::format("{}.brake_torque is not checked: the drum turns in every state ({}); add an analysis "
                     "at rest",

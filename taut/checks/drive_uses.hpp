@@ -1,5 +1,6 @@
 #pragma once
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -38,8 +39,8 @@ class DriveUses {
   };
   std::map<std::string, Slip> slips_;                   // the largest of each sheave
   std::map<std::string, std::string> unbraked_;         // drums whose brake slips, or that turn on when a motion ends
-  std::map<std::string, std::string> unloaded_brakes_;  // drums that turn in a state: where
-  bool moves_ = false;                                  // a motion has been seen
+  std::map<std::string, std::string> unloaded_brakes_;  // drums that no state shows by their brake: where
+  std::set<std::string> braked_;                        // drums whose brake a motion sets: it judges them by their slip
   std::map<std::string, std::string> layers_;           // drums with more layers than they are calculated with
   std::map<std::string, std::string> yielding_;         // cylinders at their force limit
   struct Turns {

@@ -326,6 +326,10 @@ analyses: [)" + analyses + "]\n"))
   EXPECT_EQ(to_text(hoists.kind), "not_judged") << hoists.reason;
   EXPECT_NE(hoists.reason.find("winch.brake_torque is not checked"), std::string::npos) << hoists.reason;
   EXPECT_EQ(to_text(judged("equilibrium: {}, equilibrium: {name: up, motion: hoist}").kind), "fails");
+  // a motion holds a drum without a drive whatever it takes: 4 t at 0.2 m are 7.8 kN m, at a brake of 1 kN m
+  const Verdict held = judged("transient: {duration: 0.2 s, output_step: 0.1 s, tolerance: 1e-3}");
+  EXPECT_EQ(to_text(held.kind), "fails") << held.reason;
+  EXPECT_NE(held.reason.find("winch.brake_torque"), std::string::npos) << held.reason;
 }
 
 // The brake of a drum in its third layer has more to hold than in the first one, with which the machine is calculated.

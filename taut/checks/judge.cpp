@@ -119,9 +119,9 @@ Judge::Judge(const CheckedDeck& deck, const machine::Model& model)
 void Judge::warn(const std::string& once, const std::string& text, bool unsafe, double size) {
   const auto [at, is_new] = known_.try_emplace(once, warned_.size());
   if (is_new) {
-    warned_.push_back({text, unsafe, size});
+    warned_.push_back({.text = text, .unsafe = unsafe, .size = size});
   } else if (size > warned_[at->second].size) {
-    warned_[at->second] = {text, unsafe, size};
+    warned_[at->second] = {.text = text, .unsafe = unsafe, .size = size};
   }
 }
 

@@ -155,10 +155,11 @@ class RopeChecker {
     }
     if (!has_strength()) return;
     if (use_.ends.empty()) leave_out("its termination", "no end of it is fixed: both lie on drums, or it is endless");
-    if (rules_.safety_factors.empty()) leave_out("its termination", "no rule gives a safety factor");
+    if (rules_.safety_factors.empty() && !rules_.least_termination)
+      leave_out("its termination", "no rule gives a safety factor");
     for (const RopeEnd& end : use_.ends) {
       for (const Limit& limit : rules_.safety_factors) {
-        if (limit.covers_bending || !(end.tension > 0)) continue;
+        if (limit.covers_ends || !(end.tension > 0)) continue;
         const bool doubt = efficiency.trust.starts_with("UNVERIFIED");
         keep_worst(
             "termination", efficiency.value * strength() / end.tension, si::one,

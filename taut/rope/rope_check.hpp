@@ -15,7 +15,8 @@ struct Limit {
   double value = 0;  ///< SI
   std::string rule;
   std::string trust;
-  bool covers_bending = false;  ///< of a safety factor: bending and terminations are in it (cranes, ropeways)
+  bool covers_bending = false;  ///< of a safety factor: the bending on sheaves is in it (cranes, ropeways)
+  bool covers_ends = false;     ///< of a safety factor: it holds whatever the terminations (cranes, least_termination)
 };
 
 /// Which limits hold for one rope. What is empty is not checked.

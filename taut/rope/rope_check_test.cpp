@@ -67,8 +67,9 @@ TEST(RopeCheck, the_worst_sheave_governs) {
 // A factor that covers the bending takes nothing from one that does not.
 TEST(RopeCheck, factors_of_both_kinds) {
   RopeRules rules;
-  rules.safety_factors = {{.value = 3, .rule = "skyline", .trust = "verified"},
-                          {.value = 2.5, .rule = "stay", .trust = "verified", .covers_bending = true}};
+  rules.safety_factors = {
+      {.value = 3, .rule = "skyline", .trust = "verified"},
+      {.value = 2.5, .rule = "stay", .trust = "verified", .covers_bending = true, .covers_ends = true}};
   rules.termination = Limit{.value = 0.8, .rule = "clips", .trust = "verified"};
   rules.least_termination = Limit{.value = 0.8, .rule = "at least", .trust = "verified"};
   const RopeChecks all = check_rope(hoist_rope(), rules);
@@ -79,6 +80,17 @@ TEST(RopeCheck, factors_of_both_kinds) {
   const RopeChecks weak = check_rope(slender, rules);
   EXPECT_NEAR(value_of(weak, "hoist.termination"), 0.8 * 160 / 50, 1e-12);
   EXPECT_FALSE(find(weak, "hoist.termination")->passes);
+}
+
+// A ropeway's factor covers the bending, not the ends: 0.8 x 160/30 at the hook.
+TEST(RopeCheck, a_factor_that_covers_the_bending_alone) {
+  RopeRules rules;
+  rules.safety_factors = {{.value = 4.5, .rule = "ropeway", .trust = "verified", .covers_bending = true}};
+  rules.termination = Limit{.value = 0.8, .rule = "clips", .trust = "verified"};
+  const RopeChecks all = check_rope(hoist_rope(), rules);
+  EXPECT_EQ(find(all, "hoist.on_sheave"), nullptr);
+  EXPECT_NEAR(value_of(all, "hoist.termination"), 0.8 * 160 / 30, 1e-12);
+  EXPECT_FALSE(find(all, "hoist.termination")->passes);
 }
 
 // What the deck asks for and cannot be made is said.
@@ -98,7 +110,8 @@ TEST(RopeCheck, what_is_asked_for_is_made_or_left_out) {
 
 TEST(RopeCheck, a_crane_factor_has_the_bending_in_it) {
   RopeRules rules;
-  rules.safety_factors = {{.value = 4.5, .rule = "ISO 4308-1", .trust = "verified", .covers_bending = true}};
+  rules.safety_factors = {
+      {.value = 4.5, .rule = "ISO 4308-1", .trust = "verified", .covers_bending = true, .covers_ends = true}};
   rules.termination = Limit{.value = 0.75, .rule = "wedge", .trust = "verified"};
   rules.least_termination = Limit{.value = 0.8, .rule = "at least", .trust = "UNVERIFIED: recalled"};
   const RopeChecks all = check_rope(hoist_rope(), rules);

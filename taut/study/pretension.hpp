@@ -62,7 +62,7 @@ struct PullEnd {
 };
 
 /// A state at rest as such an end.
-PullEnd end_of(const machine::Model& model, const solve::EquilibriumResult& state);
+PullEnd end_of(const machine::Model& model, const solve::EquilibriumResult& result);
 
 struct PretensionOptions {
   std::optional<double> longest;  ///< m: a pull of more is not right; empty: 0.5 m where it is slow, else any

@@ -135,13 +135,16 @@ class RequestReader {
       return complain("class", fmt::format("'{}' has no class '{}': M1 to M8", name, *request_.group));
     if (!row) return no_such_field(name, key);
     asked_.fields.push_back(row->id);
-    const bool covers = begins(row->id, {"safety.crane_", "safety.ropeway_"});
-    all_cover_bending_ = covers && (all_cover_bending_ || asked_.fields.size() == 1);
+    const bool crane = begins(row->id, {"safety.crane_"}), covers = crane || begins(row->id, {"safety.ropeway_"});
+    const bool first = asked_.fields.size() == 1;
+    all_cover_bending_ = covers && (all_cover_bending_ || first);
+    all_cover_ends_ = crane && (all_cover_ends_ || first);
     if (row->id == "safety.crane_running.en13001") {
       rules_.resistance = Limit{.value = 0, .rule = words_of(*row), .trust = trust_of(*row)};
     } else if (row->low) {
       rules_.safety_factors.push_back(limit_of(*row, SafeEnd::high));
       rules_.safety_factors.back().covers_bending = covers;
+      rules_.safety_factors.back().covers_ends = crane;
     }
   }
 
@@ -150,11 +153,15 @@ class RequestReader {
       rules_.safety_factors.push_back({.value = *request_.safety_factor,
                                        .rule = "safety factor of the deck",
                                        .trust = "user",
-                                       .covers_bending = all_cover_bending_});
+                                       .covers_bending = all_cover_bending_,
+                                       .covers_ends = all_cover_ends_});
     }
     if (request_.sheave_weakening != Choose::by_field) {
       rules_.bending_asked = request_.sheave_weakening == Choose::yes;
-      for (Limit& limit : rules_.safety_factors) limit.covers_bending = !rules_.bending_asked;
+      for (Limit& limit : rules_.safety_factors) {
+        limit.covers_bending = !rules_.bending_asked;
+        limit.covers_ends &= limit.covers_bending;
+      }
     }
     if (request_.en13001 && !rules_.resistance) {
       if (const auto row = rule_named("safety.crane_running.en13001")) {
@@ -291,7 +298,7 @@ class RequestReader {
   std::string path_;
   std::vector<Complaint>& complaints_;
   bool used_group_ = false;
-  bool all_cover_bending_ = false;  ///< of the fields; false without any
+  bool all_cover_bending_ = false, all_cover_ends_ = false;  ///< of the fields; false without any
   AskedRules asked_;
   rope::RopeRules& rules_ = asked_.of_any_rope;
 };
@@ -316,8 +323,8 @@ class RopeLimits {
   void termination() {
     if (!asked_.termination.empty()) named_termination(asked_.termination);
     const auto& factors = rules_.safety_factors;
-    const bool covered = std::any_of(factors.begin(), factors.end(), [](const Limit& f) { return f.covers_bending; }) ||
-                         (rules_.resistance && factors.empty());
+    const bool covered = factors.empty() ||  // EN 13001 has no factor with a number
+                         std::any_of(factors.begin(), factors.end(), [](const Limit& f) { return f.covers_ends; });
     if (!rules_.termination || !covered) return;
     const auto& ids = asked_.fields;
     const bool crane =

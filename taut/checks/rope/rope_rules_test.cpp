@@ -88,6 +88,32 @@ TEST(RopeRules, each_field_covers_its_own_bending) {
   for (const rope::Limit& limit : counts.safety_factors) EXPECT_FALSE(limit.covers_bending);
 }
 
+// Ropeways cover the bending alone, and so does a deck's word; cranes the ends too, by their least termination.
+TEST(RopeRules, ends_are_covered_by_cranes_alone) {
+  RopeCheckRequest request;
+  request.termination = "clips";
+  request.field = {"ropeway_track"};
+  const auto ropeway = rules_for(request, six_strand("IWRC"));
+  EXPECT_TRUE(ropeway.safety_factors[0].covers_bending);
+  EXPECT_FALSE(ropeway.safety_factors[0].covers_ends);
+  EXPECT_FALSE(ropeway.least_termination);
+  request.field.clear();
+  request.safety_factor = 3.5;
+  request.sheave_weakening = Choose::no;
+  const auto own = rules_for(request, six_strand("IWRC"));
+  EXPECT_TRUE(own.safety_factors[0].covers_bending);
+  EXPECT_FALSE(own.safety_factors[0].covers_ends);
+  request = {};
+  request.termination = "clips";
+  request.field = {"crane_running.en13001"};
+  EXPECT_EQ(rules_for(request, six_strand("IWRC")).least_termination->value, 0.8);
+  request.field = {"crane_running"};
+  request.group = "M5";
+  const auto crane = rules_for(request, six_strand("IWRC"));
+  EXPECT_TRUE(crane.safety_factors[0].covers_ends);
+  EXPECT_TRUE(crane.least_termination);
+}
+
 TEST(RopeRules, what_is_no_safety_factor_is_refused) {
   RopeCheckRequest request;
   for (const char* field : {"skyline_elastic_limit", "skyline_extension.us_wa"}) {

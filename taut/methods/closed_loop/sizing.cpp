@@ -115,17 +115,19 @@ struct Place {
 };
 
 constexpr std::array on_return = {
-    Place{"upper branch at A", &Output::T_uA, &Output::T_uA_exact},
-    Place{"upper branch at the carriage", &Output::T_U, &Output::T_U_exact},
-    Place{"upper branch at B", &Output::T_uB, &Output::T_uB_exact},
-    Place{"lower branch at B", &Output::T_lB, &Output::T_lB_exact},
-    Place{"lower branch at the carriage", &Output::T_lLB, &Output::T_lLB_exact},
-    Place{"between the sections of the carriage", &Output::T_12, &Output::T_12_exact},
+    Place{.where = "upper branch at A", .closed_form = &Output::T_uA, .exact = &Output::T_uA_exact},
+    Place{.where = "upper branch at the carriage", .closed_form = &Output::T_U, .exact = &Output::T_U_exact},
+    Place{.where = "upper branch at B", .closed_form = &Output::T_uB, .exact = &Output::T_uB_exact},
+    Place{.where = "lower branch at B", .closed_form = &Output::T_lB, .exact = &Output::T_lB_exact},
+    Place{.where = "lower branch at the carriage", .closed_form = &Output::T_lLB, .exact = &Output::T_lLB_exact},
+    Place{.where = "between the sections of the carriage", .closed_form = &Output::T_12, .exact = &Output::T_12_exact},
 };
 constexpr std::array on_traction = {
-    Place{"lower branch at A", &Output::T_lA, &Output::T_lA_exact},
-    Place{"lower branch at the carriage", &Output::T_lLA, &Output::T_lLA_exact},
-    Place{"at the winch, behind the sheaves at A", &Output::T_winch, &Output::T_winch_exact},
+    Place{.where = "lower branch at A", .closed_form = &Output::T_lA, .exact = &Output::T_lA_exact},
+    Place{.where = "lower branch at the carriage", .closed_form = &Output::T_lLA, .exact = &Output::T_lLA_exact},
+    Place{.where = "at the winch, behind the sheaves at A",
+          .closed_form = &Output::T_winch,
+          .exact = &Output::T_winch_exact},
 };
 
 Peaks peaks_by(double Output::*Place::*tier, const Output& out) {
