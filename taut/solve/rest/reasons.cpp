@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "taut/base/array.hpp"
+#include "taut/math/index.hpp"
 #include "taut/solve/rest/fed_rope.hpp"
 
 namespace taut::solve {
