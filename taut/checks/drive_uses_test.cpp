@@ -99,6 +99,35 @@ TEST(DriveUses, WhatLiesOnADrumCountsAtEveryMoment) {
   EXPECT_NE(taut_test::check_of(full, "winch.capacity").where.find("transient, t = "), std::string::npos);
 }
 
+/// Two ropes hold a weight each from one winch: its motor pulls both where they are wound the same way.
+TEST(DriveUses, TheWinchPullsAllRopesOfItsDrum) {
+  const auto winch = [](const std::string& second) {
+    return run_text(R"(taut: 1
+machine:
+  ropes: {line: {rope: "EN 12385-4|6x36-IWRC|16|1960", stiffness: 12 MN}, other: {rope: "EN 12385-4|6x36-IWRC|16|1960", stiffness: 12 MN}}
+  bodies:
+    left: {mass: 2 t, at: [0.4 m, 0 m, -20 m], free: [z]}
+    right: {mass: 3 t, at: [)" +
+                    second + R"( m, 0 m, -20 m], free: [z]}
+  drums: {winch: {at: [0 m, 0 m, 0 m], axis: [0, 1, 0], core_diameter: 784 mm, face_width: 160 mm, length_on_drum: 12 m, layers: auto}}
+  reevings:
+    - {rope: line, path: [{drum: winch}, {anchor: left}], length: 20 m}
+    - {rope: other, path: [{drum: winch}, {anchor: right}], length: 20 m}
+checks: {ropes: {line: {running: stands, rated_pull: 30 kN}, other: {running: stands, rated_pull: 60 kN}}}
+analyses: [{equilibrium: {}}]
+)");
+  };
+  const Result r = winch("0.4");
+  ASSERT_TRUE(verdict_of(r)) << to_text(r.errors);
+  EXPECT_NEAR(taut_test::check_of(r, "line.last_layer_pull").value, 5 * 9806.65, 10);
+  EXPECT_FALSE(taut_test::check_of(r, "line.last_layer_pull").passes);
+  EXPECT_NEAR(taut_test::check_of(r, "other.last_layer_pull").value, 5 * 9806.65, 10);
+  EXPECT_NE(taut_test::check_of(r, "line.last_layer_pull").rule.find("its other ropes"), std::string::npos);
+  const Result against = winch("-0.4");
+  EXPECT_NEAR(taut_test::check_of(against, "line.last_layer_pull").value, 2 * 9806.65, 10);
+  EXPECT_NEAR(taut_test::check_of(against, "other.last_layer_pull").value, 3 * 9806.65, 10);
+}
+
 /// A mainline that hauls its carriage from 248 m to 20 m: it has 40 m on its drum, and 20 turns to a layer of 12 mm.
 TEST(DriveUses, WhatLiesOnADrumCountsAtEveryPlaceOfALine) {
   const Result r = run_text(R"(taut: 1

@@ -360,13 +360,19 @@ class RopeChecker {
   void last_layer() {
     for (const DrumEnd& drum : use_.drums) {
       if (!rules_.rated_pull || !drum.first_radius || !drum.last_radius || !(drum.tension > 0)) continue;
-      keep_worst("last_layer_pull", use_.copies * drum.tension, si::N,
-                 {.sense = Sense::at_most,
-                  .limit = *rules_.rated_pull * *drum.first_radius / *drum.last_radius,
-                  .rule = fmt::format("pull of '{}' in its last layer{}: {} in the first one x {:.4g} m/{:.4g} m",
-                                      drum.name, use_.copies > 1 ? fmt::format(", {} ropes", use_.copies) : "",
-                                      kilonewton(*rules_.rated_pull), *drum.first_radius, *drum.last_radius),
-                  .trust = "user"});
+      const double own = use_.copies * drum.tension;
+      constexpr double rounding = 1e-9;
+      const bool others = drum.haul > (1 + rounding) * own;
+      keep_worst(
+          "last_layer_pull", std::max(own, drum.haul), si::N,
+          {.sense = Sense::at_most,
+           .limit = *rules_.rated_pull * *drum.first_radius / *drum.last_radius,
+           .rule = fmt::format("pull of '{}' in its last layer{}: {} in the first one x {:.4g} m/{:.4g} m", drum.name,
+                               others            ? ", with its other ropes"
+                               : use_.copies > 1 ? fmt::format(", {} ropes", use_.copies)
+                                                 : "",
+                               kilonewton(*rules_.rated_pull), *drum.first_radius, *drum.last_radius),
+           .trust = "user"});
     }
   }
 

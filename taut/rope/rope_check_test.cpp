@@ -219,6 +219,10 @@ TEST(RopeCheck, drum_pull_in_the_last_layer) {
   EXPECT_TRUE(find(all, "hoist.last_layer_pull")->passes);
   EXPECT_TRUE(find(all, "hoist.fleet_angle")->passes);
   EXPECT_TRUE(find(all, "hoist.drum_layers")->passes);
+  use.drums[0].haul = 76e3;  // another rope pulls as much
+  const RopeChecks both = check_rope(use, rules);
+  EXPECT_EQ(find(both, "hoist.last_layer_pull")->value, 76e3);
+  EXPECT_FALSE(find(both, "hoist.last_layer_pull")->passes);
 }
 
 TEST(RopeCheck, what_is_not_known_is_told) {

@@ -30,7 +30,8 @@ struct RopeEnd {
 /// An end on a drum whose rope is known. Without what is not known.
 struct DrumEnd {
   std::string name;
-  double tension = 0;                               ///< the largest there, N
+  double tension = 0;  ///< the largest there, N
+  double haul = 0;  ///< the largest of all ropes together that are wound on it as this one, all copies, N; 0: unknown
   std::optional<double> fleet_angle;                ///< largest over the face, rad
   std::optional<int> layers;                        ///< wound when the most rope lies on it
   std::optional<double> first_radius, last_radius;  ///< of the first and of the last of these layers, m

@@ -194,10 +194,17 @@ std::string kind_of(const Expression& e) {
 /// Whether its values are cycles per time, of 2 pi rad each, and no speeds of turning.
 bool counts_cycles(const Unit& unit) { return unit.dimension == si::per_s.dimension && unit.shown == "Hz"; }
 
+/// Whether it says cycles per time by name; 1/s is rad/s where a speed of turning is asked for.
+bool is_hertz(const Expression& e) {
+  return e.factors.size() == 1 && e.factors[0].exponent == 1 && e.factors[0].row->kind == "frequency";
+}
+
 /// The SI value of 1 of these units in that one.
 double factor_for(const Expression& e, const Unit& target) {
   const double factor = factor_of(e.factors);
-  return counts_cycles(target) && e.angles == 1 ? factor / (2 * M_PI) : factor;
+  if (counts_cycles(target) && e.angles == 1) return factor / (2 * M_PI);
+  const bool turns = target.dimension == si::per_s.dimension && !counts_cycles(target);
+  return turns && is_hertz(e) ? factor * 2 * M_PI : factor;
 }
 
 bool fits(const Expression& e, const Unit& target) {

@@ -24,9 +24,10 @@ struct UnitName {
 
 /// Reads a number with a unit as the SI value of `target`: "63 kN" -> 63000 for si::N. Units combine with space, `*`,
 /// `/` and powers (`mm2`, `mm^2`, `mm²`). An angle takes deg, rad, mrad, gon or %; there % is a slope, atan(p/100). A
-/// plain number takes no unit, or %, a hundredth. Where the target is shown in Hz it counts cycles: 2 pi rad/s are 1
-/// Hz. `.inf` is accepted only with `allow_infinite`. Factors: factor.hpp. Errors: no unit or a wrong dimension (the
-/// message names a unit that fits), an unknown or ambiguous unit (it names the choices), not a number, not finite.
+/// plain number takes no unit, or %, a hundredth. Where the target is shown in Hz it counts cycles, else radians:
+/// 2 pi rad/s are 1 Hz; 1/s is the target's own unit. `.inf` is accepted only with `allow_infinite`. Factors:
+/// factor.hpp. Errors: no unit or a wrong dimension (the message names a unit that fits), an unknown or ambiguous unit
+/// (it names the choices), not a number, not finite.
 tl::expected<double, UnitError> parse_quantity(std::string_view text, const Unit& target, bool allow_infinite = false);
 
 /// The SI value of one `unit` ("kN" -> 1000). Error when it does not fit `target` or has an offset (degC).

@@ -50,6 +50,8 @@ TEST(ParseQuantity, ASpeedOfTurningIsSoManyCyclesPerTime) {
   EXPECT_DOUBLE_EQ(in_si("60 1/min", cycles), 1);
   EXPECT_DOUBLE_EQ(unit_factor("rad/s", cycles).value(), 1 / (2 * std::numbers::pi));
   EXPECT_DOUBLE_EQ(unit_factor("rad/s", si::per_s).value(), 1);
+  EXPECT_DOUBLE_EQ(in_si("2 Hz", si::per_s), 4 * std::numbers::pi);
+  EXPECT_DOUBLE_EQ(in_si("2 1/s", si::per_s), 2);
 }
 
 TEST(ParseQuantity, ReadsAnglesAndSlopes) {

@@ -52,6 +52,15 @@ double fleet_angle_of(const machine::State& state, const machine::Node& drum, co
   return largest;
 }
 
+/// What all ropes of a drum pull that are wound on it as this one, N, at its radius.
+double haul_of(const Array<solve::DrumResult>& ends, const solve::DrumResult& own) {
+  double torque = 0;
+  for (const solve::DrumResult& d : ends) {
+    if (d.drum == own.drum && d.sense == own.sense) torque += d.torque;
+  }
+  return own.radius > 0 ? torque / own.radius : 0;
+}
+
 }  // namespace
 
 const std::string& rope_name_of(const machine::Machine& machine, std::size_t reeving) {
@@ -127,13 +136,23 @@ void RopeUses::add_end(std::size_t reeving, const machine::Model& model, bool at
   auto& drums = uses_[reeving].drums;
   const auto same = [&](const rope::DrumEnd& one) { return one.name == node.name; };
   if (std::any_of(drums.begin(), drums.end(), same)) return;
-  drums.push_back(
-      {.name = node.name, .tension = 0, .fleet_angle = {}, .layers = {}, .first_radius = {}, .last_radius = {}});
+  drums.push_back({.name = node.name,
+                   .tension = 0,
+                   .haul = 0,
+                   .fleet_angle = {},
+                   .layers = {},
+                   .first_radius = {},
+                   .last_radius = {}});
 }
 
 void RopeUses::take(const machine::Model& model, const solve::EquilibriumResult& state, const std::string& words) {
   take_forces(model, state, words);
-  take_drums(model, state.state, solve::drums(model, state));
+  const Array<solve::DrumResult> ends = solve::drums(model, state);
+  take_drums(model, state.state, ends);
+  for (const solve::DrumResult& d : ends) {
+    rope::DrumEnd& known = drum_end(model, d);
+    known.haul = std::max(known.haul, haul_of(ends, d));
+  }
 }
 
 void RopeUses::take_empty(const machine::Model& model, const solve::EquilibriumResult& state,
@@ -233,25 +252,30 @@ void RopeUses::take_drums(const machine::Model& model, const machine::State& sta
   }
 }
 
+rope::DrumEnd& RopeUses::drum_end(const machine::Model& model, const solve::DrumResult& d) {
+  const machine::Reeving& rope = model.reevings[d.reeving];
+  const machine::Node& node = d.at_end ? rope.nodes.back() : rope.nodes.front();
+  auto& drums = uses_[d.reeving].drums;
+  return *std::find_if(drums.begin(), drums.end(), [&](const rope::DrumEnd& one) { return one.name == node.name; });
+}
+
 void RopeUses::take_drum(const machine::Model& model, const machine::State& state, const solve::DrumResult& d,
                          double on_it) {
   const machine::Reeving& rope = model.reevings[d.reeving];
   const machine::Node& node = d.at_end ? rope.nodes.back() : rope.nodes.front();
   const machine::Node& next = d.at_end ? rope.nodes[rope.nodes.size() - 2] : rope.nodes[1];
   const machine::Drum& drum = model.drums[d.drum];
-  const auto of_drum = [&](const rope::DrumEnd& one) { return one.name == node.name; };
-  auto& drums = uses_[d.reeving].drums;
-  const auto known = std::find_if(drums.begin(), drums.end(), of_drum);
+  rope::DrumEnd& known = drum_end(model, d);
   if (drum.width > 0) {
     const double angle = fleet_angle_of(state, node, next, drum.width - rope.diameter);
-    known->fleet_angle = std::max(known->fleet_angle.value_or(0), angle);
+    known.fleet_angle = std::max(known.fleet_angle.value_or(0), angle);
   }
   const rope::DrumLayers measures = machine::measures_of(drum, rope.diameter);
   if (!(measures.width > 0) || !d.length) return;
-  const int layers = std::max(rope::on_drum(measures, on_it).layer, known->layers.value_or(1));
-  known->layers = layers;
-  known->first_radius = rope::layer_radius(measures, 1);
-  known->last_radius = rope::layer_radius(measures, layers);
+  const int layers = std::max(rope::on_drum(measures, on_it).layer, known.layers.value_or(1));
+  known.layers = layers;
+  known.first_radius = rope::layer_radius(measures, 1);
+  known.last_radius = rope::layer_radius(measures, layers);
 }
 
 void RopeUses::take_moment(const machine::Model& model, const solve::TransientFrame& frame, long steps, bool at_rest) {
@@ -267,8 +291,15 @@ void RopeUses::take_moment(const machine::Model& model, const solve::TransientFr
     bend.wrap = std::max(bend.wrap, c.wrap);
     if (at_rest) bend.tension = std::max({bend.tension, c.T_in, c.T_out});
   }
-  const machine::State state = places_of(frame);
-  take_drums(model, state, solve::drums(model, frame));
+  const Array<solve::DrumResult> ends = solve::drums(model, frame);
+  take_drums(model, places_of(frame), ends);
+  for (const solve::DrumResult& d : ends) {
+    const double haul = haul_of(ends, d);
+    LastingTension& lasting = lasting_hauls_[{d.reeving, d.drum}];
+    lasting.take(frame.t, haul, steps);
+    rope::DrumEnd& known = drum_end(model, d);
+    known.haul = std::max({known.haul, lasting.largest(), at_rest ? haul : 0});
+  }
   for (const auto& s : frame.branches) {
     const machine::Reeving& rope = model.reevings[s.reeving];
     if (!at_rest || rope.closed) continue;

@@ -45,12 +45,14 @@ class RopeUses {
   void take_forces(const machine::Model& model, const solve::EquilibriumResult& state, const std::string& words);
   void raise_end(std::size_t reeving, const machine::Node& node, double T);
   void take_drums(const machine::Model& model, const machine::State& state, const Array<solve::DrumResult>& all);
+  rope::DrumEnd& drum_end(const machine::Model& model, const solve::DrumResult& d);
   /// `on_it`: the length of this rope that fills the drum as all its ropes together do, m.
   void take_drum(const machine::Model& model, const machine::State& state, const solve::DrumResult& d, double on_it);
 
-  Array<rope::RopeUse> uses_;                // without bends
-  Array<LastingTension> lasting_;            // of motions
-  Array<std::map<std::string, Met>> bends_;  // [reeving], by name and occurrence
+  Array<rope::RopeUse> uses_;                                    // without bends
+  Array<LastingTension> lasting_;                                // of motions
+  std::map<std::pair<int, int>, LastingTension> lasting_hauls_;  // [reeving, drum]
+  Array<std::map<std::string, Met>> bends_;                      // [reeving], by name and occurrence
   std::vector<std::string> growing_;
   Array<Vector3> axes_;  // of the first round of each rope: the senses of the others follow from it
 };
