@@ -143,8 +143,13 @@ int export_as(const std::string& format, const RunOptions& options) {
     say("taut: {}\n", written.error().message);
     return file_trouble;
   }
-  if (written->empty()) say("taut: there is nothing in space to write\n");
-  if (!options.quiet && !written->empty()) say("{} files, open {}\n", written->size(), written->back());
+  if (written->empty()) {
+    say("taut: no analysis of the deck has a state in space that this format takes: add an 'equilibrium', a "
+        "'transient' "
+        "or a slow 'pretension'\n");
+    return usage_or_deck;
+  }
+  if (!options.quiet) say("{} files, open {}\n", written->size(), written->back());
   return exit_code(result, options.strict);
 }
 
@@ -155,12 +160,7 @@ int check(const RunOptions& options) {
   const Diagnostics mistakes = app::check(*job);
   const int code = mistakes.empty() ? computed : only_unreadable_files(mistakes) ? file_trouble : usage_or_deck;
   print_mistakes(mistakes);
-  if (options.json) {
-    Result r;
-    r.status = mistakes.empty() ? Status::ok : Status::bad_deck;
-    r.errors = mistakes;
-    return print(io::to_json(r), code);
-  }
+  if (options.json) return print(io::to_json(mistakes), code);
   if (mistakes.empty() && !options.quiet) return print(fmt::format("{}: no mistakes found\n", job->name), code);
   return code;
 }

@@ -34,7 +34,8 @@ py::list views_of(const Matrix& matrix) {
   py::list views;
   const auto rows = matrix.shape(0), columns = matrix.shape(1);
   for (py::ssize_t j = 0; j < columns; ++j) {
-    py::array_t<double> view({rows}, {static_cast<py::ssize_t>(sizeof(double))}, matrix.data(0, j), matrix);
+    // not data(0, j): a table may have no rows
+    py::array_t<double> view({rows}, {static_cast<py::ssize_t>(sizeof(double))}, matrix.data() + j * rows, matrix);
     view.attr("flags").attr("writeable") = false;
     views.append(view);
   }
@@ -123,7 +124,7 @@ py::list checks_of(const NativeResult& r) {
     one["part"] = c.part;
     one["where"] = c.where;
     one["limits"] = c.limits;
-    one["of_strength"] = c.of_strength;
+    one["covers"] = py::cast(c.covers);
     one["refused"] = c.refused;
     all.append(one);
   }

@@ -197,8 +197,9 @@ class Check(NamedTuple):
 
     `refused`: the limit is unverified, and the deck refuses such limits: nothing is judged by it, and `passes` is
     False. Else `passes` is True exactly where utilisation <= 1; that is nan where limit or value are no measure of each
-    other (a limit of 0). `limits` is False for breaking force, yield and ground, `of_strength` for a limit of something
-    else than the strength of its part: neither judges a rope or a beam. `outcome` is what the report says.
+    other (a limit of 0). `limits` is False for breaking force, yield and ground: they judge no rope and no beam. `covers`
+    names the ropes and beams that another limit judges; it is empty for one of something else than strength.
+    `outcome` is what the report says.
     """
 
     name: str
@@ -213,7 +214,7 @@ class Check(NamedTuple):
     part: str
     where: str
     limits: bool
-    of_strength: bool
+    covers: list[str]
     refused: bool
 
     @property

@@ -110,6 +110,14 @@ class Runs(unittest.TestCase):
         with self.assertRaises(taut.TautError):
             again.write("anywhere")
 
+    def test_tables_without_rows(self):
+        deck = taut.new("guyed_tower")
+        for result in (taut.run(deck), pickle.loads(pickle.dumps(taut.run(deck)))):
+            empty = [table for table in result.tables.values() if not len(table)]
+            self.assertTrue(empty, "the starter has no table without rows any more")
+            for table in empty:
+                self.assertTrue(all(len(column) == 0 for column in table.columns.values()))
+
     def test_the_report_stands_in_a_frame_of_its_own(self):
         page = taut.run(taut.new("mast_section"))._repr_html_()
         self.assertTrue(page.startswith("<iframe") and page.endswith("</iframe>"))
@@ -146,6 +154,10 @@ class Machines(unittest.TestCase):
             machine.point("head", [0, 0, 0])
         with self.assertRaises(TypeError):
             taut.Machine(SKYLINE).point("more", [0, 0, 0])
+
+    def test_an_analysis_of_a_deck_with_parameters_and_a_design(self):
+        for deck in ("machines/guys_pulled_in_turn.yaml", "design/guyed_tower.yaml"):
+            self.assertEqual(taut.Machine(EXAMPLES / deck).solve().status, "ok", deck)
 
     def test_a_number_set_is_si_wherever_it_stands(self):
         machine = taut.Machine(SKYLINE)

@@ -141,9 +141,10 @@ Check make_check(std::string name, double value, const Unit& unit, Bound bound) 
   c.limit = bound.limit;
   c.unit = unit;
   c.sense = bound.sense;
+  const bool has_zero = unit.dimension != si::K.dimension;  // a share of kelvins says nothing
   const double over = c.sense == Sense::at_most ? c.limit : value;
-  c.utilisation = over > 0 && c.limit > 0 ? (c.sense == Sense::at_most ? value / c.limit : c.limit / value)
-                                          : std::numeric_limits<double>::quiet_NaN();
+  c.utilisation = has_zero && over > 0 && c.limit > 0 ? (c.sense == Sense::at_most ? value / c.limit : c.limit / value)
+                                                      : std::numeric_limits<double>::quiet_NaN();
   c.passes = c.sense == Sense::at_most ? value <= c.limit : value >= c.limit;
   c.rule = std::move(bound.rule);
   c.trust = std::move(bound.trust);

@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <array>
 #include <map>
 #include <memory>
@@ -47,15 +48,16 @@ struct Check {
   std::string part;   ///< part of the machine, "skyline", by which the report groups; empty: the whole machine
   /// False for breaking force, yield and ground: such a check can fail, but it does not count as the limit of a part.
   bool limits = true;
-  /// False for a limit of something else than the strength of its part, a clearance, an angle, a life: a rope or a beam
-  /// needs another one to be judged.
-  bool of_strength = true;
+  /// The ropes and beams whose strength it limits: they are judged by it. Empty: a limit of something else, a
+  /// clearance, an angle, a life. A mast's name is not enough: it may be a rope's, and the mast may be several beams or
+  /// none.
+  std::vector<std::string> covers = {};
   std::string where = {};  ///< the state with the largest utilisation, "load path, in, x = 12 m"; empty: see `rule`
   bool refused = false;    ///< its limit is unverified, and the deck refuses such limits
 };
 /// Whether a check is the limit that a rope or a beam needs to be judged.
 inline bool judges(const Check& check, const std::string& part) {
-  return check.part == part && check.limits && check.of_strength;
+  return check.limits && std::find(check.covers.begin(), check.covers.end(), part) != check.covers.end();
 }
 /// The checks grouped by part, the largest utilisation first within each group, the groups in the order of their worst
 /// check. Where no check names a part the order is unchanged.
@@ -68,7 +70,7 @@ struct Bound {
   std::string trust;
 };
 /// A check with utilisation and passes computed. A NaN value never passes. Where limit or value are no measure of each
-/// other (a limit of 0, a value below 0), the utilisation is NaN.
+/// other (a limit of 0, a value below 0, temperatures), the utilisation is NaN.
 Check make_check(std::string name, double value, const Unit& unit, Bound bound);
 
 /// A result value, SI.

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "taut/base/suggest.hpp"
 #include "taut/calc/verdict.hpp"
 #include "taut/checks/checked_parts.hpp"
 
@@ -96,10 +97,39 @@ void complain_of_confirmed(const ChecksRequest& request, std::vector<Complaint>&
   }
 }
 
+namespace {
+
+/// A misspelt name would take nothing out, and page 1 would name what the machine has not.
+void complain_of_exempt(const CheckedDeck& deck, const machine::Model& model, std::vector<Complaint>& complaints) {
+  std::vector<std::string> known = parts_of(model);
+  const auto add = [&](const auto& all) {
+    for (const auto& one : all) known.push_back(one.name);
+  };
+  add(deck.machine.carriages);
+  add(deck.machine.sheaves);
+  add(deck.machine.supports);
+  add(deck.machine.points);
+  add(deck.machine.bodies);
+  add(model.contacts);
+  add(deck.machine.actuators);
+  add(deck.checks->masts);
+  add(deck.checks->anchors);
+  add(deck.checks->yarders);
+  for (std::size_t i = 0; i < deck.checks->exempt.size(); ++i) {
+    const std::string& name = deck.checks->exempt[i];
+    if (std::find(known.begin(), known.end(), name) != known.end()) continue;
+    complaints.push_back({fmt::format("checks.exempt[{}]", i),
+                          fmt::format("the machine has no part '{}'{}", name, did_you_mean(name, known))});
+  }
+}
+
+}  // namespace
+
 AskedChecks resolve(const CheckedDeck& deck, const machine::Model& model, std::vector<Complaint>& complaints) {
   AskedChecks asked;
   if (!deck.checks) return asked;
   complain_of_confirmed(*deck.checks, complaints);
+  complain_of_exempt(deck, model, complaints);
   asked.ropes = resolve_ropes(*deck.checks, deck, model, complaints);
   complain_of_masts(deck.checks->masts, deck, model, complaints);
   complain_of_guys(deck.checks->guys, deck, model, complaints);

@@ -128,6 +128,39 @@ analyses: [{equilibrium: {}}]
   EXPECT_NEAR(taut_test::check_of(against, "other.last_layer_pull").value, 3 * 9806.65, 10);
 }
 
+/// 120 m of rope reach layer 5 of the drum, whether two copies, two ropes or one rope bring them there.
+TEST(DriveUses, TheTorqueIsThatOfTheLayerThatAllRopesReach) {
+  const auto lift = [](const std::string& on_drum, const std::string& reevings, const std::string& analysis) {
+    return run_text(R"(taut: 1
+machine:
+  bodies: {load: {mass: 1 t, at: [0.3 m, 0 m, 0 m], free: [x, z]}}
+  ropes: {r: {mass: 0 kg/m, stiffness: 20 MN, breaking_force: 300 kN, diameter: 20 mm, damping_ratio: 0.3}}
+  signals: {up: {ramp: {to: 1 m/s, start: 0 s, duration: 1 s}}}
+  drums:
+    w: {at: [0 m, 0 m, 20 m], core_diameter: 300 mm, face_width: 400 mm, flange_diameter: 700 mm, layers: auto,
+        length_on_drum: )" +
+                    on_drum + ", brake_torque: 2.2 kN m, inertia: 5 kg m^2" +
+                    (analysis == "transient" ? ", drive: {speed: up}" : "") + "}\n  reevings:\n" + reevings +
+                    "analyses: [{" + analysis + (analysis == "transient" ? ": {duration: 3 s}" : ": {}") + "}]\n");
+  };
+  const std::string path = "path: [{drum: w}, {anchor: load}], length: 15 m}\n";
+  const std::string two = "    - {rope: r, copies: 2, " + path;
+  const std::string each = "    - {rope: r, name: r1, " + path + "    - {rope: r, name: r2, " + path;
+  const std::string one = "    - {rope: r, " + path;
+  const double torque = 1000 * 9.80665 * (0.15 + 4.5 * 0.02);
+  for (const auto& [on_drum, reevings] : {std::pair{"60 m", two}, std::pair{"60 m", each}, std::pair{"120 m", one}}) {
+    const Result r = lift(on_drum, reevings, "equilibrium");
+    ASSERT_TRUE(verdict_of(r)) << to_text(r.errors);
+    EXPECT_NEAR(taut_test::check_of(r, "w.brake_torque").value, torque, 0.1) << on_drum << reevings;
+    EXPECT_EQ(to_text(verdict_of(r)->kind), "fails");
+  }
+  // in motion two copies and two ropes climb onto the next layer together
+  const Result copies = lift("60 m", two, "transient"), ropes = lift("60 m", each, "transient");
+  ASSERT_TRUE(verdict_of(copies)) << to_text(copies.errors);
+  const auto z = [](const Result& r) { return taut_test::value_of(r, "transient.load.z.end"); };
+  EXPECT_NEAR(z(copies), z(ropes), 1e-6);
+}
+
 /// A mainline that hauls its carriage from 248 m to 20 m: it has 40 m on its drum, and 20 turns to a layer of 12 mm.
 TEST(DriveUses, WhatLiesOnADrumCountsAtEveryPlaceOfALine) {
   const Result r = run_text(R"(taut: 1

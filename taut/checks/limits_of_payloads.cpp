@@ -140,6 +140,7 @@ void LimitsOfPayloads::add_checks(Result& r) const {
             make_check(fmt::format("{}.payload_T_max{}", rope.name, one.ending), T, si::N,
                        {.sense = Sense::at_most, .limit = limit, .rule = std::move(words), .trust = std::move(trust)});
         c.part = rope.name;
+        c.covers = {rope.name};
         if (rope.elsewhere.T > rope.own * (1 + rounding)) c.where = rope.elsewhere.where;
         c.limits = rope.moving.T <= limit * (1 + rounding);
         if (!c.limits) {

@@ -143,6 +143,9 @@ Json figures(const std::vector<Figure>& all) {
   return list;
 }
 
+/// A text that is not UTF-8 (a file's name) must not stop the result.
+std::string written(const Json& j) { return j.dump(1, ' ', false, Json::error_handler_t::replace) + "\n"; }
+
 Json errors(const Diagnostics& all) {
   Json list = Json::array();
   for (const Diagnostic& d : all) {
@@ -177,8 +180,15 @@ std::string to_json(const Result& r, SeriesFiles files) {
   j["answers"] = answers(r.answers);
   j["key_figure"] = r.key_figure;
   j["figures"] = figures(r.figures);
-  // a text that is not UTF-8 (a file's name) must not stop the result
-  return j.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+  return written(j);
+}
+
+std::string to_json(const Diagnostics& mistakes) {
+  Json j;
+  j["taut"] = {{"version", version}, {"format", result_format}};
+  j["status"] = to_text(mistakes.empty() ? Status::ok : Status::bad_deck);
+  j["errors"] = errors(mistakes);
+  return written(j);
 }
 
 }  // namespace taut::io

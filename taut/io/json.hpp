@@ -17,4 +17,8 @@ enum class SeriesFiles { none, named };
 /// A series is a plot; `file` is "NAME.csv", or null with SeriesFiles::none.
 std::string to_json(const Result& r, SeriesFiles files = SeriesFiles::none);
 
+/// The mistakes of a deck that is only read, as {taut, status, errors}; status ok or bad_deck. Nothing is calculated,
+/// so that there is no verdict.
+std::string to_json(const Diagnostics& mistakes);
+
 }  // namespace taut::io

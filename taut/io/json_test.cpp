@@ -78,6 +78,16 @@ Result sample() {
   return r;
 }
 
+TEST(Json, MistakesHaveNoVerdict) {
+  Diagnostic bad;
+  bad.message = "no such key";
+  EXPECT_EQ(nlohmann::ordered_json::parse(to_json(Diagnostics{}))["status"], "ok");
+  const auto j = nlohmann::ordered_json::parse(to_json(Diagnostics{bad}));
+  EXPECT_EQ(j["status"], "bad_deck");
+  EXPECT_EQ(j["errors"][0]["message"], "no such key");
+  EXPECT_FALSE(j.contains("verdict"));
+}
+
 TEST(Json, HasTheShapeOfTheContractInItsOrder) {
   const auto j = nlohmann::ordered_json::parse(to_json(sample(), SeriesFiles::named));
   std::vector<std::string> keys;

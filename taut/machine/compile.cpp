@@ -75,7 +75,7 @@ class Compiler {
     check_rope_loads(machine_, complaints_);
     if (complaints_.empty()) finish_nodes();
     check_guided_loads();
-    if (complaints_.empty()) finish_drives(machine_, rope_of_reeving_, model_);
+    if (complaints_.empty()) finish_drives(machine_, ropes_, model_);
     if (complaints_.empty()) add_rope_loads(machine_, model_, complaints_);
     if (complaints_.empty()) add_motion(machine_, links_, use_, model_, complaints_);
     add_loads();
@@ -180,14 +180,16 @@ class Compiler {
     const std::string path = fmt::format("reevings[{}]", i);
     Reeving reeving;
     reeving.name = name_of(given);
+    if (reeving.name.find_first_not_of(" \t") == std::string::npos) complain(path + ".name", "is empty");
     reeving.copies = given.copies;
     reeving.closed = given.closed;
     reeving.segments = given.segments;
     const RopeData* data = rope(given.rope, path + ".rope");
     if (data != nullptr) set_rope(reeving, *data, machine_.gravity);
     rope_of_reeving_.push_back(data == nullptr ? RopeData{} : *data);
-    set_given(machine_, model_, {.given = given, .rope = rope_of_reeving_.back(), .path = path}, reeving, complaints_);
-    stops_.push_back(stops_of(machine_, links_, given, rope_of_reeving_.back(), path, complaints_));
+    set_given(machine_, model_, {.given = given, .rope = rope_of_reeving_.back(), .ropes = ropes_, .path = path},
+              reeving, complaints_);
+    stops_.push_back(stops_of(machine_, links_, given, rope_of_reeving_.back(), ropes_, path, complaints_));
     model_.reevings.push_back(std::move(reeving));
   }
 
@@ -222,7 +224,11 @@ class Compiler {
       if (index_of(model_.reevings, model_.reevings[i].name) == static_cast<int>(i)) continue;
       const bool is_guy = i >= machine_.reevings.size();
       complain(is_guy ? fmt::format("guys.{}", model_.reevings[i].name) : fmt::format("reevings[{}]", i),
-               fmt::format("another rope is called '{}' too; give this one a 'name'", model_.reevings[i].name));
+               fmt::format("another rope is called '{}' too; give this one a{}", model_.reevings[i].name,
+                           is_guy ? "nother name" : " 'name'"));
+    }
+    for (const description::Beam& beam : machine_.beams) {
+      if (index_of(model_.reevings, beam.name)) complain(fmt::format("beams.{}", beam.name), "a rope is called so too");
     }
   }
 

@@ -222,6 +222,12 @@ TEST(Compile, TellsEachMistakeAtItsPath) {
        .expected = "reevings[1]: another rope is called 'skyline'"},
       {.spoil =
            [](Machine& m) {
+             m.beams.emplace_back();
+             m.beams.back().name = "skyline";
+           },
+       .expected = "beams.skyline: a rope is called so too"},
+      {.spoil =
+           [](Machine& m) {
              m.points[1].at = {60, 0, 22};
            },
        .expected = "reevings[0].path: 'jack' and 'tail' are at the same place"},

@@ -61,6 +61,7 @@ class RopeChecker {
     Check c = make_check(fmt::format("{}.{}", use_.name, key), value, unit, std::move(bound));
     c.part = use_.name;
     c.limits = limits_strength(key);
+    if (c.limits) c.covers = {use_.name};
     out_.checks.push_back(std::move(c));
   }
   /// The same, of which only the worst place stays.

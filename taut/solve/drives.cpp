@@ -146,7 +146,8 @@ Array<DriveResult> drives(const machine::Model& model, const EquilibriumResult& 
 
 namespace {
 
-/// Of the end of a rope that lies on a drum: `pull` at its drum, and the rope on that, m; empty: not known.
+/// Of the end of a rope that lies on a drum, before it is known in which layer: `pull` at its drum, and the rope on
+/// that, m; empty: not known.
 DrumResult at_drum(const machine::Model& model, int reeving, bool at_end, double pull, std::optional<double> length) {
   const machine::Reeving& rope = model.reevings[reeving];
   const machine::Node& node = at_end ? rope.nodes.back() : rope.nodes.front();
@@ -159,14 +160,32 @@ DrumResult at_drum(const machine::Model& model, int reeving, bool at_end, double
   d.layer = drum.layer;
   d.radius = node.radius;
   d.length = length;
+  return d;
+}
+
+double stretch_on(const machine::Drum& drum, const machine::Reeving& rope) {
+  return 1 + drum.wound_at.value_or(0) / rope.stiffness;
+}
+
+/// What the end takes up on its drum, m^3.
+double room_of(const machine::Model& model, const DrumResult& d) {
+  const machine::Reeving& rope = model.reevings[d.reeving];
+  return machine::room_of(d.length.value_or(0) * stretch_on(model.drums[d.drum], rope), rope.diameter, rope.copies);
+}
+
+/// The layer that the end reaches where all ropes of its drum take up `room`, and what follows from it.
+void set_layer(const machine::Model& model, double room, DrumResult& d) {
+  const machine::Reeving& rope = model.reevings[d.reeving];
+  const machine::Drum& drum = model.drums[d.drum];
   const rope::DrumLayers measures = machine::measures_of(drum, rope.diameter);
   if (measures.width > 0) {
-    const double stretch = 1 + drum.wound_at.value_or(0) / rope.stiffness;
+    const double stretch = stretch_on(drum, rope);
     if (d.length && *d.length >= 0) {
-      const rope::OnDrum on = rope::on_drum(measures, *d.length * stretch);
+      const rope::OnDrum on = rope::on_drum(measures, room / (rope.diameter * rope.diameter));
       d.filled = on.layer;
       if (drum.automatic_layers) d.layer = on.layer;
-      d.wraps = (on.layer - 1) * rope::turns_per_layer(measures) + on.turns;
+      const double share = room > 0 ? room_of(model, d) / (rope.copies * room) : 1;
+      d.wraps = share * ((on.layer - 1) * rope::turns_per_layer(measures) + on.turns);
     }
     d.radius = rope::layer_radius(measures, d.layer);
     if (measures.flange_diameter > 0) {
@@ -176,7 +195,12 @@ DrumResult at_drum(const machine::Model& model, int reeving, bool at_end, double
     }
   }
   d.torque = rope.copies * d.pull * d.radius;
-  return d;
+}
+
+void set_layers(const machine::Model& model, Array<DrumResult>& ends) {
+  std::map<int, double> rooms;
+  for (const DrumResult& d : ends) rooms[d.drum] += room_of(model, d);
+  for (DrumResult& d : ends) set_layer(model, rooms[d.drum], d);
 }
 
 /// The ends of ropes that lie on drums.
@@ -226,6 +250,7 @@ Array<DrumResult> drums(const machine::Model& model, const EquilibriumResult& re
     }
     all.push_back(d);
   });
+  set_layers(model, all);
   set_senses(model, result.state.sides, all);
   return all;
 }
@@ -259,6 +284,7 @@ Array<DrumResult> drums(const machine::Model& model, const TransientFrame& frame
     all.push_back(at_drum(model, end.reeving, end.at_end, pull, known ? std::optional(end.content) : std::nullopt));
     all.back().speed = frame.drums[end.drum].speed;
   }
+  set_layers(model, all);
   set_senses(model, {}, all);
   return all;
 }

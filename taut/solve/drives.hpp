@@ -45,11 +45,11 @@ struct DrumResult {
   int sense = 1;        ///< in which it is wound: 1 as the first rope of the drum, -1 the other way
   double pull = 0;      ///< tension of one copy where the rope leaves it, N
   int layer = 1;
-  std::optional<int> filled;              ///< the layer that its length reaches, whatever `layer` is
+  std::optional<int> filled;              ///< the layer that all ropes of the drum reach, whatever `layer` is
   double radius = 0;                      ///< m
   double torque = 0;                      ///< of all copies, N m
   std::optional<double> length;           ///< on the drum, unstretched, m; negative: the rope does not reach
-  std::optional<double> wraps;            ///< all layers together
+  std::optional<double> wraps;            ///< of one copy, all layers together
   std::optional<double> capacity;         ///< within the flanges, unstretched at that tension, m
   std::optional<double> pull_last_layer;  ///< what the same torque pulls in the last layer within the flanges, N
   std::optional<double> speed;            ///< of the rope, taking in, m/s

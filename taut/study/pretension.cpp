@@ -225,8 +225,10 @@ Outcome pull_slowly(const Pull& pull, const PretensionOptions& options, SlowMach
   slow.options.duration = std::abs(way) / pull_speed;
   slow.options.output_step = slow.options.duration / pull_steps;
   const double where = pull.until ? where_now(slow, pull) : 0;
-  const solve::TransientResult r = solve::transient(being_pulled(slow, pull, way, where), slow.options);
+  const machine::Model pulled = being_pulled(slow, pull, way, where);
+  const solve::TransientResult r = solve::transient(pulled, slow.options);
   interrupted = r.interrupted;
+  if (options.moved && !r.frames.empty()) options.moved(pulled, r);
   if (!r.outcome.ok() || r.interrupted) return r.outcome;
   const double begun = slow.t;
   take_over(r, slow);
@@ -254,6 +256,7 @@ PretensionResult pull_slowly(const machine::Model& given, const Array<Pull>& pul
   rest.duration = rest.output_step;
   const solve::TransientResult before = solve::transient(slow.model, rest);
   r.outcome = before.outcome;
+  if (options.moved && !before.frames.empty()) options.moved(slow.model, before);
   if (!r.outcome.ok()) return r;
   take_over(before, slow);
   r.before = slow.last;
@@ -467,11 +470,12 @@ PretensionRun resolve(const PretensionRequest& request, const std::string& path,
   return run;
 }
 
-void solve(const machine::Model& model, PretensionRun& run,
-           const std::function<bool(std::size_t, std::size_t)>& go_on) {
+void solve(const machine::Model& model, PretensionRun& run, const std::function<bool(std::size_t, std::size_t)>& go_on,
+           const std::function<void(const machine::Model&, const solve::TransientResult&)>& moved) {
   Array<Pull> pulls;
   for (int i = 0; i < run.rounds; ++i) pulls.insert(pulls.end(), run.pulls.begin(), run.pulls.end());
   PretensionOptions options = run.options;
+  options.moved = moved;
   options.progress = [&](std::size_t i) { return go_on(i, pulls.size()); };
   run.answer = pretension(machine::with_guides_at_start(model), pulls, options);
 }

@@ -70,6 +70,8 @@ struct PretensionOptions {
   solve::Start start = solve::Start::settled;  ///< of a machine with friction, before the first pull
   /// Before each pull, with its number; false interrupts.
   std::function<bool(std::size_t)> progress;
+  /// Of a machine with friction: each slow motion, from state to state, with its machine.
+  std::function<void(const machine::Model&, const solve::TransientResult&)> moved;
 };
 
 /// `outcome` not ok: the pulls in `ends` are a result, the message says what happened in the next one.
@@ -107,8 +109,10 @@ struct PretensionRun {
 /// The request, of pulls, with its names resolved; complaints below `path`.
 PretensionRun resolve(const PretensionRequest& request, const std::string& path, Names& names);
 
-/// Fills `run.answer`. `go_on`: is asked before each pull with its number, from 0, and how many there are.
-void solve(const machine::Model& model, PretensionRun& run, const std::function<bool(std::size_t, std::size_t)>& go_on);
+/// Fills `run.answer`. `go_on`: is asked before each pull with its number, from 0, and how many there are. `moved`: see
+/// PretensionOptions.
+void solve(const machine::Model& model, PretensionRun& run, const std::function<bool(std::size_t, std::size_t)>& go_on,
+           const std::function<void(const machine::Model&, const solve::TransientResult&)>& moved = {});
 
 /// A pull as it ends; 0: before any of them. Tensions and what is observed besides.
 struct PullRow {

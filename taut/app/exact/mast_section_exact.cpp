@@ -366,6 +366,7 @@ void add_checks(const Input& in, const Solved& method, const Section& section, E
       fmt::format("strength of {}, exact", section.name), stress, si::Pa,
       {.sense = Sense::at_most, .limit = section.allowable, .rule = std::move(rule), .trust = section.trust});
   strength.part = "mast";
+  strength.covers = {strength.part};
   r.checks.push_back(std::move(strength));
   check_buckling(in, section, e, r);
   check_guys(in, method, section, masts, r);

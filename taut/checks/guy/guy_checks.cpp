@@ -109,15 +109,15 @@ std::string with_factor(const std::string& words, double factor) {
 
 void add_part_check(const std::string& part, const std::string& name, double value, const Unit& unit, Bound bound,
                     Result& r) {
-  add_strength_check(part, name, value, unit, std::move(bound), r);
-  r.checks.back().of_strength = false;
+  Check c = make_check(fmt::format("{}.{}", part, name), value, unit, std::move(bound));
+  c.part = part;
+  r.checks.push_back(std::move(c));
 }
 
 void add_strength_check(const std::string& part, const std::string& name, double value, const Unit& unit, Bound bound,
                         Result& r) {
-  Check c = make_check(fmt::format("{}.{}", part, name), value, unit, std::move(bound));
-  c.part = part;
-  r.checks.push_back(std::move(c));
+  add_part_check(part, name, value, unit, std::move(bound), r);
+  r.checks.back().covers = {part};
 }
 
 namespace {

@@ -401,7 +401,8 @@ void add_machine_masts(const std::vector<MastStates>& masts, const CheckedDeck& 
                       r);
       continue;
     }
-    const MastReport report = MachineMast(mast, deck, model).report();
+    MastReport report = MachineMast(mast, deck, model).report();
+    report.covers = beams_of(one);
     add_mast_report(one, report, r);
     double bending = HUGE_VAL;
     for (std::size_t i = 0; i < report.materials.size(); ++i) {

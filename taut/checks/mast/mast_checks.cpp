@@ -33,6 +33,13 @@ std::string place_words(const LoadedMast& m, const MastPlace& at) {
   return fmt::format("{:.4g} m above its base, {}", station_at(m, at).height, case_at(m, at).words);
 }
 
+/// A limit of the strength of what the mast covers.
+void limit_strength(const MastReport& report, const std::string& name, double value, const Unit& unit, Bound bound,
+                    Result& r) {
+  add_part_check(report.name, name, value, unit, std::move(bound), r);
+  r.checks.back().covers = report.covers;
+}
+
 void add_wall_check(const MastReport& report, const MastUse& u, Result& r) {
   if (u.slenderness.value == 0) return;  // pulled everywhere
   const structure::WallClass& wall = u.slenderest;
@@ -50,21 +57,20 @@ void add_section_checks(const MastReport& report, const MastUse& u, Result& r) {
   const auto& steel = m.mast.parts[u.section.at.part].member.steel;
   const int section_class =
       structure::section_class(steel.section, steel.yield, station_at(m, u.section.at).design).value;
-  add_strength_check(
-      report.name, "section", u.section.value, si::one,
-      {.sense = Sense::at_most,
-       .limit = 1,
-       .rule = fmt::format("N, M and V in one section ({}, class {}, f_y = {:.4g} MPa), EN 1993-1-1, {}; {}",
-                           steel.section.name, section_class, steel.yield / 1e6,
-                           section_class < 3 ? "6.2.9.1" : "(6.42)", place_words(m, u.section.at)),
-       .trust = recalled_section},
-      r);
-  add_strength_check(report.name, "shear", u.shear.value, si::one,
-                     {.sense = Sense::at_most,
-                      .limit = 1,
-                      .rule = fmt::format("V over V_pl,T, EN 1993-1-1, (6.18), (6.28); {}", place_words(m, u.shear.at)),
-                      .trust = "UNVERIFIED: shear areas as recalled"},
-                     r);
+  limit_strength(report, "section", u.section.value, si::one,
+                 {.sense = Sense::at_most,
+                  .limit = 1,
+                  .rule = fmt::format("N, M and V in one section ({}, class {}, f_y = {:.4g} MPa), EN 1993-1-1, {}; {}",
+                                      steel.section.name, section_class, steel.yield / 1e6,
+                                      section_class < 3 ? "6.2.9.1" : "(6.42)", place_words(m, u.section.at)),
+                  .trust = recalled_section},
+                 r);
+  limit_strength(report, "shear", u.shear.value, si::one,
+                 {.sense = Sense::at_most,
+                  .limit = 1,
+                  .rule = fmt::format("V over V_pl,T, EN 1993-1-1, (6.18), (6.28); {}", place_words(m, u.shear.at)),
+                  .trust = "UNVERIFIED: shear areas as recalled"},
+                 r);
 }
 
 bool asks_for_members(const LoadedMast& m) {
@@ -78,21 +84,21 @@ void add_member_checks(const MastReport& report, const MastUse& u, Result& r) {
     const auto& member = m.mast.parts[at.part].member;
     return to_text(member.curve.value_or(structure::curve_of(member.steel.section, member.steel.yield)));
   };
-  add_strength_check(report.name, "buckling", u.flexural.value, si::one,
-                     {.sense = Sense::at_most,
-                      .limit = 1,
-                      .rule = fmt::format("N over chi A f_y/gamma_M1, curve {}, EN 1993-1-1, (6.46); {}",
-                                          curve(u.flexural.at), case_at(m, u.flexural.at).words),
-                      .trust = recalled_curve},
-                     r);
+  limit_strength(report, "buckling", u.flexural.value, si::one,
+                 {.sense = Sense::at_most,
+                  .limit = 1,
+                  .rule = fmt::format("N over chi A f_y/gamma_M1, curve {}, EN 1993-1-1, (6.46); {}",
+                                      curve(u.flexural.at), case_at(m, u.flexural.at).words),
+                  .trust = recalled_curve},
+                 r);
   if (!asks_for_members(m)) return;
-  add_strength_check(report.name, "member", u.member.value, si::one,
-                     {.sense = Sense::at_most,
-                      .limit = 1,
-                      .rule = fmt::format("N and M of the member, curve {}, EN 1993-1-1, (6.61), (6.62) by annex B; {}",
-                                          curve(u.member.at), case_at(m, u.member.at).words),
-                      .trust = recalled_curve},
-                     r);
+  limit_strength(report, "member", u.member.value, si::one,
+                 {.sense = Sense::at_most,
+                  .limit = 1,
+                  .rule = fmt::format("N and M of the member, curve {}, EN 1993-1-1, (6.61), (6.62) by annex B; {}",
+                                      curve(u.member.at), case_at(m, u.member.at).words),
+                  .trust = recalled_curve},
+                 r);
 }
 
 /// [sigma] of the deck, or as good as the yield stress that it is a share of.
@@ -106,14 +112,13 @@ void add_stress_check(const MastCheckRequest& request, const MastReport& report,
   const LoadedMast& m = report.loaded;
   const MastPlace& at = u.stress_use.at;
   const double allowed = *m.mast.parts[at.part].allowable_stress;
-  add_strength_check(
-      report.name, "allowable_stress", u.stress_use.value * allowed, si::Pa,
-      {.sense = Sense::at_most,
-       .limit = allowed,
-       .rule = fmt::format("N/A + M/W <= [sigma] without other factors, Shoshin et al. 2022, (12)-(14); {}",
-                           place_words(m, at)),
-       .trust = trust_of_stress(request, report, at.part)},
-      r);
+  limit_strength(report, "allowable_stress", u.stress_use.value * allowed, si::Pa,
+                 {.sense = Sense::at_most,
+                  .limit = allowed,
+                  .rule = fmt::format("N/A + M/W <= [sigma] without other factors, Shoshin et al. 2022, (12)-(14); {}",
+                                      place_words(m, at)),
+                  .trust = trust_of_stress(request, report, at.part)},
+                 r);
 }
 
 /// A mast at its worst section.
@@ -304,8 +309,8 @@ void add_mast_report(const MastCheckRequest& request, const MastReport& report, 
                     report.name));
   }
   if (!report.refused.empty()) {
-    add_strength_check(report.name, "section", std::nan(""), si::one,
-                       {.sense = Sense::at_most, .limit = 1, .rule = report.refused, .trust = "derived"}, r);
+    limit_strength(report, "section", std::nan(""), si::one,
+                   {.sense = Sense::at_most, .limit = 1, .rule = report.refused, .trust = "derived"}, r);
     r.warnings.push_back(fmt::format("{}: {}", report.name, report.refused));
     add_mast_choice(request, report, r);
     return;

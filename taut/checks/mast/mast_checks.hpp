@@ -38,6 +38,8 @@ std::optional<structure::Curve> curve_of(const MastCheckRequest& request);
 /// What is to be reported of a mast.
 struct MastReport {
   std::string name;
+  std::vector<std::string>
+      covers;  ///< the beams that it is, or the mast of the method; empty: a mast beside the machine
   structure::LoadedMast loaded;
   std::vector<MastMaterial> materials;  ///< by part
   std::string refused;                  ///< why there are no forces

@@ -45,6 +45,31 @@ TEST(MastChecks, CaseAByBothRoutes) {
   EXPECT_GT(r.steps.size(), 20U);
 }
 
+/// A mast beside the machine judges no rope of its name, and a mast of other beams no beam of its name.
+TEST(MastChecks, AMastJudgesTheBeamsThatItIs) {
+  const auto unjudged = [](const std::string& parts, const std::string& masts) {
+    const taut::Result r = run_text(R"(taut: 1
+machine:
+  points: {a: [0 m, 0 m, 0 m], b: [0 m, 0 m, 8 m], c: [5 m, 0 m, 0 m], d: [5 m, 0 m, 8 m]}
+)" + parts + "analyses: [{equilibrium: {}}]\nchecks: {masts: {" +
+                                    masts + "}}\n");
+    EXPECT_TRUE(r.errors.empty()) << to_text(r.errors);
+    return r.unjudged;
+  };
+  const std::string rope =
+      "  ropes: {wire: {rope: 'EN 12385-4|6x36-IWRC|20|1960', stiffness: 20 MN}}\n"
+      "  reevings: [{name: spar, rope: wire, path: [{anchor: b}, {anchor: d}], tension_at_start: 250 kN}]\n";
+  const std::string own = "height: 8 m, section: CHS 219.1x8, steel: S355, load_factor: 1, loads: [{down: 100 kN}]";
+  EXPECT_EQ(unjudged(rope, "spar: {" + own + "}"), std::vector<std::string>{"spar"});
+  const std::string beams =
+      "  beams:\n"
+      "    strong: {from: a, to: b, section: CHS 323.9x10, steel: S355}\n"
+      "    weak: {from: c, to: d, section: CHS 139.7x6.3, steel: S355}\n"
+      "  loads: [{at: strong.top, force: [2 kN, 0 kN, -20 kN]}, {at: weak.top, force: [2 kN, 0 kN, -20 kN]}]\n";
+  EXPECT_EQ(unjudged(beams, "weak: {beams: [strong], load_factor: 1}"), std::vector<std::string>{"weak"});
+  EXPECT_TRUE(unjudged(beams, "any: {beams: [strong], load_factor: 1}, weak: {load_factor: 1}").empty());
+}
+
 // A share of a recalled yield stress is no better than that.
 TEST(MastChecks, StressOfARecalledSteelIsMarked) {
   const taut::Result r = run_text(case_a("section: CHS 508x16, steel: S355 product, safety: 2"));

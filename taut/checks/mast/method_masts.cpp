@@ -8,6 +8,8 @@
 namespace taut::checks {
 namespace {
 
+constexpr const char* methods_mast = "mast";  ///< as mast_section calls its part
+
 double given_number(const Result& r, const char* key) {
   for (const Given& g : r.given) {
     if (g.key == key && g.numbers.size() == 1) return g.numbers.front();
@@ -68,7 +70,9 @@ void add_method_masts(const std::vector<MastCheckRequest>& masts, Result& r) {
   if (r.status != Status::ok) return;
   for (const MastCheckRequest& one : masts) {
     if (!one.loads.empty()) {
-      add_mast_report(one, own_mast(one, one.loads), r);
+      MastReport report = own_mast(one, one.loads);
+      if (one.name == methods_mast) report.covers = {methods_mast};
+      add_mast_report(one, report, r);
       continue;
     }
     const std::vector<MastLoadRequest> loads = loads_of_mast_section(r);
@@ -84,6 +88,7 @@ void add_method_masts(const std::vector<MastCheckRequest>& masts, Result& r) {
     const double top = std::max(*loads[0].at, *loads[1].at);
     if (!own.height || *own.height < top) own.height = top;
     MastReport report = own_mast(own, loads);
+    report.covers = {methods_mast};
     report.words.push_back(
         fmt::format("{}: under the forces of the method on its blocks, each rope hauled in and paid out, at every "
                     "carriage position (table load_cases).",

@@ -133,7 +133,6 @@ void add_life_check(const rope::Life& life, const rope::LifeRules& rules, const 
                                       rules.core_words.empty() ? "f_C not known, 1 taken" : rules.core_words),
                   .trust = rope::trust_with_rope(trust, use.rope)});
   c.part = use.name;
-  c.of_strength = false;
   r.checks.push_back(std::move(c));
   r.values.push_back(make_value(named(value_kinds(), "ROPE.life_damage"), use.name, "", life.damage,
                                 fmt::format("damage of {} in the wanted life, {}", use.name, life.constants->count)));
@@ -153,7 +152,6 @@ void check_donandt(double force, const rope::RopeUse& use, const rope::RopeRules
                         .rule = "Donandt force: above it wires yield in bending and the life falls off",
                         .trust = "user"});
   c.part = use.name;
-  c.of_strength = false;
   r.checks.push_back(std::move(c));
 }
 

@@ -240,16 +240,7 @@ rope::Bend& RopeUses::bend_at(std::size_t reeving, const machine::Node& node, in
 
 void RopeUses::take_drums(const machine::Model& model, const machine::State& state,
                           const Array<solve::DrumResult>& all) {
-  // All ropes of a drum lie over one another. Each takes room by its length and the square of its diameter.
-  std::map<int, double> filled;
-  for (const solve::DrumResult& d : all) {
-    const machine::Reeving& rope = model.reevings[d.reeving];
-    filled[d.drum] += rope.copies * std::max(d.length.value_or(0), 0.0) * rope.diameter * rope.diameter;
-  }
-  for (const solve::DrumResult& d : all) {
-    const double diameter = model.reevings[d.reeving].diameter;
-    take_drum(model, state, d, diameter > 0 ? filled[d.drum] / (diameter * diameter) : 0);
-  }
+  for (const solve::DrumResult& d : all) take_drum(model, state, d);
 }
 
 rope::DrumEnd& RopeUses::drum_end(const machine::Model& model, const solve::DrumResult& d) {
@@ -259,8 +250,7 @@ rope::DrumEnd& RopeUses::drum_end(const machine::Model& model, const solve::Drum
   return *std::find_if(drums.begin(), drums.end(), [&](const rope::DrumEnd& one) { return one.name == node.name; });
 }
 
-void RopeUses::take_drum(const machine::Model& model, const machine::State& state, const solve::DrumResult& d,
-                         double on_it) {
+void RopeUses::take_drum(const machine::Model& model, const machine::State& state, const solve::DrumResult& d) {
   const machine::Reeving& rope = model.reevings[d.reeving];
   const machine::Node& node = d.at_end ? rope.nodes.back() : rope.nodes.front();
   const machine::Node& next = d.at_end ? rope.nodes[rope.nodes.size() - 2] : rope.nodes[1];
@@ -272,7 +262,7 @@ void RopeUses::take_drum(const machine::Model& model, const machine::State& stat
   }
   const rope::DrumLayers measures = machine::measures_of(drum, rope.diameter);
   if (!(measures.width > 0) || !d.length) return;
-  const int layers = std::max(rope::on_drum(measures, on_it).layer, known.layers.value_or(1));
+  const int layers = std::max(d.filled.value_or(1), known.layers.value_or(1));
   known.layers = layers;
   known.first_radius = rope::layer_radius(measures, 1);
   known.last_radius = rope::layer_radius(measures, layers);

@@ -46,8 +46,7 @@ class RopeUses {
   void raise_end(std::size_t reeving, const machine::Node& node, double T);
   void take_drums(const machine::Model& model, const machine::State& state, const Array<solve::DrumResult>& all);
   rope::DrumEnd& drum_end(const machine::Model& model, const solve::DrumResult& d);
-  /// `on_it`: the length of this rope that fills the drum as all its ropes together do, m.
-  void take_drum(const machine::Model& model, const machine::State& state, const solve::DrumResult& d, double on_it);
+  void take_drum(const machine::Model& model, const machine::State& state, const solve::DrumResult& d);
 
   Array<rope::RopeUse> uses_;                                    // without bends
   Array<LastingTension> lasting_;                                // of motions

@@ -139,6 +139,19 @@ TEST(Override, RefusesANameThatFitsTwoEntries) {
   EXPECT_EQ(follow(d->root, "machine.reevings[1].length").node->text, "7 m");
 }
 
+TEST(Override, NullTakesABlockOut) {
+  auto d = parse("taut: 1\nmachine: {points: {a: [0 m, 1 m, 2 m]}}\ndesign: {seek: least}\n", "deck.yaml");
+  const auto set = [&](const std::string& text) {
+    Diagnostics mistakes;
+    override_value(*d, text, {"taut", "machine", "design"}, mistakes);
+    return to_text(mistakes);
+  };
+  EXPECT_EQ(set("design= null "), "");
+  EXPECT_EQ(d->root.find("design"), nullptr);
+  EXPECT_EQ(set("study=null"), "") << "it has none";
+  EXPECT_NE(set("machine.points=null").find("takes a whole block out"), std::string::npos);
+}
+
 TEST(Override, FindsWhatASweepsParameterFinds) {
   const auto document = [](const std::string& set) {
     Diagnostics mistakes;

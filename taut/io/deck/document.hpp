@@ -21,6 +21,7 @@ struct Document {
   SourcePtr source;
   Node root;
   Diagnostics mistakes;
+  std::vector<Node> replaced{};  ///< what stood where `--set` has put something else
 };
 
 /// Reads one YAML document (1.2 core meaning: plain `on` and `y` are texts). `name` is what messages call it.

@@ -54,13 +54,34 @@ class Override {
     if (steps->front().key == "include") {
       return wrong(0, equals, "the files of 'include' are read before '--set': write it in the deck");
     }
+    if (says_nothing(text.substr(equals + 1))) {
+      if (steps->size() > 1) return wrong(0, text.size(), "'null' takes a whole block out, as in 'design=null'");
+      return take_out(steps->front().key, document);
+    }
     auto value = parse(std::string(equals + 1, ' ') + text.substr(equals + 1), source_);
     for (Diagnostic& d : value ? value->mistakes : value.error()) add(mistakes_, std::move(d));
     if (!value) return;
-    if (Node* target = find(below_machine(document.root, *steps), *steps)) *target = std::move(value->root);
+    Node* target = find(below_machine(document.root, *steps), *steps);
+    if (target == nullptr) return;
+    document.replaced.push_back(std::move(*target));
+    *target = std::move(value->root);
   }
 
  private:
+  static bool says_nothing(std::string_view value) {
+    const std::size_t from = value.find_first_not_of(" \t");
+    const std::size_t to = value.find_last_not_of(" \t");
+    return from != std::string_view::npos && value.substr(from, to - from + 1) == "null";
+  }
+
+  static void take_out(const std::string& block, Document& document) {
+    auto& all = document.root.entries;
+    const auto found = std::find_if(all.begin(), all.end(), [&](const Entry& e) { return e.key == block; });
+    if (found == all.end()) return;
+    document.replaced.push_back(std::move(found->value));
+    all.erase(found);
+  }
+
   void wrong(std::size_t offset, std::size_t width, std::string message) {
     add(mistakes_, {.source = source_, .offset = offset, .width = width}, std::move(message));
   }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <iterator>
 #include <optional>
+#include <tuple>
 #include <unordered_map>
 
 #include "taut/base/suggest.hpp"
@@ -71,6 +72,14 @@ class ParameterResolver {
     if (value) n.text = to_text(*value);
     n.is_difference = value && value->kelvins == Kelvins::difference;
     if (value && n.text.empty()) add(mistakes_, n.spot, "this has a fraction of a dimension");
+  }
+
+  /// A deck that uses a parameter still does where `--set` takes the place of that use.
+  void use_replaced(const Node& n) {
+    for (const Node& item : n.items) use_replaced(item);
+    for (const Entry& e : n.entries) use_replaced(e.value);
+    if (!is_expression(n)) return;
+    std::ignore = evaluate(std::string_view(n.text).substr(1), [this](std::string_view name) { return use(name); });
   }
 
   std::vector<std::string> unused() const {
@@ -188,7 +197,9 @@ ParameterResolver resolved(Document& document, const Node& parameters, Diagnosti
 void resolve_parameters(Document& document, Diagnostics& mistakes) {
   if (document.root.kind != Node::Kind::map) return;
   const Node parameters = parameters_of(document);
-  resolved(document, parameters, mistakes).note_unused();
+  ParameterResolver resolver = resolved(document, parameters, mistakes);
+  for (const Node& n : document.replaced) resolver.use_replaced(n);
+  resolver.note_unused();
 }
 
 std::vector<std::string> unused_parameters(Document document) {

@@ -91,6 +91,17 @@ TEST(Parameters, MistakesAreToldOnceAtTheirPlace) {
             std::string::npos);
 }
 
+/// `--set` takes the only use away: the deck as written has it.
+TEST(Parameters, ThatAreUsedWhereSetPutsSomethingElse) {
+  const std::string deck =
+      head + "parameters: {far: = 2 * near, near: 1 m}\ninput: {span: = far + 1 m, rope: {diameter: 1 mm}}\n";
+  const Reading set = run(deck, {"input.span=2 m"});
+  EXPECT_EQ(set.mistakes, 0U) << set.text;
+  EXPECT_DOUBLE_EQ(set.sample.span, 2);
+  EXPECT_EQ(run(deck, {"input={span: 2 m, rope: {diameter: 1 mm}}"}).mistakes, 0U);
+  EXPECT_EQ(run(deck, {"input.span=2 m", "parameters.fur=1 m"}).mistakes, 1U);
+}
+
 TEST(Parameters, OfAnIncludedDeckAreOverridden) {
   const auto* info = testing::UnitTest::GetInstance()->current_test_info();
   const fs::path folder = fs::path(testing::TempDir()) / fmt::format("taut_parameters_{}", info->name());

@@ -27,8 +27,8 @@ void add_motor(Node& node, Reeving& reeving, const Motor& motor) {
   if (const auto speed = speed_of(motor.drive); speed && node.kind == NodeKind::drive) reeving.speed = *speed;
 }
 
-void add_drum(const description::Drum& given, const RopeData& rope, Reeving& reeving, Drum& drum) {
-  drum.layer = layer_of(given, rope);
+void add_drum(const EndOnDrum& end, Reeving& reeving, Drum& drum) {
+  drum.layer = layer_of(end);
   const auto speed = speed_of(drum.drive);
   if (speed && reeving.speed == 0) reeving.speed = *speed;
 }
@@ -49,8 +49,9 @@ void finish_drives(const Machine& machine, const Array<RopeData>& ropes, Model& 
   }
   for (std::size_t r = 0; r < machine.reevings.size(); ++r) {
     Reeving& reeving = model.reevings[r];
-    reeving.mass = ropes[r].mass;
-    reeving.diameter = ropes[r].diameter;
+    const RopeData& rope = ropes[*index_of(ropes, machine.reevings[r].rope)];
+    reeving.mass = rope.mass;
+    reeving.diameter = rope.diameter;
     for (Node& node : reeving.nodes) {
       if (node.kind != NodeKind::drive && node.kind != NodeKind::contact) continue;
       for (const Motor& motor : model.motors) {
@@ -60,7 +61,7 @@ void finish_drives(const Machine& machine, const Array<RopeData>& ropes, Model& 
     for (const Node& node : reeving.nodes) {
       if (!node.drum) continue;
       const auto d = static_cast<std::size_t>(*node.drum);
-      add_drum(machine.drums[d], ropes[r], reeving, model.drums[d]);
+      add_drum({.machine = machine, .ropes = ropes, .drum = machine.drums[d], .rope = rope}, reeving, model.drums[d]);
     }
   }
 }

@@ -1,5 +1,6 @@
 #include "taut/machine/compile/drums.hpp"
 
+#include <algorithm>
 #include <string>
 #include <utility>
 
@@ -59,27 +60,50 @@ rope::DrumLayers measures_of(const Drum& drum, double rope_diameter) {
   return m;
 }
 
-int layer_of(const description::Drum& drum, const RopeData& rope) {
+double room_of(double length, double diameter, int copies) {
+  return copies * std::max(length, 0.0) * diameter * diameter;
+}
+
+namespace {
+
+/// Of all ropes whose paths begin or end on the drum, as the deck says what lies there.
+double room_on(const EndOnDrum& end) {
+  double room = 0;
+  for (const description::Reeving& one : end.machine.reevings) {
+    const auto data = index_of(end.ropes, one.rope);
+    if (!data || one.path.empty()) continue;
+    const RopeData& rope = end.ropes[*data];
+    const double strain = rope.stiffness > 0 ? end.drum.wound_at.value_or(0) / rope.stiffness : 0;
+    for (const auto* element : {&one.path.front(), &one.path.back()}) {
+      if (element->drum != end.drum.name) continue;
+      room += room_of(*end.drum.length_on_drum * (1 + strain), rope.diameter, one.copies);
+    }
+  }
+  return room;
+}
+
+}  // namespace
+
+int layer_of(const EndOnDrum& end) {
+  const description::Drum& drum = end.drum;
   if (!drum.layers || !drum.length_on_drum) return drum.layer.value_or(1);
   Drum model;
   model.core_radius = drum.core_diameter / 2;
   model.width = drum.face_width.value_or(0);
   model.pitch = drum.pitch.value_or(0);
   model.layer_height = drum.layer_height.value_or(0);
-  const rope::DrumLayers measures = measures_of(model, rope.diameter);
-  if (measures.width == 0) return 1;
-  const double strain = rope.stiffness > 0 ? drum.wound_at.value_or(0) / rope.stiffness : 0;
-  return rope::on_drum(measures, *drum.length_on_drum * (1 + strain)).layer;
+  const double d = end.rope.diameter;
+  const rope::DrumLayers measures = measures_of(model, d);
+  return measures.width == 0 ? 1 : rope::on_drum(measures, room_on(end) / (d * d)).layer;
 }
 
-double radius_of(const description::Drum& drum, const RopeData& rope) {
-  const double height = drum.layer_height.value_or(rope.diameter);
-  return (drum.core_diameter + rope.diameter) / 2 + (layer_of(drum, rope) - 1) * height;
+double radius_of(const EndOnDrum& end) {
+  const double d = end.rope.diameter;
+  return (end.drum.core_diameter + d) / 2 + (layer_of(end) - 1) * end.drum.layer_height.value_or(d);
 }
 
-std::optional<double> pull_of_torque(const description::Drum& drum, const Drive& drive, const RopeData& rope,
-                                     int copies) {
-  const double radius = radius_of(drum, rope);
+std::optional<double> pull_of_torque(const EndOnDrum& end, const Drive& drive, int copies) {
+  const double radius = radius_of(end);
   if (drive.kind != DriveKind::torque || !(radius > 0)) return std::nullopt;
   const double torque = at(drive.signal, 0).value;
   return torque > 0 ? std::optional(torque / (radius * copies)) : std::nullopt;

@@ -18,16 +18,28 @@ void check_drums(const Machine& machine, std::vector<Complaint>& complaints);
 /// or nobody knows the rope's diameter.
 rope::DrumLayers measures_of(const Drum& drum, double rope_diameter);
 
-/// The layer that the rope leaves: as given, or by the rope on the drum, whose turns are longer by the tension at which
-/// they were wound. 1 where nothing says it.
-int layer_of(const description::Drum& drum, const RopeData& rope);
+/// What the end of a rope takes up on its drum, m^3: copies x length x d^2. All ropes of a drum lie over one another:
+/// one of them reaches the layer of a rope alone whose length is the room of all over its d^2. `length` of one copy, as
+/// wound, m; below 0 nothing lies there.
+double room_of(double length, double diameter, int copies);
+
+/// A rope and the drum at an end of its path. `ropes`: all of the machine.
+struct EndOnDrum {
+  const Machine& machine;
+  const Array<RopeData>& ropes;
+  const description::Drum& drum;
+  const RopeData& rope;
+};
+
+/// The layer that the rope leaves: as given, or by all ropes on the drum, whose turns are longer by the tension at
+/// which they were wound. 1 where nothing says it.
+int layer_of(const EndOnDrum& end);
 
 /// Radius of the rope's centre in that layer, m: D/2 + d/2 + (k - 1) h.
-double radius_of(const description::Drum& drum, const RopeData& rope);
+double radius_of(const EndOnDrum& end);
 
 /// The tension of the rope by the drum's torque at the start, N: over the radius and the copies; empty where it has
 /// none that pulls.
-std::optional<double> pull_of_torque(const description::Drum& drum, const Drive& drive, const RopeData& rope,
-                                     int copies);
+std::optional<double> pull_of_torque(const EndOnDrum& end, const Drive& drive, int copies);
 
 }  // namespace taut::machine

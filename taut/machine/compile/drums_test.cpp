@@ -18,6 +18,7 @@ using testing::HasSubstr;
 
 RopeData rope16() {
   RopeData rope;
+  rope.name = "line";
   rope.diameter = 0.016;
   rope.stiffness = 10e6;
   return rope;
@@ -33,6 +34,30 @@ description::Drum winch(double on_drum) {
   return d;
 }
 
+/// Machine with so many reevings of so many copies each, from that drum to a point.
+Machine wound(int reevings, int copies) {
+  Machine m;
+  for (int i = 0; i < reevings; ++i) {
+    description::Reeving& one = m.reevings.emplace_back();
+    one.rope = "line";
+    one.copies = copies;
+    one.path.resize(2);
+    one.path.front().drum = "winch";
+    one.path.back().anchor = "load";
+  }
+  return m;
+}
+
+int layer_of(const description::Drum& drum, int reevings = 1, int copies = 1) {
+  const Array<RopeData> ropes = {rope16()};
+  return machine::layer_of({.machine = wound(reevings, copies), .ropes = ropes, .drum = drum, .rope = ropes.front()});
+}
+
+double radius_of(const description::Drum& drum) {
+  const Array<RopeData> ropes = {rope16()};
+  return machine::radius_of({.machine = wound(1, 1), .ropes = ropes, .drum = drum, .rope = ropes.front()});
+}
+
 /// Rope in n full layers, summed turn by turn.
 double full(int layers) {
   double sum = 0;
@@ -41,39 +66,52 @@ double full(int layers) {
 }
 
 TEST(Drums, TheLayerFollowsFromTheRopeOnTheDrum) {
-  EXPECT_EQ(layer_of(winch(0), rope16()), 1);
+  EXPECT_EQ(layer_of(winch(0)), 1);
   for (const int k : {1, 2, 3, 5}) {
-    EXPECT_EQ(layer_of(winch(full(k) - 1e-6), rope16()), k);
-    EXPECT_EQ(layer_of(winch(full(k) + 1e-6), rope16()), k + 1);
-    EXPECT_NEAR(radius_of(winch(full(k) - 1e-6), rope16()), 0.15 + (k - 0.5) * 0.016, 1e-12);
+    EXPECT_EQ(layer_of(winch(full(k) - 1e-6)), k);
+    EXPECT_EQ(layer_of(winch(full(k) + 1e-6)), k + 1);
+    EXPECT_NEAR(radius_of(winch(full(k) - 1e-6)), 0.15 + (k - 0.5) * 0.016, 1e-12);
+  }
+}
+
+TEST(Drums, AllRopesOfADrumMakeItsLayers) {
+  for (const int k : {2, 4}) {
+    const description::Drum drum = winch(full(k) / 2 + 1e-6);
+    EXPECT_LT(layer_of(drum), k);
+    EXPECT_EQ(layer_of(drum, 2, 1), k + 1);
+    EXPECT_EQ(layer_of(drum, 1, 2), k + 1);
+    EXPECT_EQ(layer_of(winch(full(k) / 4 - 1e-6), 2, 2), k);
   }
 }
 
 TEST(Drums, ARopeWoundTightIsShorterUnstretched) {
   description::Drum d = winch(full(2) / (1 + 30e3 / 10e6) + 1e-6);
-  EXPECT_EQ(layer_of(d, rope16()), 2);
+  EXPECT_EQ(layer_of(d), 2);
   d.wound_at = 30e3;
-  EXPECT_EQ(layer_of(d, rope16()), 3);
+  EXPECT_EQ(layer_of(d), 3);
 }
 
 TEST(Drums, ALayerThatIsGivenStays) {
   description::Drum d = winch(60);
   d.layers.reset();
-  EXPECT_EQ(layer_of(d, rope16()), 1);
+  EXPECT_EQ(layer_of(d), 1);
   d.layer = 4;
-  EXPECT_EQ(layer_of(d, rope16()), 4);
+  EXPECT_EQ(layer_of(d), 4);
   d.layer_height = 0.014;
-  EXPECT_NEAR(radius_of(d, rope16()), 0.158 + 3 * 0.014, 1e-12);
+  EXPECT_NEAR(radius_of(d), 0.158 + 3 * 0.014, 1e-12);
 }
 
 TEST(Drums, ATorqueGivesTheTensionOfEachCopy) {
   Drive drive;
   drive.kind = DriveKind::torque;
   drive.signal = Signal{.name = {}, .unit = si::N_m, .law = 4e3};
-  const description::Drum d = winch(full(2) + 1);
-  EXPECT_NEAR(pull_of_torque(d, drive, rope16(), 2).value_or(0), 4e3 / (0.15 + 2.5 * 0.016) / 2, 1e-9);
+  const description::Drum d = winch(full(2) / 2 + 1);
+  const Array<RopeData> ropes = {rope16()};
+  const Machine two = wound(1, 2);
+  const EndOnDrum end{.machine = two, .ropes = ropes, .drum = d, .rope = ropes.front()};
+  EXPECT_NEAR(pull_of_torque(end, drive, 2).value_or(0), 4e3 / (0.15 + 2.5 * 0.016) / 2, 1e-9);
   drive.signal = Signal{.name = {}, .unit = si::N_m, .law = 0.0};
-  EXPECT_FALSE(pull_of_torque(d, drive, rope16(), 2)) << "nothing pulls yet";
+  EXPECT_FALSE(pull_of_torque(end, drive, 2)) << "nothing pulls yet";
 }
 
 Machine lift() {

@@ -25,13 +25,16 @@ int ends_on(const Machine& machine, const std::string& drum) {
 /// The tension that the drum at an end of the path gives by its pull, or by its torque; no rope alone has a torque that
 /// several share.
 std::optional<double> pull_of(const Machine& machine, const Model& model, const description::PathElement& e,
-                              const RopeData& rope, int copies, DriveKind kind) {
+                              const DescribedReeving& described, DriveKind kind) {
   if (!e.drum) return std::nullopt;
   for (std::size_t i = 0; i < machine.drums.size(); ++i) {
     const Drive& drive = model.drums[i].drive;
     if (machine.drums[i].name != *e.drum || drive.kind != kind) continue;
     if (kind == DriveKind::pull) return at(drive.signal, 0).value;
-    return ends_on(machine, *e.drum) > 1 ? std::nullopt : pull_of_torque(machine.drums[i], drive, rope, copies);
+    if (ends_on(machine, *e.drum) > 1) return std::nullopt;
+    return pull_of_torque(
+        {.machine = machine, .ropes = described.ropes, .drum = machine.drums[i], .rope = described.rope}, drive,
+        described.given.copies);
   }
   return std::nullopt;
 }
@@ -85,7 +88,7 @@ Array<Said> said_of(const Machine& machine, const Model& model, const DescribedR
   }
   if (given.path.empty()) return said;
   const auto pull = [&](const description::PathElement& e, DriveKind kind) {
-    return pull_of(machine, model, e, described.rope, given.copies, kind);
+    return pull_of(machine, model, e, described, kind);
   };
   take(pull(given.path.front(), DriveKind::pull), Given::tension_at_start, "the pull of its first drum");
   take(pull(given.path.back(), DriveKind::pull), Given::tension_at_end, "the pull of its last drum");

@@ -14,7 +14,8 @@ namespace taut::machine {
 struct DescribedReeving {
   const description::Reeving& given;
   const RopeData& rope;
-  const std::string& path;  ///< in the deck, for complaints
+  const Array<RopeData>& ropes;  ///< all of the machine
+  const std::string& path;       ///< in the deck, for complaints
 };
 
 /// Sets what is known of a rope besides its path, and its haul. A rope with ends: one of length, installation (its

@@ -73,8 +73,13 @@ Stop round_stop(const Machine& machine, const Target& target, Side side) {
 class PathReader {
  public:
   PathReader(const Machine& machine, const Links& links, std::string reeving, const RopeData& rope,
-             std::vector<Complaint>& complaints)
-      : machine_(machine), links_(links), reeving_(std::move(reeving)), rope_(rope), complaints_(complaints) {}
+             const Array<RopeData>& ropes, std::vector<Complaint>& complaints)
+      : machine_(machine),
+        links_(links),
+        reeving_(std::move(reeving)),
+        rope_(rope),
+        ropes_(ropes),
+        complaints_(complaints) {}
 
   /// An element of an endless rope.
   void add_closed(const PathElement& e, const DeckPlace& at) {
@@ -134,7 +139,7 @@ class PathReader {
     stop.node.at = t->place;
     stop.node.axis = unit_axis(drum.axis);
     stop.node.drum = t->index;
-    stop.node.radius = radius_of(drum, rope_);
+    stop.node.radius = radius_of({.machine = machine_, .ropes = ropes_, .drum = drum, .rope = rope_});
     stops.push_back(std::move(stop));
   }
 
@@ -208,6 +213,7 @@ class PathReader {
   const Links& links_;
   std::string reeving_;  ///< its name
   const RopeData& rope_;
+  const Array<RopeData>& ropes_;
   std::vector<Complaint>& complaints_;
 };
 
@@ -342,8 +348,9 @@ void begin_at_drive(Array<Stop>& stops, const std::string& path, std::vector<Com
 }  // namespace
 
 Array<Stop> stops_of(const Machine& machine, const Links& links, const description::Reeving& reeving,
-                     const RopeData& rope, const std::string& path, std::vector<Complaint>& complaints) {
-  PathReader reader(machine, links, name_of(reeving), rope, complaints);
+                     const RopeData& rope, const Array<RopeData>& ropes, const std::string& path,
+                     std::vector<Complaint>& complaints) {
+  PathReader reader(machine, links, name_of(reeving), rope, ropes, complaints);
   if (reeving.path.size() < 2) complaints.push_back({path, "a rope runs from one element to another one"});
   reader.stops.reserve(reeving.path.size());
   const DeckPlace here(path);

@@ -31,9 +31,10 @@ struct Stop {
 
 /// The nodes of a reeving's path, an endless one from its drive on, tackles written out: between two sheaves of a
 /// tackle of n parts the rope runs n times. Where the element before is one of the two, it counts as the beginning of
-/// the first part. Sides are not set. `rope`: lies on a drum half a diameter above the core.
+/// the first part. Sides are not set. `rope`: lies on a drum in its layer; `ropes`: all of the machine.
 Array<Stop> stops_of(const Machine& machine, const Links& links, const description::Reeving& reeving,
-                     const RopeData& rope, const std::string& path, std::vector<Complaint>& complaints);
+                     const RopeData& rope, const Array<RopeData>& ropes, const std::string& path,
+                     std::vector<Complaint>& complaints);
 
 /// Lays the axes that the deck leaves open horizontally across the path in plan: by the directions of unit length from
 /// the round to its neighbours, whose parts in plan, h and k, are halved by h - k where the rope passes and by h + k

@@ -25,6 +25,7 @@ Check rope_check(const char* role, const catalogue::RopeRow& rope, const Peak& p
                            rope.id, rope.breaking_force / 1000, peak.tension / 1000, peak.where, peak.x),
        .trust = fmt::format("limit: user; breaking force: {}", catalogue::to_text(rope.trust))});
   c.part = fmt::format("{} rope", role);
+  c.covers = {c.part};
   c.where = fmt::format("carriage at {:.4g} m", peak.x);
   return c;
 }

@@ -32,6 +32,7 @@ const char* second_order_rule(const Input& in) {
 Check stress_check(std::string name, double stress, Bound allowable, std::string where) {
   Check c = make_check(std::move(name), stress, si::Pa, std::move(allowable));
   c.part = "mast";
+  c.covers = {c.part};
   c.where = std::move(where);
   return c;
 }

@@ -272,7 +272,6 @@ std::vector<NothingCarried> add_nothing(const MachineRun& machine, const study::
     c.utilisation = none;
     c.passes = false;
     c.part = machine.model.carriages[run.way.carriage].name;
-    c.of_strength = false;
     r.checks.push_back(std::move(c));
   }
   return all;

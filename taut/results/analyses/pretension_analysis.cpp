@@ -150,10 +150,16 @@ std::vector<QuantityWords> tensioning_words() {
 void add_answer(const study::PretensionRun& asked, MachineRun& machine, Result& r) {
   if (r.interrupted) return;
   study::PretensionRun run = asked;
-  study::solve(machine.model, run, [&](std::size_t i, std::size_t count) {
+  const std::string analysis = checks::analysis_name(run.ending, "pretension");
+  const auto go_on = [&](std::size_t i, std::size_t count) {
     return !machine.progress || machine.progress({.what = run.words,
                                                   .done = static_cast<double>(i) / static_cast<double>(count),
                                                   .words = fmt::format("pull {} of {}", i + 1, count)});
+  };
+  study::solve(machine.model, run, go_on, [&](const machine::Model& model, const solve::TransientResult& motion) {
+    for (const solve::TransientFrame& frame : motion.frames)
+      machine.checked->take_moment(model, motion, frame, run.words, analysis, true);
+    machine.checked->take(model, motion, run.words, true);
   });
   const study::PretensionResult& result = run.answer;
   if (result.interrupted) {
@@ -169,8 +175,7 @@ void add_answer(const study::PretensionRun& asked, MachineRun& machine, Result& 
   r.assumptions.push_back(fmt::format("{}: {}.", run.words, how_words(run)));
   if (result.slowly) add_pretension_scene(run, machine, r);
   for (const study::PullEnd& end : result.ends) {
-    if (end.at)
-      machine.checked->take(result.model, *end.at, run.words, checks::analysis_name(run.ending, "pretension"));
+    if (end.at) machine.checked->take(result.model, *end.at, run.words, analysis);
   }
   const study::PullEnd& last = result.ends.back();
   machine.checked->take_pretension(last.T_start, last.T_end, fmt::format("as pulled ({})", run.words));

@@ -137,14 +137,21 @@ rope::DrumLayers layers_on(const Run& run, const Contact& contact) {
   return machine::measures_of(run.model.drums[contact.drum], run.model.reevings[contact.reeving].diameter);
 }
 
-/// The layer on which the end of so much unstretched rope lies, as statics has it: by its turns and the tension at
-/// which it was wound.
-int layer_of(const Run& run, const Contact& contact, double content) {
+/// The layer on which the end of a rope lies, as statics has it: by what all ropes of its drum take up, and the tension
+/// at which they were wound. `content_of`: unstretched rope of a contact with a drum, m.
+template <class Content>
+int layer_of(const Run& run, const Contact& contact, const Content& content_of) {
   const machine::Drum& drum = run.model.drums[contact.drum];
   const rope::DrumLayers layers = layers_on(run, contact);
   if (layers.width == 0) return drum.layer;
-  const double strain = drum.wound_at.value_or(0) / run.m.lines[std::max(contact.in, contact.out)].stiffness;
-  return rope::on_drum(layers, std::max(0.0, content) * (1 + strain)).layer;
+  double room = 0;
+  for (const Contact& one : run.m.contacts) {
+    if (one.drum != contact.drum) continue;
+    const machine::Reeving& rope = run.model.reevings[one.reeving];
+    const double strain = drum.wound_at.value_or(0) / run.m.lines[std::max(one.in, one.out)].stiffness;
+    room += machine::room_of(content_of(one) * (1 + strain), rope.diameter, rope.copies);
+  }
+  return rope::on_drum(layers, room / (layers.rope_diameter * layers.rope_diameter)).layer;
 }
 
 }  // namespace
@@ -223,8 +230,9 @@ bool winds_on(const Run& run, const Values& v) {
     const auto content = content_ahead(run, contact, v);
     if (!content) return false;
     const machine::Drum& drum = run.model.drums[contact.drum];
+    const auto ahead = [&](const Contact& one) { return *content_ahead(run, one, v); };
     const bool climbs =
-        drum.automatic_layers && layer_of(run, contact, *content) != run.before.on_drums[contact.on_drum].layer;
+        drum.automatic_layers && layer_of(run, contact, ahead) != run.before.on_drums[contact.on_drum].layer;
     return climbs || *content < -no_rope_on_drum;
   });
 }
@@ -296,7 +304,7 @@ bool change_layers(Run& run, Values& v) {
     OnDrumValues& is = v.on_drums[contact.on_drum];
     const rope::DrumLayers layers = layers_on(run, contact);
     if (layers.width == 0) continue;
-    const int layer = layer_of(run, contact, is.content);
+    const int layer = layer_of(run, contact, [&](const Contact& one) { return v.on_drums[one.on_drum].content; });
     const int line = contact.in >= 0 ? contact.in : contact.out;
     const std::size_t end = contact.in >= 0 ? 1 : 0;
     LineValues& rope = v.lines[line];
