@@ -182,6 +182,7 @@ checks::AskedChecks resolve_checks(const checks::ChecksRequest& request, const s
   refuse(request.lines, "lines");
   refuse(request.supports, "supports");
   refuse(request.yarders, "yarders");
+  if (!request.exempt.empty()) complaints.push_back({"checks.exempt", "a published method judges all its parts"});
   return asked;
 }
 

@@ -30,6 +30,12 @@ input:
          "}, retraction: {safety_factor: 2, breaking_force: 700 kN}}}\n";
 }
 
+TEST(MethodChecks, NoPartOfAMethodIsExempt) {
+  std::string deck = boom("operation: extend", "");
+  deck.replace(deck.rfind("}}"), 2, "}, exempt: [extension]}");
+  EXPECT_THAT(to_text(run_text(deck).errors), HasSubstr("checks.exempt: a published method judges all its parts"));
+}
+
 // Behind the sheave of section 3 the rope has the tension at section 3 over the efficiency: of the extension rope when
 // the boom extends, of the retraction rope when it retracts.
 TEST(MethodChecks, TheTightBranchOfABoomRopeCounts) {
