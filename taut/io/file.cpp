@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <cstdio>
 #include <cstring>
 #include <filesystem>
 
@@ -29,6 +30,13 @@ class Descriptor {
  private:
   int number_;
 };
+
+/// Waits until a file or folder is on the disk. False: it is not, see errno; file systems that know no such thing for
+/// folders say EINVAL.
+bool sync_to_disk(const std::string& path) {
+  const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
+  return file.get() >= 0 && (::fsync(file.get()) == 0 || errno == EINVAL);
+}
 
 const char* kind_of_file(mode_t mode) {
   if (S_ISDIR(mode)) return "a folder";
@@ -75,6 +83,14 @@ tl::expected<std::string, Unreadable> read_file(const std::string& path) {
   if (file.get() < 0 || fstat(file.get(), &found) != 0) return unreadable(path);
   if (!S_ISREG(found.st_mode)) return refused(path, found.st_mode);
   return read_open(file.get(), path);
+}
+
+tl::expected<void, std::string> put_in_place(const std::string& written, const std::string& path) {
+  const std::string folder = fs::path(path).parent_path().string();
+  const bool done = sync_to_disk(written) && std::rename(written.c_str(), path.c_str()) == 0 &&
+                    sync_to_disk(folder.empty() ? "." : folder);
+  if (done) return {};
+  return tl::unexpected(std::string(std::strerror(errno)));
 }
 
 tl::expected<std::string, Unreadable> read_beside(const Source& source, const std::string& path) {

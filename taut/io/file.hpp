@@ -15,6 +15,11 @@ tl::expected<std::string, Unreadable> read_file(const std::string& path);
 /// The same from a descriptor that is open already, whatever stands behind it: standard input, a pipe of the shell.
 tl::expected<std::string, Unreadable> read_open(int descriptor, const std::string& name);
 
+/// Gives a file that was written beside its place its name, so that after a power cut the name has all that was
+/// written, or what it had before: the file is on the disk before it is renamed, its folder after it. The error: why it
+/// was not, in words.
+tl::expected<void, std::string> put_in_place(const std::string& written, const std::string& path);
+
 /// The text of a file that a deck with that source names: by the reader of its reading, else by read_file.
 tl::expected<std::string, Unreadable> read_beside(const Source& source, const std::string& path);
 

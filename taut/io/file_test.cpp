@@ -43,6 +43,17 @@ TEST_F(File, ReadsAFileWhole) {
   EXPECT_EQ(read_file(write("large", std::string(largest_deck + 9, 'x')))->size(), largest_deck + 1);
 }
 
+TEST_F(File, WhatWasWrittenBesideIsPutInItsPlace) {
+  const std::string beside = write("new", "new"), path = write("there", "old");
+  ASSERT_TRUE(put_in_place(beside, path));
+  EXPECT_EQ(read_file(path), "new");
+  EXPECT_FALSE(fs::exists(beside));
+  const auto missing = put_in_place(beside, path);
+  ASSERT_FALSE(missing);
+  EXPECT_EQ(missing.error(), "No such file or directory");
+  EXPECT_EQ(read_file(path), "new") << "nothing is lost";
+}
+
 TEST_F(File, RefusesAllElseWithoutOpeningIt) {
   const std::string fifo = (top_ / "fifo").string(), socket_file = (top_ / "socket").string();
   ASSERT_EQ(mkfifo(fifo.c_str(), 0600), 0);

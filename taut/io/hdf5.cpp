@@ -164,8 +164,8 @@ std::vector<std::string> names_in(hid_t group) {
   return names;
 }
 
-/// One dataset as a column of a table, put where its index says.
-bool read_column(hid_t group, const std::string& name, Table& t) {
+/// One dataset of `count` as a column of a table, put where its index says.
+bool read_column(hid_t group, const std::string& name, std::size_t count, Table& t) {
   const Handle set(H5Dopen2(group, name.c_str(), H5P_DEFAULT), H5Dclose);
   const Handle space(set.ok() ? H5Dget_space(set.get()) : -1, H5Sclose);
   const Handle type(set.ok() ? H5Dget_type(set.get()) : -1, H5Tclose);
@@ -175,6 +175,7 @@ bool read_column(hid_t group, const std::string& name, Table& t) {
     return false;
   const auto rows = static_cast<std::size_t>(H5Sget_simple_extent_npoints(space.get()));
   const auto column = static_cast<std::size_t>(index);
+  if (column >= count) return false;  // of a damaged file
   if (t.columns.size() <= column) t.columns.resize(column + 1);
   t.columns[column] = {.name = read_text(set.get(), "name"), .unit = unit_of(read_text(set.get(), "unit"))};
   if (t.rows.size() < rows) t.rows.resize(rows);
@@ -223,8 +224,9 @@ tl::expected<std::vector<Table>, std::string> read_hdf5(const std::string& path)
     Table t;
     t.name = name;
     t.title = read_text(group.get(), "title");
-    for (const std::string& column : names_in(group.get())) {
-      if (!read_column(group.get(), column, t))
+    const std::vector<std::string> columns = names_in(group.get());
+    for (const std::string& column : columns) {
+      if (!read_column(group.get(), column, columns.size(), t))
         return tl::unexpected(fmt::format("'{}/{}' can't be read", name, column));
     }
     all.push_back(std::move(t));

@@ -11,7 +11,6 @@
 #include <fstream>
 #include <mutex>
 #include <nlohmann/json.hpp>
-#include <set>
 
 #include "taut/base/version.hpp"
 #include "taut/io/file.hpp"
@@ -38,7 +37,7 @@ FileError no(const std::string& path, const std::string& why) {
   return {.message = fmt::format("'{}': {}", path, why)};
 }
 
-/// Writes a text beside and renames it.
+/// Writes a text beside and puts it in its place.
 tl::expected<void, FileError> write_whole(const fs::path& path, const std::string& text) {
   const fs::path beside = path.string() + unfinished + std::to_string(::getpid());
   errno = 0;
@@ -46,9 +45,9 @@ tl::expected<void, FileError> write_whole(const fs::path& path, const std::strin
   file.write(text.data(), static_cast<std::streamsize>(text.size()));
   file.close();
   if (!file) return tl::unexpected(no(path.string(), fmt::format("can't be written: {}", std::strerror(errno))));
-  std::error_code failed;
-  fs::rename(beside, path, failed);
-  if (failed) return tl::unexpected(no(path.string(), "can't be written: " + failed.message()));
+  if (const auto put = io::put_in_place(beside.string(), path.string()); !put) {
+    return tl::unexpected(no(path.string(), "can't be written: " + put.error()));
+  }
   return {};
 }
 
@@ -80,6 +79,34 @@ tl::expected<Json, FileError> read_manifest(const fs::path& folder) {
     return tl::unexpected(no(path.string(), "is not the file of a study"));
   }
   return manifest;
+}
+
+constexpr std::size_t columns_beside = 3;  ///< beside inputs and outputs: case, status, reason
+
+/// Whether that table has the cases of a part, as this program writes them.
+bool holds(const Table& t, const CaseBlock& block) {
+  if (t.columns.size() < columns_beside || t.columns.back().name != "reason" || t.rows.size() != block.count) {
+    return false;
+  }
+  for (std::size_t i = 0; i < t.rows.size(); ++i) {
+    if (t.rows[i].size() != t.columns.size()) return false;
+    const auto* number = std::get_if<double>(&t.rows[i].front());
+    if (number == nullptr || *number != static_cast<double>(block.first + i)) return false;
+  }
+  return true;
+}
+
+/// The table of a part's file. The error: it can't be read.
+tl::expected<Table, std::string> table_in(const std::string& path, const CaseBlock& block) {
+  const auto tables = [&] {
+    const std::lock_guard turn(hdf5_turn());
+    return io::read_hdf5(path);
+  }();
+  if (!tables) return tl::unexpected(tables.error());
+  if (tables->size() != 1 || !holds(tables->front(), block)) {
+    return tl::unexpected(std::string("is not a part of this study"));
+  }
+  return tables->front();
 }
 
 /// The parts' rows as one table of numbers and reasons.
@@ -172,14 +199,13 @@ std::string StudyFolder::path_of(std::uint64_t part) const {
 }
 
 std::vector<bool> StudyFolder::done() const {
-  std::set<std::string> there;
-  std::error_code failed;
-  for (const auto& entry : fs::directory_iterator(fs::path(folder_) / "parts", failed)) {
-    there.insert(entry.path().string());
-  }
   std::vector<bool> all;
   all.reserve(parts_.count());
-  for (std::uint64_t part = 0; part < parts_.count(); ++part) all.push_back(there.contains(path_of(part)));
+  std::error_code failed;
+  for (std::uint64_t part = 0; part < parts_.count(); ++part) {
+    const std::string path = path_of(part);
+    all.push_back(fs::exists(path, failed) && table_in(path, parts_.of(part)).has_value());
+  }
   return all;
 }
 
@@ -187,45 +213,42 @@ tl::expected<void, FileError> StudyFolder::write(std::uint64_t part, const Study
                                                  const std::vector<KeptCase>& rows) const {
   const std::string path = path_of(part), beside = path + unfinished + std::to_string(::getpid());
   const Table table = table_of(study, rows);
-  const std::lock_guard turn(hdf5_turn());
-  if (const auto done = io::write_hdf5({table}, beside); !done) return tl::unexpected(no(beside, done.error()));
-  std::error_code failed;
-  fs::rename(beside, path, failed);
-  if (failed) return tl::unexpected(no(path, "can't be written: " + failed.message()));
+  const auto written = [&] {
+    const std::lock_guard turn(hdf5_turn());
+    return io::write_hdf5({table}, beside);
+  }();
+  if (!written) return tl::unexpected(no(beside, written.error()));
+  if (const auto put = io::put_in_place(beside, path); !put) {
+    return tl::unexpected(no(path, "can't be written: " + put.error()));
+  }
   return {};
 }
 
 tl::expected<std::vector<KeptCase>, FileError> StudyFolder::read(std::uint64_t part, const Study& study) const {
   const std::string path = path_of(part);
-  const auto tables = [&] {
-    const std::lock_guard turn(hdf5_turn());
-    return io::read_hdf5(path);
-  }();
-  if (!tables) return tl::unexpected(no(path, tables.error()));
+  const auto table = table_in(path, parts_.of(part));
+  if (!table) return tl::unexpected(no(path, table.error() + "; 'taut study resume' calculates it anew"));
   const std::size_t inputs = study.model.inputs.size(), outputs = study.model.outputs.size();
-  const CaseBlock block = parts_.of(part);
-  std::vector<KeptCase> rows;
-  for (const Table& t : *tables) {
-    if (t.columns.size() != inputs + outputs + 3 || t.rows.size() != block.count) break;
-    for (const std::vector<Cell>& cells : t.rows) {
-      KeptCase& row = rows.emplace_back();
-      const auto number = [&](std::size_t i) {
-        const auto* x = std::get_if<double>(&cells[i]);
-        return x != nullptr ? *x : std::nan("");
-      };
-      const auto text = [&](std::size_t i) {
-        const auto* x = std::get_if<std::string>(&cells[i]);
-        return x != nullptr ? *x : std::string{};
-      };
-      row.index = static_cast<std::uint64_t>(number(0));
-      for (std::size_t i = 0; i < inputs; ++i) row.values.push_back(number(1 + i));
-      for (std::size_t i = 0; i < outputs; ++i) row.answer.outputs.push_back(number(1 + inputs + i));
-      row.answer.outcome.status = status_of(text(1 + inputs + outputs));
-      row.answer.outcome.message = text(2 + inputs + outputs);
-    }
+  if (table->columns.size() != inputs + outputs + columns_beside) {
+    return tl::unexpected(no(path, "is a part of another study; delete it and run 'taut study resume'"));
   }
-  if (rows.size() != block.count || rows.front().index != block.first) {
-    return tl::unexpected(no(path, "is not a part of this study; delete it and run 'taut study resume'"));
+  std::vector<KeptCase> rows;
+  rows.reserve(table->rows.size());
+  for (const std::vector<Cell>& cells : table->rows) {
+    KeptCase& row = rows.emplace_back();
+    const auto number = [&](std::size_t i) {
+      const auto* x = std::get_if<double>(&cells[i]);
+      return x != nullptr ? *x : std::nan("");
+    };
+    const auto text = [&](std::size_t i) {
+      const auto* x = std::get_if<std::string>(&cells[i]);
+      return x != nullptr ? *x : std::string{};
+    };
+    row.index = static_cast<std::uint64_t>(number(0));
+    for (std::size_t i = 0; i < inputs; ++i) row.values.push_back(number(1 + i));
+    for (std::size_t i = 0; i < outputs; ++i) row.answer.outputs.push_back(number(1 + inputs + i));
+    row.answer.outcome.status = status_of(text(1 + inputs + outputs));
+    row.answer.outcome.message = text(2 + inputs + outputs);
   }
   return rows;
 }

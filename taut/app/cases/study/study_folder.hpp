@@ -44,9 +44,11 @@ class StudyFolder {
   static tl::expected<Job, FileError> job_in(const std::string& folder);
 
   const StudyParts& parts() const { return parts_; }
-  std::vector<bool> done() const;  ///< by part
+  /// By part. One that can't be read, as a power cut may leave it, is not done. Reads all of them.
+  std::vector<bool> done() const;
 
-  /// Writes a part, all of it at once: a program that is killed meanwhile leaves none. From any thread.
+  /// Writes a part, all of it at once: a program that is killed meanwhile leaves none, nor does a power cut. From any
+  /// thread.
   tl::expected<void, FileError> write(std::uint64_t part, const Study& study, const std::vector<KeptCase>& rows) const;
   tl::expected<std::vector<KeptCase>, FileError> read(std::uint64_t part, const Study& study) const;
 

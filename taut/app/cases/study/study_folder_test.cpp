@@ -114,6 +114,21 @@ TEST_F(Folder, APartThatIsCutIsAnErrorWithItsName) {
   EXPECT_THAT(read.error().message, HasSubstr("00000.h5"));
 }
 
+TEST_F(Folder, APartThatCanNotBeReadIsNotDone) {
+  const Study study = small();
+  const auto folder = StudyFolder::make(path(), job(), study);
+  for (const std::uint64_t part : {0U, 1U}) {
+    ASSERT_TRUE(folder->write(part, study, rows_of(folder->parts().of(part))).has_value());
+  }
+  const fs::path parts = fs::path(path()) / "parts";
+  fs::resize_file(parts / "00000.h5", 100);
+  EXPECT_THAT(folder->done(), testing::ElementsAre(false, true));
+  fs::resize_file(parts / "00000.h5", 0);
+  EXPECT_THAT(folder->done(), testing::ElementsAre(false, true));
+  fs::copy_file(parts / "00001.h5", parts / "00000.h5", fs::copy_options::overwrite_existing);
+  EXPECT_THAT(folder->done(), testing::ElementsAre(false, true)) << "the cases of another part";
+}
+
 TEST_F(Folder, TidyRemovesWhatKilledProgramsLeftAndNothingElse) {
   const Study study = small();
   const auto folder = StudyFolder::make(path(), job(), study);

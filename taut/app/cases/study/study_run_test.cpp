@@ -91,6 +91,19 @@ TEST_F(StudyRun, EachCaseIsKeptWithItsNumbersAndItsReason) {
   EXPECT_NEAR(static_cast<double>(failed), 75, 4 * 7.5);
 }
 
+TEST_F(StudyRun, APartThatAPowerCutHasCutIsCalculatedAnew) {
+  const Study study = squares();
+  const StudyFolder folder = folder_of(study);
+  ASSERT_TRUE(run_cases(study, folder, {.threads = 2})->whole());
+  const auto before = folder.read(2, study);
+  fs::resize_file(fs::path(path()) / "parts" / "00002.h5", 512);
+  EXPECT_FALSE(state_of(folder).whole());
+  ASSERT_TRUE(run_cases(study, folder, {.threads = 2})->whole());
+  const auto again = folder.read(2, study);
+  ASSERT_TRUE(before && again);
+  for (std::size_t i = 0; i < before->size(); ++i) EXPECT_EQ((*again)[i].values, (*before)[i].values);
+}
+
 TEST_F(StudyRun, TellsOfItsOwnCasesHowManyAreDone) {
   const Study study = squares();
   std::vector<Progress> told;
