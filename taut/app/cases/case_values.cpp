@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <optional>
 
 #include "taut/base/suggest.hpp"
@@ -16,6 +17,7 @@ namespace {
 constexpr const char* utilisation = ".utilisation";
 
 struct FoundValue {
+  std::string name;  ///< in the result: the same for all spellings
   double value = 0;
   Unit unit;
   std::string label;
@@ -23,12 +25,15 @@ struct FoundValue {
 
 std::optional<FoundValue> find(const Result& r, const WantedValue& wanted) {
   for (const std::string& name : {wanted.name, wanted.name + wanted.ending}) {
-    if (const Value* v = r.find_value(name)) return FoundValue{.value = v->value, .unit = v->unit, .label = v->label};
+    if (const Value* v = r.find_value(name)) {
+      return FoundValue{.name = v->name, .value = v->value, .unit = v->unit, .label = v->label};
+    }
   }
   for (const Check& c : r.checks) {
-    if (c.name == wanted.name) return FoundValue{.value = c.value, .unit = c.unit, .label = c.rule};
+    if (c.name == wanted.name) return FoundValue{.name = c.name, .value = c.value, .unit = c.unit, .label = c.rule};
     if (c.name + utilisation == wanted.name) {
-      return FoundValue{.value = c.utilisation, .unit = si::one, .label = "utilisation: " + c.rule};
+      return FoundValue{
+          .name = wanted.name, .value = c.utilisation, .unit = si::one, .label = "utilisation: " + c.rule};
     }
   }
   return std::nullopt;
@@ -103,6 +108,7 @@ void add_outputs(const Result& r, const std::vector<WantedValue>& wanted, CaseMo
     return;
   }
   const std::vector<std::string> names = names_in(r);
+  std::map<std::string, std::size_t> asked;  // outputs by the name of their value
   for (const WantedValue& one : wanted) {
     const auto found = find(r, one);
     if (!found) {
@@ -110,6 +116,12 @@ void add_outputs(const Result& r, const std::vector<WantedValue>& wanted, CaseMo
       const std::string list = hint.empty() ? "; it has " + first_names(names) : hint;
       wrong.complaints.push_back({one.place, fmt::format("there is no value '{}' in its result{}", one.name, list)});
       continue;
+    }
+    const auto [same, is_new] = asked.try_emplace(found->name, one.output);
+    if (!is_new) {
+      wrong.complaints.push_back(
+          {one.place, fmt::format("'{}' is the same value as '{}': give it once", made.outputs[one.output].name,
+                                  made.outputs[same->second].name)});
     }
     CaseOutput& output = made.outputs[one.output];
     output.unit = found->unit;

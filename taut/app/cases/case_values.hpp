@@ -64,7 +64,8 @@ void add_input(const FoundParameter& parameter, const CaseName& name, CaseModel&
 /// The same of one of its parameters.
 void add_input(tl::expected<CaseInput, std::string> parameter, const CaseName& name, CaseModel& made, NoCases& wrong);
 
-/// Describes the outputs by the result of the deck as it is, or complains of those that it does not have.
+/// Describes the outputs by the result of the deck as it is, or complains of those that it does not have, and of a
+/// value that is one of those before, in another spelling of its name.
 void add_outputs(const Result& r, const std::vector<WantedValue>& wanted, CaseModel& made, NoCases& wrong);
 
 /// The values of a result, each at its output. Not ok where the result has no answer, or one of them has no number.

@@ -46,6 +46,23 @@ TEST(CaseValues, AreFoundByNameByTheEndingOfTheirAnalysisAndAsChecks) {
   EXPECT_EQ(outputs[0], 5e3);
 }
 
+TEST(CaseValues, AValueIsAskedForOnceWhateverItsSpelling) {
+  CaseModel made;
+  for (const char* name : {"equilibrium_2.sky.T_max", "equilibrium_2.sky.T_max_2"}) {
+    made.outputs.push_back({.name = name, .unit = {}, .label = {}});
+  }
+  Result second = some();
+  second.values.erase(second.values.begin());
+  NoCases wrong;
+  add_outputs(second,
+              {{.output = 0, .name = "sky.T_max", .ending = "_2", .place = "study.of[0]"},
+               {.output = 1, .name = "sky.T_max_2", .ending = "_2", .place = "study.of[1]"}},
+              made, wrong);
+  ASSERT_EQ(wrong.complaints.size(), 1U);
+  EXPECT_EQ(wrong.complaints[0].path, "study.of[1]");
+  EXPECT_THAT(wrong.complaints[0].message, HasSubstr("is the same value as 'equilibrium_2.sky.T_max'"));
+}
+
 TEST(CaseValues, ACaseWithoutOneOfThemHasNoAnswer) {
   std::vector<double> outputs(1, 0);
   const WantedValue wanted{.output = 0, .name = "sky.T_min", .ending = "", .place = ""};

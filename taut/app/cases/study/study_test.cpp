@@ -310,6 +310,10 @@ TEST(Study, MistakesHaveTheirPlace) {
               "    'machine.reevings[0].length': {uniform: {low: 204 m, high: 206 m}}\n  of: [equilibrium.T_max]\n"),
       HasSubstr("deck.yaml:12:35: error: study.vary.machine.reevings[0].length: 'machine.reevings[0].length' is the "
                 "same number of the deck as 'machine.reevings.sky.length'"));
+  EXPECT_THAT(message("  vary: {'machine.loads[0].mass': {uniform: {low: 1 t, high: 2 t}}}\n"
+                      "  of: [equilibrium.sky.T_max, equilibrium.sky.T_max]\n"),
+              HasSubstr("deck.yaml:11:31: error: study.of[1]: 'equilibrium.sky.T_max' is the same value as "
+                        "'equilibrium.sky.T_max': give it once"));
   EXPECT_THAT(message(std::string(usual) + "  points: grid\n"), HasSubstr("a grid is made of lists and steps"));
   EXPECT_THAT(message(std::string(usual) + "  answer: [form]\n"), HasSubstr("about a limit"));
   EXPECT_THAT(
