@@ -228,7 +228,15 @@ void add_fit(const Calibrating& c, const chance::Calibration& found, Result& r) 
                                             found.residuals.size())
                               : std::string("standard deviations as given, errors independent and normal"));
   r.assumptions.emplace_back("intervals of the model linearised at the fit");
-  r.values.push_back({"chi_squared", found.chi_squared, si::one, "chi^2", "sum of squares of difference/sd", {}, true});
+  if (!c.measured.sd.empty()) {
+    r.values.push_back(
+        {"chi_squared", found.chi_squared, si::one, "chi^2", "sum of squares of difference/sd", {}, true});
+  } else if (std::isfinite(found.sd)) {
+    // without sd all measurements are of one kind (in_si)
+    const Unit& unit = c.model.outputs[c.measured.output.front()].unit;
+    r.values.push_back(
+        {"sd", found.sd, unit, "s", "standard deviation of the measurements by their residuals", {}, true});
+  }
   r.values.push_back(
       {"freedom", static_cast<double>(found.freedom), si::one, "", "measurements less numbers found", {}, true});
   Table t{.name = "covariance",

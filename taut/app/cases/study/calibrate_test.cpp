@@ -153,6 +153,24 @@ TEST_F(Line, TheCalibratedDeckGivesTheMeasurements) {
   EXPECT_NEAR(again.find_value("sky.T_start")->value, truth[3][0], 1e-4 * truth[3][0]);
 }
 
+TEST_F(Line, WithoutSdTheScatterHasTheUnitOfTheMeasurements) {
+  std::string csv = "output,value,machine.loads[0].mass\n";
+  for (std::size_t i = 0; i < masses.size(); ++i) {
+    csv += fmt::format("equilibrium.sky.T_start,{:.6f} N,{} kg\n", truth[i][0] + (i % 2 == 0 ? 100 : -100), masses[i]);
+  }
+  write(csv);
+  const Result r = fit();
+  ASSERT_EQ(r.status, Status::ok) << r.message << to_text(r.errors);
+  EXPECT_EQ(r.find_value("chi_squared"), nullptr) << "a sum of squares over nothing is no number without a unit";
+  const Value* found = r.find_value("sd");
+  ASSERT_NE(found, nullptr);
+  EXPECT_EQ(found->unit.symbol, "N");
+  EXPECT_GT(found->value, 50) << "the residuals are 100 N less what two numbers take up";
+  EXPECT_LE(found->value, 100 * std::sqrt(6. / 4)) << "6 measurements less 2 numbers";
+  write(noisy(1));
+  EXPECT_NE(fit().find_value("chi_squared"), nullptr);
+}
+
 TEST_F(Line, MistakesHaveTheirPlace) {
   const auto mistakes = [&](const std::string& csv) {
     write(csv);
