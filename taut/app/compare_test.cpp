@@ -94,6 +94,16 @@ TEST_F(Compare, WhatIsMissingFails) {
   EXPECT_EQ(text_cell(table_of(r, "compared"), 0, "verdict"), "no value 'T_least'");
 }
 
+// a row that is only shown shows nothing
+TEST_F(Compare, ARowOnlyShownWithoutItsValueIsNotJudged) {
+  const std::string kept = "    - {what: a, deck: hanging.yaml, value: T_max, published: 9.8 kN, tolerance: 1 %}\n";
+  EXPECT_EQ(exit_code(run(kept)), 0);
+  const taut::Result r = run(kept + "    - {what: b, deck: hanging.yaml, value: T_least, published: 9 kN}\n");
+  ASSERT_EQ(r.unmade.size(), 1U);
+  EXPECT_EQ(r.unmade[0], "b: no value 'T_least'");
+  EXPECT_EQ(exit_code(r), 4);
+}
+
 TEST_F(Compare, MistakesAreToldAtTheirPlace) {
   const auto reported = [&](const std::string& values) { return to_text(run(values).errors); };
   EXPECT_NE(reported("    - {what: a, deck: hung.yaml, value: T_max}\n").find("can't be read: No such file"),

@@ -56,6 +56,11 @@ void check_grid(const Study& s, std::vector<Complaint>& complaints) {
                             "a grid is made of lists and steps ('list', or 'from', 'to' and 'steps'); it has a law"});
     }
   }
+  for (const VaryRequest& one : s.request.vary) {
+    if (one.weights.empty()) continue;
+    complaints.push_back({"study.vary." + one.name + ".weights",
+                          "a grid takes every value of a list once and has no probability: leave 'weights' away"});
+  }
   for (const StudyLimit& limit : s.limits) {
     if (!limit.allowed) continue;
     complaints.push_back({"study.limit." + s.model.outputs[limit.output].name,

@@ -315,6 +315,9 @@ TEST(Study, MistakesHaveTheirPlace) {
               HasSubstr("deck.yaml:11:31: error: study.of[1]: 'equilibrium.sky.T_max' is the same value as "
                         "'equilibrium.sky.T_max': give it once"));
   EXPECT_THAT(message(std::string(usual) + "  points: grid\n"), HasSubstr("a grid is made of lists and steps"));
+  EXPECT_THAT(message("  vary: {'machine.loads[0].mass': {list: [1 t, 2 t], weights: [1, 0]}}\n"
+                      "  of: [equilibrium.T_max]\n  points: grid\n"),
+              HasSubstr("leave 'weights' away"));
   EXPECT_THAT(message(std::string(usual) + "  answer: [form]\n"), HasSubstr("about a limit"));
   EXPECT_THAT(
       message(std::string(usual) +
