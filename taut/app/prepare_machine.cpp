@@ -218,7 +218,7 @@ Result compute(const MachineDeck& deck, machine::Model model, study::AskedAll as
   if (report) {
     for (std::string& words : absurd_answers(results::answers_of(run))) r.warnings.push_back(std::move(words));
   }
-  if (depth != RunDepth::values || deck.checks) checks::add_checks(deck, run.model, *run.checked, r);
+  if (run.judges) checks::add_checks(deck, run.model, *run.checked, r);
   return r;
 }
 

@@ -68,6 +68,7 @@ inline taut::app::StudyData data_of(const taut::app::Study& study) {
     const taut::app::CaseAnswer answer = study.model.answer(study.values_at(i));
     for (std::size_t k = 0; k < data.outputs.size(); ++k) data.outputs[k].push_back(answer.outputs[k]);
     if (!answer.outcome.ok()) data.failed.push_back({i, answer.outcome.message});
+    for (const taut::app::CaseFlaw& flaw : answer.flaws) data.flawed.push_back({i, flaw});
   }
   return data;
 }

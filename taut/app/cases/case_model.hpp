@@ -40,14 +40,24 @@ struct CaseOutput {
   double base = 0;  ///< of the deck as it is, SI
 };
 
+/// What a run of one case says against it, whatever its outputs are.
+struct CaseFlaw {
+  enum class Kind { unsafe, unmade, fails };
+  Kind kind = Kind::unsafe;
+  std::string check = {};  ///< of `fails`: the name of the check, "skyline.T_max"; else empty
+  std::string words = {};  ///< why, one sentence
+  bool fact = false;       ///< of `fails`: no limit of the deck can allow it: breaking force, yield, ground
+};
+
 /// One case. Not ok: it has no answer, and the outputs are NaN.
 struct CaseAnswer {
   std::vector<double> outputs;
   Outcome outcome;
+  std::vector<CaseFlaw> flaws = {};  ///< each check that fails, the first thing unmade, the first that is unsafe
 };
 
 /// A deck as a function of numbers. It was read and compiled once; what it needs besides the outputs is left out: other
-/// analyses, checks, tables, figures, formulas.
+/// analyses, the checks of `checks:`, tables, figures, formulas. The analyses that it needs are judged.
 struct CaseModel {
   std::vector<CaseInput> inputs;
   std::vector<CaseOutput> outputs;

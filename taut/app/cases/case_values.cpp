@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "taut/base/suggest.hpp"
+#include "taut/calc/verdict.hpp"
 #include "taut/study/deck/missing.hpp"
 #include "taut/units/any_quantity.hpp"
 
@@ -65,6 +66,31 @@ void take(CaseInput input, const CaseName& name, CaseModel& made, NoCases& wrong
         {name.place, fmt::format("'{}' is the same number of the deck as '{}': give it once", input.path, same->path)});
   }
   made.inputs.push_back(std::move(input));
+}
+
+/// "11.8 kN, limit at most 10 kN (load path, x = 12 m): minimum breaking force of the rope".
+std::string words_of(const Check& c, const Display& display) {
+  const std::string value = std::isnan(c.value) ? "no number" : display.brief(c.value, c.unit);
+  return fmt::format("{}, limit {} {}{}: {}", value, c.sense == Sense::at_most ? "at most" : "at least",
+                     display.brief(c.limit, c.unit), c.where.empty() ? "" : fmt::format(" ({})", c.where), c.rule);
+}
+
+/// The first thing that makes an answer unsafe; empty: nothing does.
+std::string unsafe_in(const Result& r) {
+  if (!r.unsafe.empty()) return r.unsafe.front();
+  const auto doubted = std::find_if(r.checks.begin(), r.checks.end(), decides);
+  if (doubted != r.checks.end()) return doubted->name + " rests on an unverified limit that decides";
+  const auto published = std::find_if(r.comparisons.begin(), r.comparisons.end(),
+                                      [](const Comparison& c) { return c.printed_unsafe && !c.corrected_decides; });
+  if (published == r.comparisons.end()) return {};
+  return fmt::format("the published value of '{}' is unsafe and decides", published->quantity);
+}
+
+/// The first thing that was asked for and is not judged; empty: all is.
+std::string unmade_in(const Result& r) {
+  if (!r.unmade.empty()) return r.unmade.front();
+  const auto refused = std::find_if(r.checks.begin(), r.checks.end(), [](const Check& c) { return c.refused; });
+  return refused == r.checks.end() ? std::string{} : refused->name + " rests on an unverified limit";
 }
 
 }  // namespace
@@ -138,6 +164,21 @@ Outcome take_values(const Result& r, const std::vector<WantedValue>& wanted, std
     outputs[one.output] = found->value;
   }
   return {};
+}
+
+std::vector<CaseFlaw> flaws_of(const Result& r, const Display& display) {
+  std::vector<CaseFlaw> flaws;
+  for (const Check& c : r.checks) {
+    if (c.passes || c.refused) continue;
+    flaws.push_back({.kind = CaseFlaw::Kind::fails, .check = c.name, .words = words_of(c, display), .fact = !c.limits});
+  }
+  if (std::string words = unmade_in(r); !words.empty()) {
+    flaws.push_back({.kind = CaseFlaw::Kind::unmade, .check = {}, .words = std::move(words)});
+  }
+  if (std::string words = unsafe_in(r); !words.empty()) {
+    flaws.push_back({.kind = CaseFlaw::Kind::unsafe, .check = {}, .words = std::move(words)});
+  }
+  return flaws;
 }
 
 }  // namespace taut::app

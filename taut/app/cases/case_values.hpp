@@ -7,6 +7,7 @@
 #include "taut/app/cases/case_model.hpp"
 #include "taut/calc/result.hpp"
 #include "taut/study/deck/parameter.hpp"
+#include "taut/units/display.hpp"
 
 /// What cases of machines and of methods share: numbers put into a deck, and values taken from its result.
 namespace taut::app {
@@ -70,5 +71,9 @@ void add_outputs(const Result& r, const std::vector<WantedValue>& wanted, CaseMo
 
 /// The values of a result, each at its output. Not ok where the result has no answer, or one of them has no number.
 Outcome take_values(const Result& r, const std::vector<WantedValue>& wanted, std::vector<double>& outputs);
+
+/// What keeps a result from passing (verdict.hpp), but for parts without a limit: a study has limits of its own. With
+/// the words in these units.
+std::vector<CaseFlaw> flaws_of(const Result& r, const Display& display);
 
 }  // namespace taut::app

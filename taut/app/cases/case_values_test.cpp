@@ -63,6 +63,26 @@ TEST(CaseValues, AValueIsAskedForOnceWhateverItsSpelling) {
   EXPECT_THAT(wrong.complaints[0].message, HasSubstr("is the same value as 'equilibrium_2.sky.T_max'"));
 }
 
+TEST(CaseValues, WhatKeepsAResultFromPassingIsItsFlaw) {
+  Result r = some();
+  r.checks[0].passes = true;
+  EXPECT_TRUE(flaws_of(r, Display()).empty());
+  Check broken =
+      make_check("sky.T_max", 12e3, si::N, {.sense = Sense::at_most, .limit = 10e3, .rule = "breaks", .trust = "user"});
+  broken.limits = false;
+  r.checks.push_back(broken);
+  r.unmade = {"no angle", "no clearance"};
+  warn_unsafe(r, "it is slack");
+  const auto flaws = flaws_of(r, Display());
+  ASSERT_EQ(flaws.size(), 3U);
+  EXPECT_EQ(flaws[0].kind, CaseFlaw::Kind::fails);
+  EXPECT_EQ(flaws[0].check, "sky.T_max");
+  EXPECT_TRUE(flaws[0].fact);
+  EXPECT_EQ(flaws[0].words, "12 kN, limit at most 10 kN: breaks");
+  EXPECT_EQ(flaws[1].words, "no angle");
+  EXPECT_EQ(flaws[2].words, "it is slack");
+}
+
 TEST(CaseValues, ACaseWithoutOneOfThemHasNoAnswer) {
   std::vector<double> outputs(1, 0);
   const WantedValue wanted{.output = 0, .name = "sky.T_min", .ending = "", .place = ""};

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <mutex>
 #include <set>
@@ -61,6 +62,7 @@ struct DeckPart {
   std::vector<WantedValue> wanted;  ///< by output
   States states = {};               ///< of the deck as it is
   bool judges = true;               ///< whether the verdict has to see its states
+  bool tells = true;                ///< whether it tells the flaws of a case: no part does that runs more than it
 };
 
 struct MachineModel {
@@ -99,10 +101,15 @@ class Desks {
   std::vector<std::unique_ptr<Desk>> free_;
 };
 
-/// The deck with nothing in it but what that part needs. Numbers of analyses and checks are put in before.
+/// The deck with nothing in it but what that part needs. Numbers of analyses and checks are put in before. What the
+/// deck takes out of the verdict stays out of it.
 void prune(const DeckPart& part, MachineDeck& deck) {
   if (part.kind != DeckPart::Kind::analysis) return;
-  deck.checks.reset();
+  if (deck.checks) {
+    checks::ChecksRequest kept;
+    kept.exempt = std::move(deck.checks->exempt);
+    deck.checks = std::move(kept);
+  }
   deck.asked = {};
   if (!deck.analyses.empty()) deck.analyses = {std::move(deck.analyses[part.analysis.index])};
 }
@@ -186,9 +193,17 @@ CaseAnswer answer_by(const MachineModel& model, const DeckOf& deck_of) {
   for (std::size_t i = 0; i < model.parts.size(); ++i) {
     const DeckPart& part = model.parts[i];
     const tl::expected<const MachineDeck*, Outcome> deck = deck_of(i);
-    answer.outcome =
-        deck ? take_values(run_part(model, part, **deck, one_of_many(part)), part.wanted, found) : deck.error();
-    if (!answer.outcome.ok()) return answer;
+    if (deck) {
+      const Result r = run_part(model, part, **deck, one_of_many(part));
+      answer.outcome = take_values(r, part.wanted, found);
+      std::vector<CaseFlaw> flaws = part.tells ? flaws_of(r, model.deck.display) : std::vector<CaseFlaw>{};
+      std::move(flaws.begin(), flaws.end(), std::back_inserter(answer.flaws));
+    } else {
+      answer.outcome = deck.error();
+    }
+    if (answer.outcome.ok()) continue;
+    answer.flaws.clear();  // a case without an answer is beyond every limit
+    return answer;
   }
   answer.outputs = std::move(found);
   return answer;
@@ -280,13 +295,17 @@ MadeCases machine_cases(const ReadMachine& read, const CaseQuestion& question,
   sort_outputs(question.outputs, *model, wrong);
   if (!wrong.complaints.empty()) return tl::unexpected(std::move(wrong));
   for (const CaseName& one : question.outputs) made.outputs.push_back({.name = one.name, .unit = {}, .label = {}});
+  const bool all_analyses = std::any_of(model->parts.begin(), model->parts.end(),
+                                        [](const DeckPart& part) { return part.kind == DeckPart::Kind::checks; });
   for (DeckPart& part : model->parts) {
     std::set<std::string> judged;
     const OneOfMany first{.found = &part.states, .judged = &judged};
     const Result r = run_part(*model, part, pruned(part, model->deck), first);
     add_outputs(r, part.wanted, made, wrong);
     if (!wrong.complaints.empty() || !wrong.outcome.ok()) return tl::unexpected(std::move(wrong));
-    part.judges = part.kind == DeckPart::Kind::checks || needs(part, judged);
+    // the checks are of the deck with all its analyses
+    part.tells = part.kind != DeckPart::Kind::analysis || !all_analyses;
+    part.judges = part.tells || needs(part, judged);
   }
   model->plain = std::all_of(model->inputs.begin(), model->inputs.end(),
                              [&](const CaseInput& input) { return is_plain(input, model->deck); });

@@ -30,8 +30,11 @@ CaseAnswer answer_of(const MethodModel& model, std::span<const double> values) {
     return answer;
   }
   std::vector<double> found = answer.outputs;
-  answer.outcome = take_values(deck->calculate(), model.wanted, found);
-  if (answer.outcome.ok()) answer.outputs = std::move(found);
+  const Result r = deck->calculate();
+  answer.outcome = take_values(r, model.wanted, found);
+  if (!answer.outcome.ok()) return answer;
+  answer.outputs = std::move(found);
+  answer.flaws = flaws_of(r, deck->display);
   return answer;
 }
 

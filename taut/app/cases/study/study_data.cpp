@@ -27,6 +27,7 @@ tl::expected<StudyData, FileError> read_cases(const Study& study, const StudyFol
       rows->add(row);
       for (std::size_t k = 0; k < data.outputs.size(); ++k) data.outputs[k].push_back(one.answer.outputs[k]);
       if (!one.answer.outcome.ok()) data.failed.push_back({one.index, one.answer.outcome.message});
+      for (const CaseFlaw& flaw : one.answer.flaws) data.flawed.push_back({one.index, flaw});
     }
   }
   data.rows.long_rows = rows;

@@ -11,6 +11,7 @@
 #include <fstream>
 #include <mutex>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "taut/base/version.hpp"
 #include "taut/io/file.hpp"
@@ -81,11 +82,55 @@ tl::expected<Json, FileError> read_manifest(const fs::path& folder) {
   return manifest;
 }
 
-constexpr std::size_t columns_beside = 3;  ///< beside inputs and outputs: case, status, reason
+constexpr const char* flaws_column = "flaws";  ///< the last one of a part
+constexpr std::size_t columns_beside = 4;      ///< beside inputs and outputs: case, status, reason, flaws
+
+const char* word_of(CaseFlaw::Kind kind) {
+  switch (kind) {
+    case CaseFlaw::Kind::unsafe:
+      return "unsafe";
+    case CaseFlaw::Kind::unmade:
+      return "unmade";
+    case CaseFlaw::Kind::fails:
+      break;
+  }
+  return "fails";
+}
+
+/// What is said against a case as one text; empty: nothing.
+std::string text_of(const std::vector<CaseFlaw>& flaws) {
+  if (flaws.empty()) return {};
+  Json all = Json::array();
+  for (const CaseFlaw& one : flaws) {
+    all.push_back({{"kind", word_of(one.kind)}, {"check", one.check}, {"words", one.words}, {"fact", one.fact}});
+  }
+  return all.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+/// The same back; empty where it is no such text.
+std::optional<std::vector<CaseFlaw>> flaws_in(const std::string& text) {
+  std::vector<CaseFlaw> flaws;
+  if (text.empty()) return flaws;
+  const Json all = Json::parse(text, nullptr, false);
+  if (!all.is_array()) return std::nullopt;
+  for (const Json& one : all) {
+    if (!one.is_object()) return std::nullopt;
+    CaseFlaw flaw{.kind = CaseFlaw::Kind::unsafe,
+                  .check = one.value("check", ""),
+                  .words = one.value("words", ""),
+                  .fact = one.value("fact", false)};
+    const std::string kind = one.value("kind", "");
+    for (const auto known : {CaseFlaw::Kind::unmade, CaseFlaw::Kind::fails}) {
+      if (kind == word_of(known)) flaw.kind = known;
+    }
+    flaws.push_back(std::move(flaw));
+  }
+  return flaws;
+}
 
 /// Whether that table has the cases of a part, as this program writes them.
 bool holds(const Table& t, const CaseBlock& block) {
-  if (t.columns.size() < columns_beside || t.columns.back().name != "reason" || t.rows.size() != block.count) {
+  if (t.columns.size() < columns_beside || t.columns.back().name != flaws_column || t.rows.size() != block.count) {
     return false;
   }
   for (std::size_t i = 0; i < t.rows.size(); ++i) {
@@ -119,6 +164,7 @@ Table table_of(const Study& study, const std::vector<KeptCase>& rows) {
   for (const CaseOutput& one : study.model.outputs) t.columns.push_back({.name = one.name, .unit = one.unit});
   t.columns.push_back({.name = "status", .unit = si::one});
   t.columns.push_back({.name = "reason", .unit = si::one});
+  t.columns.push_back({.name = flaws_column, .unit = si::one});
   for (const KeptCase& row : rows) {
     std::vector<Cell>& cells = t.rows.emplace_back();
     cells.emplace_back(static_cast<double>(row.index));
@@ -126,6 +172,7 @@ Table table_of(const Study& study, const std::vector<KeptCase>& rows) {
     for (const double x : row.answer.outputs) cells.emplace_back(x);
     cells.emplace_back(std::string(to_text(row.answer.outcome.status)));
     cells.emplace_back(row.answer.outcome.message);
+    cells.emplace_back(text_of(row.answer.flaws));
   }
   return t;
 }
@@ -228,10 +275,9 @@ tl::expected<std::vector<KeptCase>, FileError> StudyFolder::read(std::uint64_t p
   const std::string path = path_of(part);
   const auto table = table_in(path, parts_.of(part));
   if (!table) return tl::unexpected(no(path, table.error() + "; 'taut study resume' calculates it anew"));
+  const FileError foreign = no(path, "is a part of another study; delete it and run 'taut study resume'");
   const std::size_t inputs = study.model.inputs.size(), outputs = study.model.outputs.size();
-  if (table->columns.size() != inputs + outputs + columns_beside) {
-    return tl::unexpected(no(path, "is a part of another study; delete it and run 'taut study resume'"));
-  }
+  if (table->columns.size() != inputs + outputs + columns_beside) return tl::unexpected(foreign);
   std::vector<KeptCase> rows;
   rows.reserve(table->rows.size());
   for (const std::vector<Cell>& cells : table->rows) {
@@ -249,6 +295,9 @@ tl::expected<std::vector<KeptCase>, FileError> StudyFolder::read(std::uint64_t p
     for (std::size_t i = 0; i < outputs; ++i) row.answer.outputs.push_back(number(1 + inputs + i));
     row.answer.outcome.status = status_of(text(1 + inputs + outputs));
     row.answer.outcome.message = text(2 + inputs + outputs);
+    auto flaws = flaws_in(text(3 + inputs + outputs));
+    if (!flaws) return tl::unexpected(foreign);
+    row.answer.flaws = std::move(*flaws);
   }
   return rows;
 }

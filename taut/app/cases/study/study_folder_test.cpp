@@ -129,6 +129,29 @@ TEST_F(Folder, APartThatCanNotBeReadIsNotDone) {
   EXPECT_THAT(folder->done(), testing::ElementsAre(false, true)) << "the cases of another part";
 }
 
+TEST_F(Folder, KeepsWhatIsSaidAgainstACase) {
+  const Study study = small();
+  const auto folder = StudyFolder::make(path(), job(), study);
+  auto rows = rows_of(folder->parts().of(1));
+  rows[5].answer.flaws = {
+      {.kind = CaseFlaw::Kind::fails, .check = "sky.T_max", .words = "\"11 kN\", limit 10 kN", .fact = true},
+      {.kind = CaseFlaw::Kind::unmade, .words = "no angle"},
+      {.kind = CaseFlaw::Kind::unsafe, .words = "a rope of \xC3\xBC is slack"}};
+  ASSERT_TRUE(folder->write(1, study, rows).has_value());
+  const auto again = folder->read(1, study);
+  ASSERT_TRUE(again.has_value()) << again.error().message;
+  EXPECT_TRUE(again->at(4).answer.flaws.empty());
+  const auto& flaws = again->at(5).answer.flaws;
+  ASSERT_EQ(flaws.size(), 3U);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const CaseFlaw& own = rows[5].answer.flaws[i];
+    EXPECT_EQ(flaws[i].kind, own.kind);
+    EXPECT_EQ(flaws[i].check, own.check);
+    EXPECT_EQ(flaws[i].words, own.words);
+    EXPECT_EQ(flaws[i].fact, own.fact);
+  }
+}
+
 TEST_F(Folder, TidyRemovesWhatKilledProgramsLeftAndNothingElse) {
   const Study study = small();
   const auto folder = StudyFolder::make(path(), job(), study);

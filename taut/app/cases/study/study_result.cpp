@@ -6,6 +6,9 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "taut/app/cases/study/study_chance.hpp"
 #include "taut/app/cases/study/study_figures.hpp"
@@ -178,6 +181,103 @@ void add_failed(const Study& study, const StudyData& data, Result& r) {
   r.tables.push_back(std::move(each));
 }
 
+/// Whether a limit of that output speaks of a check, by their names: of the value checked, or of the same under another
+/// name. `output`: behind the name of its analysis.
+bool speaks_of(const std::string& output, const std::string& check) {
+  static const std::map<std::string, std::vector<std::string>> other_names = {
+      {"T_max", {"safety_factor"}}, {"safety_factor", {"T_max"}}, {"ground", {"clearance"}}};
+  static const std::map<std::string, std::vector<std::string>> of_all_parts = {
+      {"T_max", {"T_max"}}, {"ground", {"clearance_min", "rope_clearance_min"}}};
+  std::vector<std::string> names = {check};
+  const std::size_t dot = check.rfind('.');
+  if (dot != std::string::npos) {
+    const std::string part = check.substr(0, dot), kind = check.substr(dot + 1);
+    if (const auto found = other_names.find(kind); found != other_names.end()) {
+      for (const std::string& one : found->second) names.push_back(fmt::format("{}.{}", part, one));
+    }
+    if (const auto found = of_all_parts.find(kind); found != of_all_parts.end()) {
+      names.insert(names.end(), found->second.begin(), found->second.end());
+    }
+  }
+  return std::any_of(names.begin(), names.end(),
+                     [&](const std::string& name) { return output == name || output == name + ".utilisation"; });
+}
+
+/// Whether a limit of the study counts that failure. It takes the place of a limit of the deck on the same value; what
+/// no limit can allow it has to count as beyond itself.
+bool counted(const Study& study, const StudyData& data, const FlawedCase& one) {
+  return std::any_of(study.limits.begin(), study.limits.end(), [&](const StudyLimit& limit) {
+    const std::string& name = study.model.outputs[limit.output].name;
+    const std::string value = name.substr(name.find('.') + 1);
+    if (!speaks_of(value, one.flaw.check) && !speaks_of(name, one.flaw.check)) return false;
+    return !one.flaw.fact || chance::margin(limit.limit, data.outputs[limit.output][one.index]) < 0;
+  });
+}
+
+/// Cases with the same flaw.
+struct SameFlaw {
+  const FlawedCase* first = nullptr;
+  std::uint64_t last = 0;  ///< the number of the last of them
+  std::size_t cases = 0;
+};
+
+/// What is said against the cases and no limit counts: failures by their check, all that is unmade, all that is unsafe.
+std::vector<SameFlaw> open_flaws(const Study& study, const StudyData& data) {
+  std::map<std::pair<CaseFlaw::Kind, std::string>, std::size_t> known;
+  std::vector<SameFlaw> all;
+  for (const FlawedCase& one : data.flawed) {
+    if (one.flaw.kind == CaseFlaw::Kind::fails && counted(study, data, one)) continue;
+    const auto [at, is_new] = known.try_emplace({one.flaw.kind, one.flaw.check}, all.size());
+    if (is_new) all.push_back({.first = &one});
+    SameFlaw& same = all[at->second];
+    // each of its analyses may say it of a case
+    if (is_new || one.index != same.last) ++same.cases;
+    same.last = one.index;
+  }
+  return all;
+}
+
+/// A study with chance does not judge a failure of which it was not told how probable it may be; in a grid no case may
+/// fail.
+void add_flaws(const Study& study, const StudyData& data, Result& r) {
+  const std::vector<SameFlaw> open = open_flaws(study, data);
+  if (open.empty()) return;
+  Table t{.name = "flaws",
+          .title = "What is said against cases and no limit of the study counts",
+          .columns = {{.name = "cases", .unit = si::one},
+                      {.name = "are", .unit = si::one},
+                      {.name = "first", .unit = si::one},
+                      {.name = "why", .unit = si::one}},
+          .rows = {}};
+  std::vector<std::string> failures, unmade;
+  for (const SameFlaw& one : open) {
+    const CaseFlaw& flaw = one.first->flaw;
+    const std::string count = fmt::format("{} of {} cases", one.cases, study.size());
+    const std::string first = fmt::format("the first is case {}: {}", one.first->index, flaw.words);
+    std::string what = "unsafe";
+    if (flaw.kind == CaseFlaw::Kind::unsafe) {
+      warn_unsafe(r, fmt::format("{} are unsafe, {}", count, first));
+    } else if (flaw.kind == CaseFlaw::Kind::unmade) {
+      what = "not judged";
+      unmade.push_back(fmt::format("{} are not judged, {}", count, first));
+    } else if (study.points) {
+      what = "beyond " + flaw.check;
+      failures.push_back(fmt::format("{} fail {}, which no 'limit' of the study counts, {}", count, flaw.check, first));
+    } else {
+      what = "beyond " + flaw.check;
+      r.checks.push_back(make_check("cases that fail " + flaw.check, static_cast<double>(one.cases), si::one,
+                                    {.sense = Sense::at_most, .limit = 0, .rule = first, .trust = "derived"}));
+      r.checks.back().limits = false;
+    }
+    t.rows.push_back(
+        {static_cast<double>(one.cases), what, values_in_words(study, study.values_at(one.first->index)), flaw.words});
+  }
+  // a failure is worse than an answer that needs more samples
+  r.unmade.insert(r.unmade.begin(), failures.begin(), failures.end());
+  r.unmade.insert(r.unmade.end(), unmade.begin(), unmade.end());
+  r.tables.push_back(std::move(t));
+}
+
 void add_given(const Study& study, Result& r) {
   Table t{.name = "inputs",
           .title = "What varies",
@@ -232,6 +332,7 @@ Result study_result(const Study& study, const StudyData& data, const StudyOption
   if (study.points) add_chance(study, data, options, rest, r);
   for (const ChanceSummary::Line& line : rest.lines) summary.add(line.of, line.what, line.unit, line.estimate);
   add_failed(study, data, r);
+  add_flaws(study, data, r);
   r.tables.push_back(std::move(summary).table());
   r.series.push_back(data.rows);
   add_study_figures(study, data, rest, r);

@@ -15,11 +15,18 @@ struct FailedCase {
   std::string reason;
 };
 
+/// What a case is judged by beside the limits of the study.
+struct FlawedCase {
+  std::uint64_t index = 0;
+  CaseFlaw flaw;
+};
+
 /// All cases of a study.
 struct StudyData {
   Table rows;                                ///< `cases`: long rows of number, inputs, outputs, status (0: ok), SI
   std::vector<std::vector<double>> outputs;  ///< by output, in the order of the cases; NaN where one failed
   std::vector<FailedCase> failed;
+  std::vector<FlawedCase> flawed;  ///< in the order of the cases; a case may be there several times
 };
 
 /// Reads the parts in their order; the error: one is missing or broken.

@@ -89,6 +89,46 @@ Study products(double without) {
                             }));
 }
 
+TEST(StudyResult, WhatIsSaidAgainstCasesIsCountedWithTheFirstOfThem) {
+  const Study study = of_cases(100);
+  StudyData data;
+  data.outputs = {std::vector<double>(100, 7)};
+  for (const std::uint64_t i : {4U, 9U}) {
+    // two analyses say it
+    for (int k = 0; k < 2; ++k) data.flawed.push_back({i, {.words = "it stands beside its span"}});
+  }
+  Result r = study_result(study, data, {});
+  ASSERT_EQ(r.unsafe.size(), 1U);
+  EXPECT_EQ(r.unsafe[0], "2 of 100 cases are unsafe, the first is case 4: it stands beside its span");
+  EXPECT_TRUE(r.unmade.empty());
+  data.flawed.push_back({9, {.kind = CaseFlaw::Kind::unmade, .words = "no angle is known"}});
+  data.flawed.push_back({12, {.kind = CaseFlaw::Kind::fails, .check = "sky.T_max", .words = "too much", .fact = true}});
+  r = study_result(study, data, {});
+  ASSERT_EQ(r.unmade.size(), 2U);
+  EXPECT_EQ(r.unmade[0],
+            "1 of 100 cases fail sky.T_max, which no 'limit' of the study counts, the first is case 12: too much");
+  EXPECT_EQ(r.unmade[1], "1 of 100 cases are not judged, the first is case 9: no angle is known");
+  const Table& flaws = table_of(r, "flaws");
+  EXPECT_EQ(cell(flaws, row_of(flaws, "are", "unsafe"), "cases"), 2);
+}
+
+// A limit of the deck itself gives way to that of the study on the same value, breaking does not.
+TEST(StudyResult, ALimitOfTheStudyTakesThePlaceOfTheDecksOwn) {
+  Study study = of_cases(100);
+  study.model.outputs[0].name = "checks.sky.safety_factor";
+  study.limits = {{.output = 0, .limit = {.bound = chance::Bound::at_least, .value = 2}, .allowed = 0.1}};
+  StudyData data;
+  data.outputs = {std::vector<double>(100, 2.5)};
+  data.flawed = {{3, {.kind = CaseFlaw::Kind::fails, .check = "sky.safety_factor", .words = "below 3"}}};
+  EXPECT_TRUE(study_result(study, data, {}).unmade.empty());
+  data.flawed[0].flaw.check = "mainline.safety_factor";
+  EXPECT_EQ(study_result(study, data, {}).unmade.size(), 1U) << "of another rope";
+  data.flawed[0].flaw = {.kind = CaseFlaw::Kind::fails, .check = "sky.T_max", .words = "breaks", .fact = true};
+  EXPECT_EQ(study_result(study, data, {}).unmade.size(), 1U) << "at a factor of 2.5 nothing counts it";
+  data.outputs[0][3] = 0.9;
+  EXPECT_TRUE(study_result(study, data, {}).unmade.empty());
+}
+
 TEST(StudyResult, AGridTellsItsExtremesAndWhereTheyAre) {
   Study study = products(0);
   study.limits = {{.output = 0, .limit = {.bound = chance::Bound::at_most, .value = 50}, .allowed = {}},

@@ -289,6 +289,69 @@ TEST(Study, FormAgreesWithTheSampleAndWithoutAnAnswerThereIsNoNumber) {
   EXPECT_TRUE(std::isnan(value(none, "p")));
 }
 
+/// A study of a line whose rope breaks in about half of the cases.
+struct Breaking {
+  explicit Breaking(const std::string& vary, const std::string& more = "") : study(vary + more) {
+    T = read(deck_with(study)).model.outputs[0].base;
+  }
+  Result operator()(const std::string& limit = "") const {
+    std::string text = deck_with(study + limit);
+    const std::string strong = "breaking_force: 300 kN";
+    text.replace(text.find(strong), strong.size(), fmt::format("breaking_force: {:.17g} N", T));
+    return whole(text);
+  }
+  std::string study;
+  double T = 0;  ///< of the deck as it is, and what the rope bears
+};
+
+const char* const half_break =
+    "  vary: {'machine.loads[0].mass': {normal: {mean: 1 t, cov: 10 %}}}\n"
+    "  of: [equilibrium.sky.T_max, equilibrium.sky.safety_factor, equilibrium.car.z]\n  samples: 256\n";
+
+TEST(Study, CasesThatBreakARopeLetNoStudyPass) {
+  const Breaking line(half_break);
+  const Result r = line("  limit: {equilibrium.car.z: {at_least: -100 m, allowed: 0.05}}\n");
+  ASSERT_EQ(r.status, Status::ok) << r.message << to_text(r.errors);
+  EXPECT_TRUE(r.checks.at(0).passes) << "the limit that it has is kept";
+  const Verdict v = *verdict_of(r);
+  EXPECT_EQ(v.kind, VerdictKind::not_judged);
+  EXPECT_EQ(v.verdict_class, "unmade");
+  EXPECT_THAT(v.reason, HasSubstr("of 256 cases fail sky.T_max, which no 'limit' of the study counts"));
+  EXPECT_THAT(v.reason, HasSubstr("minimum breaking force of the rope"));
+  ASSERT_NE(r.find_table("flaws"), nullptr);
+  const double cases = std::get<double>(r.find_table("flaws")->rows.at(0).at(0));
+  EXPECT_NEAR(cases, 128, 16);
+  // where no limit is asked for, too
+  EXPECT_EQ(verdict_of(line())->verdict_class, "unmade");
+}
+
+TEST(Study, ALimitThatABrokenRopeIsBeyondCountsIt) {
+  const Breaking line(half_break);
+  for (const std::string& limit : {fmt::format("equilibrium.sky.T_max: {{at_most: {:.17g} N, allowed: 0.9}}", line.T),
+                                   std::string("equilibrium.sky.safety_factor: {at_least: 1, allowed: 0.9}")}) {
+    EXPECT_EQ(verdict_of(line("  limit: {" + limit + "}\n"))->kind, VerdictKind::passes) << limit;
+  }
+  const Result r =
+      line(fmt::format("  limit: {{equilibrium.sky.T_max: {{at_most: {:.17g} N, allowed: 0.9}}}}\n", 2 * line.T));
+  EXPECT_EQ(verdict_of(r)->kind, VerdictKind::not_judged) << "a limit above the breaking force does not";
+}
+
+TEST(Study, AGridWithABrokenRopeFails) {
+  const Breaking line("  points: grid\n  vary: {'machine.loads[0].mass': {list: [0.9 t, 1.1 t]}}\n",
+                      "  of: [equilibrium.sky.T_max, equilibrium.car.z]\n");
+  const Result r = line("  limit: {equilibrium.car.z: {at_least: -100 m}}\n");
+  EXPECT_EQ(verdict_of(r)->kind, VerdictKind::fails);
+  EXPECT_THAT(verdict_of(r)->reason, HasSubstr("cases that fail sky.T_max"));
+}
+
+TEST(Study, WhatTheDeckTakesOutOfTheVerdictStaysOutOfIt) {
+  const std::string study =
+      std::string(half_break) + "  limit: {equilibrium.car.z: {at_least: -100 m, allowed: 0.05}}\n";
+  std::string text = deck_with(study, "checks: {exempt: [sky]}\n");
+  text.replace(text.find("300 kN"), 6, "1 kN");
+  EXPECT_EQ(verdict_of(whole(text))->kind, VerdictKind::passes);
+}
+
 TEST(Study, MistakesHaveTheirPlace) {
   const auto message = [](const std::string& study) { return to_text(refused(deck_with(study)).errors); };
   EXPECT_THAT(
