@@ -1,6 +1,8 @@
 #include "taut/rope/life.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <optional>
 
 #include "taut/base/expects.hpp"
 
@@ -9,7 +11,7 @@ namespace {
 
 constexpr double millimetre = 1e-3;
 constexpr double reference_grade = 1770e6;  // Pa
-constexpr double usual_bent_length = 60;    // diameters
+constexpr double tested_bent_length = 60;   // diameters
 
 bool counts(const Duty& duty, const Bend& bend) {
   if (bend.kind == BendKind::saddle || !(bend.tension > 0)) return false;
@@ -23,6 +25,13 @@ const Bend* last_of(const RopeUse& use, const Duty& duty) {
   return last == use.bends.rend() ? nullptr : &*last;
 }
 
+/// f_L of what bends. The formula grows without bound towards l = 2.585 d, and the source's tests of short lengths are
+/// not known. So nothing shorter than the tests behind the constants is credited with a longer life.
+double length_factor(const std::optional<double>& bent_length, double d) {
+  const double length = bent_length ? *bent_length / d : tested_bent_length;
+  return life_of_length(std::max(length, tested_bent_length));
+}
+
 /// How often a working cycle bends the rope there: a pass straight-bent-straight is one, a drum half of it; bent
 /// against the sense of the round before, it counts more.
 double bendings(const Bend& bend, bool reverse, double reverse_weight) {
@@ -33,8 +42,8 @@ double bendings(const Bend& bend, bool reverse, double reverse_weight) {
 LifeLine line_of(const RopeUse& use, const LifeRules& rules, const LifeConstants& constants, const Duty& duty,
                  const Bend& bend, double times) {
   const double d = use.rope.diameter;
-  const double length = rules.bent_length ? *rules.bent_length / d : usual_bent_length;
-  const double factors = life_of_diameter(d / (16 * millimetre)) * life_of_length(length) * rules.core_factor;
+  const double factors =
+      life_of_diameter(d / (16 * millimetre)) * length_factor(rules.bent_length, d) * rules.core_factor;
   LifeLine line;
   line.duty = duty.name;
   line.bend = bend.name;
@@ -48,6 +57,12 @@ LifeLine line_of(const RopeUse& use, const LifeRules& rules, const LifeConstants
 }
 
 }  // namespace
+
+bool is_finite(const Life& life) {
+  return std::all_of(life.lines.begin(), life.lines.end(), [](const LifeLine& line) {
+    return line.endures > 0 && std::isfinite(line.endures) && std::isfinite(line.damage);
+  });
+}
 
 std::vector<Life> life_of(const RopeUse& use, const LifeRules& rules) {
   expects(use.rope.diameter > 1.4e-3 && use.rope.grade.has_value(), "a life needs a diameter and a grade");

@@ -28,8 +28,8 @@ T life_of_diameter(const T& ratio_to_16mm) {
   return 0.52 / (-0.48 + exp(0.3 * log(ratio_to_16mm)));
 }
 
-/// Endurance factor of the bent length l: 1.49/(2.49 - ((l/d - 2.5)/57.5)^-0.14); 1 at l = 60 d. l/d > 2.6. The same
-/// table.
+/// Endurance factor of the bent length l: 1.49/(2.49 - ((l/d - 2.5)/57.5)^-0.14); 1 at l = 60 d, 0.598 of an endless
+/// one. As printed for l/d > 2.585, where it has a pole; life_of takes it from 60 d on. The same table.
 template <class T>
 T life_of_length(const T& length_over_d) {
   using std::exp, std::log;
@@ -62,7 +62,7 @@ struct LifeRules {
   std::vector<LifeConstants> constants;
   double core_factor = 1;  ///< f_C
   std::string core_words;
-  std::optional<double> bent_length;  ///< l, m; none: 60 d
+  std::optional<double> bent_length;  ///< l, m; none, or shorter than that: 60 d
   double reverse_weight = 1;          ///< of a bending in the sense opposite to the one before
   double dynamic_factor = 1;
 };
@@ -84,6 +84,9 @@ struct Life {
   double damage = 0;      ///< at most 1 in the wanted life; how often the duty list can run is its inverse
   bool reversed = false;  ///< some round turns against the one before
 };
+/// Whether every N is a number above 0, and the damage too. Constants of no rope give 10^lg N = 0 or infinite.
+bool is_finite(const Life& life);
+
 /// Saddles do not count: what runs over them slides. A drum is half a bending. Precondition: diameter > 1.4 mm and a
 /// grade.
 std::vector<Life> life_of(const RopeUse& use, const LifeRules& rules);

@@ -41,6 +41,33 @@ TEST(Life, endurance_factors) {
   EXPECT_NEAR(life_of_length(1e300), 1.49 / 2.49, 1e-9);  // of an endless length
 }
 
+// f_L grows to 466 at 31.03 mm of a rope of 12 mm, and is negative or no number below its pole at 2.585 d.
+TEST(Life, a_short_bent_length_is_no_longer_life) {
+  LifeRules rules;
+  rules.duty = {{.name = "all", .cycles = 1e4, .load = 1.0, .over = {}}};
+  rules.constants = {seale()};
+  const double d = over_two_sheaves().rope.diameter;
+  const double tested = life_of(over_two_sheaves(), rules)[0].damage;
+  for (const double length : {1e-6, 1.0, 2.5, 2.5850, 2.5858, 5.0, 59.9, 60.0}) {
+    rules.bent_length = length * d;
+    const Life life = life_of(over_two_sheaves(), rules)[0];
+    EXPECT_NEAR(life.damage, tested, 1e-12 * tested) << length;
+    EXPECT_TRUE(is_finite(life));
+  }
+  rules.bent_length = 600 * d;
+  EXPECT_NEAR(life_of(over_two_sheaves(), rules)[0].damage, tested / life_of_length(600.0), 1e-12);
+}
+
+TEST(Life, constants_that_overflow_are_told) {
+  LifeRules rules;
+  rules.duty = {{.name = "all", .cycles = 1e4, .load = 1.0, .over = {}}};
+  rules.constants = {seale()};
+  for (const double a0 : {400.0, -400.0, std::nan("")}) {
+    rules.constants[0].a = {a0, 0, 0, 0};
+    EXPECT_FALSE(is_finite(life_of(over_two_sheaves(), rules)[0])) << a0;
+  }
+}
+
 TEST(Life, more_pull_less_life_and_a_larger_sheave_more) {
   EXPECT_LT(log_cycles(seale(), 200.0, 1.0, 25.0, 1.0), log_cycles(seale(), 100.0, 1.0, 25.0, 1.0));
   EXPECT_GT(log_cycles(seale(), 117.0, 1.0, 30.0, 1.0), log_cycles(seale(), 117.0, 1.0, 25.0, 1.0));

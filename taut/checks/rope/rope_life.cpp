@@ -202,6 +202,14 @@ void add_life(const RopeCheckRequest& request, const rope::RopeUse& use, const r
     r.warnings.push_back(r.unmade.back());
     return;
   }
+  const auto endless = std::find_if_not(lives.begin(), lives.end(), rope::is_finite);
+  if (endless != lives.end()) {
+    r.unmade.push_back(
+        fmt::format("{}: its life is not computed: the constants of '{}' give no finite number of bendings ({})",
+                    use.name, endless->constants->count, endless->constants->words));
+    r.warnings.push_back(r.unmade.back());
+    return;
+  }
   // a duty that names its rounds names known ones
   const bool over_all =
       std::any_of(request.duty.begin(), request.duty.end(), [](const auto& d) { return d.over.empty(); });

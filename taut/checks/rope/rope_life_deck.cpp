@@ -37,7 +37,8 @@ const Description& LifeRequest::describe() {
       Describe<LifeRequest>()
           .record(&LifeRequest::constants, "constants",
                   "Feyrer's constants of this rope; default: one recalled set, unverified")
-          .field(&LifeRequest::bent_length, "bent_length", "l", si::m, "length of rope that is bent; default: 60 d")
+          .field(&LifeRequest::bent_length, "bent_length", "l", si::m,
+                 "length of rope that is bent; default, and taken where it is shorter: 60 d")
           .above(0)
           .at_most(1e5)
           .field(&LifeRequest::core_factor, "core_factor", "f_C", si::one,

@@ -77,6 +77,29 @@ TEST(RopeLife, own_constants_and_the_worst_count) {
   EXPECT_EQ(table_of(r, "life_hoist").rows.size(), 2U);
 }
 
+// At 2.5858 d the formula of the bent length has nearly its pole; a length below it is no number.
+TEST(RopeLife, a_short_bent_length_counts_as_that_of_the_tests) {
+  const auto damage = [](const std::string& life) {
+    return value_of(run_text(lift("{duty: [{name: lifts, cycles: 2e6}]" + life + "}")), "hoist.life_damage");
+  };
+  const double tested = damage("");
+  EXPECT_GT(tested, 1);
+  for (const char* length : {"1 mm", "41.37 mm", "80 mm", "960 mm"}) {
+    EXPECT_NEAR(damage(fmt::format(", life: {{bent_length: {}}}", length)), tested, 1e-9 * tested) << length;
+  }
+  EXPECT_GT(damage(", life: {bent_length: 20 m}"), tested);
+}
+
+// 10^400 and 10^-400 bendings: neither "passes" nor "fails" can rest on them.
+TEST(RopeLife, no_finite_number_of_bendings_is_not_judged) {
+  for (const char* a0 : {"400", "-400"}) {
+    const Result r = run_text(lift(fmt::format(
+        "{{duty: [{{name: lifts, cycles: 2e4}}], life: {{constants: [{{count: discard, a: [{}, 0, 0, 0]}}]}}}}", a0)));
+    EXPECT_THAT(r.unmade, testing::ElementsAre(HasSubstr("the constants of 'discard' give no finite number"))) << a0;
+    EXPECT_TRUE(std::none_of(r.checks.begin(), r.checks.end(), [](const Check& c) { return c.name == "hoist.life"; }));
+  }
+}
+
 // The constants are the deck's own; that a bending in reverse counts twice is recalled.
 TEST(RopeLife, what_is_recalled_besides_the_constants) {
   const std::string own = "{duty: [{name: lifts, cycles: 2e4}], life: {constants: [{count: discard, a: [5, 0, 0, 0]}]";
