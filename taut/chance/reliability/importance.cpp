@@ -60,26 +60,53 @@ double weight_of(const Mixture& m, const Point& u) {
   return 1 / sum;
 }
 
-/// Sums of weights: beyond the limit, failed; their squares.
+/// Sums of weights and of their squares: cases that keep the limit, that do not, that failed.
 struct WeightSums {
-  double n = 0, beyond = 0, failed = 0, beyond_squares = 0, failed_squares = 0;
+  double n = 0, kept = 0, beyond = 0, failed = 0;
+  double kept_squares = 0, beyond_squares = 0, failed_squares = 0;
 };
 
-Weighted weighted(double value, double mean_square, double mean, double n) {
-  Weighted w{.value = value, .standard_error = std::sqrt(std::max(0., mean_square - mean * mean) / n)};
-  w.variation = value > 0 ? w.standard_error / value : std::numeric_limits<double>::infinity();
-  return w;
+Weighted weighted(double value, double standard_error) {
+  return {.value = value,
+          .standard_error = standard_error,
+          .variation = value > 0 ? standard_error / value : std::numeric_limits<double>::infinity()};
 }
 
-void estimate(ImportanceSampling& result, const WeightSums& s) {
+double error_of(double mean, double mean_square, double n) {
+  return std::sqrt(std::max(0., mean_square - mean * mean) / n);
+}
+
+/// The numbers of the region beyond the limit. The coefficient of variation of what is sampled.
+double estimate_beyond(ImportanceSampling& result, const WeightSums& s) {
   const double a = s.beyond / s.n;
   const double b = s.failed / s.n;
   // a case is beyond or failed, never both: the products vanish
-  result.counted = weighted(a + b, (s.beyond_squares + s.failed_squares) / s.n, a + b, s.n);
+  result.counted = weighted(a + b, error_of(a + b, (s.beyond_squares + s.failed_squares) / s.n, s.n));
   // ratio a/(1 - b): linearised, each sample counts (w_a + p w_b)/(1 - b)
   const double left = std::max(1 - b, std::numeric_limits<double>::min());
   const double p = a / left;
-  result.left_out = weighted(p, (s.beyond_squares + p * p * s.failed_squares) / s.n / (left * left), p, s.n);
+  const double squares = (s.beyond_squares + p * p * s.failed_squares) / s.n / (left * left);
+  result.left_out = weighted(p, error_of(p, squares, s.n));
+  return result.counted.variation;
+}
+
+/// The same by the region that keeps the limit: around its design points weights of the other side are unbounded.
+double estimate_kept(ImportanceSampling& result, const WeightSums& s) {
+  const double kept = s.kept / s.n;
+  const double error = error_of(kept, s.kept_squares / s.n, s.n);
+  result.counted = weighted(std::max(0., 1 - kept), error);
+  return weighted(kept, error).variation;
+}
+
+/// (p - F)/(1 - F), linearised for its error; F is the failed share of the plain sample.
+Weighted left_out_by(const Weighted& p, const std::optional<LimitProbability>& plain) {
+  constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  if (!plain || plain->failed == plain->cases) return {.value = none, .standard_error = none, .variation = none};
+  const auto n = static_cast<double>(plain->cases);
+  const double failed = static_cast<double>(plain->failed) / n;
+  const double left = 1 - failed;
+  const double by_failed = (1 - p.value) / left * std::sqrt(failed * left / n);
+  return weighted(std::clamp((p.value - failed) / left, 0., 1.), std::hypot(p.standard_error, by_failed) / left);
 }
 
 LimitProbability plain_sample(const LimitState& state, std::uint64_t count, std::uint64_t seed) {
@@ -121,7 +148,10 @@ ImportanceSampling importance_sampling(const LimitState& state, const Form& form
     return result;
   }
   const Mixture mixture = mixture_of(form);
+  // all points of one form have the same sign
+  const bool by_kept = form.points.front().beta < 0;
   WeightSums sums;
+  double variation = 0;
   do {
     Points points;
     for (std::uint64_t k = 0; k < block; ++k) points.push_back(sample_of(mixture, options.seed, result.samples + k));
@@ -136,20 +166,25 @@ ImportanceSampling importance_sampling(const LimitState& state, const Form& form
         ++result.beyond;
         sums.beyond += w;
         sums.beyond_squares += w * w;
+      } else {
+        sums.kept += w;
+        sums.kept_squares += w * w;
       }
     }
     result.samples += block;
     sums.n = static_cast<double>(result.samples);
-    estimate(result, sums);
-  } while (result.samples < options.most_samples && !(result.counted.variation <= options.wanted_variation));
+    variation = by_kept ? estimate_kept(result, sums) : estimate_beyond(result, sums);
+  } while (result.samples < options.most_samples && !(variation <= options.wanted_variation));
 
   const Weighted& p = result.counted;
-  if (!(p.variation <= options.worst_variation)) {
+  const std::uint64_t beyond = result.beyond + result.failed;
+  if (!(variation <= options.worst_variation)) {
     result.status = ImportanceStatus::not_converged;
     result.reason = fmt::format(
-        "importance sampling has not converged: {} of {} samples lie beyond the limit, coefficient of variation {:.2g} "
+        "importance sampling has not converged: {} of {} samples {} the limit, coefficient of variation {:.2g} "
         "(at most {}). Give it more samples",
-        result.beyond + result.failed, result.samples, p.variation, options.worst_variation);
+        by_kept ? result.samples - beyond : beyond, result.samples, by_kept ? "keep" : "lie beyond", variation,
+        options.worst_variation);
     return result;
   }
   result.plain = plain;
@@ -158,18 +193,19 @@ ImportanceSampling importance_sampling(const LimitState& state, const Form& form
         p.value > 1e-3 ? options.plain_samples : std::min<std::uint64_t>(options.plain_samples, 3000);
     if (count > 0) result.plain = plain_sample(state, count, options.seed);
   }
+  if (by_kept) result.left_out = left_out_by(p, result.plain);
   if (result.plain && disagree(p, *result.plain)) {
     result.status = ImportanceStatus::disagrees;
     result.reason = fmt::format(
         "sampling at the design points gives {:.3g}, a plain sample of {} cases {:.3g}: they differ by more than 3 "
-        "standard deviations, so FORM has missed a way to fail. Take the plain sample with more cases",
-        p.value, result.plain->cases, result.plain->counted.value);
+        "standard deviations, so FORM has missed a way to {}. Take the plain sample with more cases",
+        p.value, result.plain->cases, result.plain->counted.value, by_kept ? "keep the limit" : "fail");
     return result;
   }
   result.status = ImportanceStatus::found;
   if (p.value < 1e-4) {
     result.rests_on = fmt::format("rests on {} samples around the design points, of which {} lie beyond the limit",
-                                  result.samples, result.beyond + result.failed);
+                                  result.samples, beyond);
   }
   return result;
 }

@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "test/support/machine_decks.hpp"
@@ -157,6 +158,30 @@ TEST(StudyChance, FormOfALinearLimitIsExact) {
   EXPECT_NEAR(cell(t, row_of(t, "input", "x1.value"), "importance"), 9.0 / 25, 1e-6);
   ASSERT_EQ(r.checks.size(), 1U);
   EXPECT_TRUE(r.checks[0].passes) << "0.00135 of 0.01";
+}
+
+/// What FORM says of 64 cases of the model.
+Result by_form(Study study, const StudyLimit& limit) {
+  study.request.answer = {"form"};
+  study.limits = {limit};
+  study = sampled(study, chance::PointKind::random, 64);
+  ChanceSummary summary;
+  Result r;
+  add_chance(study, data_of(study), {.threads = 1, .progress = {}}, summary, r);
+  return r;
+}
+
+// The medians lie 2.5 and 4 standard deviations beyond the limit: P = 0.99379 and 0.99997, not 1.08 and no answer.
+TEST(StudyChance, AMachineThatNearlyAlwaysFails) {
+  for (const auto& [beta, p] : {std::pair{-2.5, 0.993790334674224}, {-4.0, 0.999968328758167}}) {
+    const Result r = by_form(linear(), at_most(5 * beta, 1e-2));
+    ASSERT_EQ(r.status, Status::ok) << r.message;
+    EXPECT_NEAR(value_of(r, "p"), p, 0.1 * (1 - p));
+    const Table& t = table_of(r, "probabilities");
+    EXPECT_TRUE(cell(t, 0, "low") < p && p < cell(t, 0, "high") && cell(t, 0, "high") < 1);
+    ASSERT_EQ(r.checks.size(), 1U);
+    EXPECT_FALSE(r.checks[0].passes);
+  }
 }
 
 }  // namespace taut::app::study_chance_test
