@@ -13,6 +13,7 @@ namespace taut::chance {
 namespace {
 
 constexpr std::uint64_t block = 1000;
+constexpr double beyond_3_sigma = 0.00135;
 
 /// The normals at the design points, with the upper ends of their shares of the unit interval.
 struct Mixture {
@@ -109,25 +110,72 @@ Weighted left_out_by(const Weighted& p, const std::optional<LimitProbability>& p
   return weighted(std::clamp((p.value - failed) / left, 0., 1.), std::hypot(p.standard_error, by_failed) / left);
 }
 
-LimitProbability plain_sample(const LimitState& state, std::uint64_t count, std::uint64_t seed) {
+LimitProbability plain_sample(const LimitState& state, std::uint64_t count, const ImportanceOptions& options) {
   std::vector<double> margins;
   for (std::uint64_t from = 0; from < count; from += block) {
     Points points;
     for (std::uint64_t k = from; k < std::min(from + block, count); ++k) {
       Point u(state.size());
-      for (std::uint32_t i = 0; i < u.size(); ++i) u[i] = normal_score(unit(random_bits(seed, Use::plain, 0, k, i)));
+      for (std::uint32_t i = 0; i < u.size(); ++i) {
+        u[i] = normal_score(unit(random_bits(options.seed, Use::plain, 0, k, i)));
+      }
       points.push_back(std::move(u));
     }
     const std::vector<double> g = state.margins(points);
     margins.insert(margins.end(), g.begin(), g.end());
   }
-  return limit_probability({.values = margins}, {.bound = Bound::at_least, .value = 0});
+  return limit_probability({.values = margins, .confidence = options.confidence},
+                           {.bound = Bound::at_least, .value = 0});
+}
+
+Estimate share_of(std::uint64_t hits, std::uint64_t cases, double confidence) {
+  if (cases == 0) return {.value = std::numeric_limits<double>::quiet_NaN(), .interval = {.low = 0, .high = 1}};
+  const auto k = static_cast<double>(hits);
+  const auto n = static_cast<double>(cases);
+  return {.value = k / n, .interval = binomial_interval(k, n, confidence)};
+}
+
+/// `given` with cases added until there are `count`.
+std::optional<LimitProbability> completed(const LimitState& state, const std::optional<LimitProbability>& given,
+                                          std::uint64_t count, const ImportanceOptions& options) {
+  const std::uint64_t before = given ? given->cases : 0;
+  if (before >= count) return given;
+  const LimitProbability own = plain_sample(state, count - before, options);
+  if (before == 0) return own;
+  LimitProbability all{.cases = before + own.cases,
+                       .failed = given->failed + own.failed,
+                       .beyond = given->beyond + own.beyond,
+                       .left_out = {},
+                       .counted = {}};
+  all.left_out = share_of(all.beyond, all.cases - all.failed, options.confidence);
+  all.counted = share_of(all.beyond + all.failed, all.cases, options.confidence);
+  return all;
+}
+
+/// In how many plain cases a missed region of the probability `missed`, beside one of the probability `known`, shows:
+/// more cases lie there than `known` explains, in all samples but a share of (1 - confidence)/2. No fewer than clean
+/// cases bring Clopper & Pearson's upper end down to `missed`; at most `plain_samples`.
+std::uint64_t cases_to_see(double known, const ImportanceOptions& options) {
+  const auto shows = [&](std::uint64_t cases) {
+    const auto n = static_cast<double>(cases);
+    double unexplained = std::ceil(n * known);
+    while (1 - binomial_below(unexplained - 1, n, known) >= beyond_3_sigma) ++unexplained;
+    return binomial_below(unexplained - 1, n, std::min(1., known + options.missed)) <= (1 - options.confidence) / 2;
+  };
+  const double clean = std::log((1 - options.confidence) / 2) / std::log1p(-options.missed);
+  auto low = static_cast<std::uint64_t>(clean);
+  std::uint64_t high = options.plain_samples;
+  if (high <= low || !shows(high)) return high;
+  while (high - low > 1) {
+    const std::uint64_t middle = (low + high) / 2;
+    (shows(middle) ? high : low) = middle;
+  }
+  return high;
 }
 
 bool disagree(const Weighted& p, const LimitProbability& plain) {
   const auto n = static_cast<double>(plain.cases);
   const auto hits = static_cast<double>(plain.beyond + plain.failed);
-  constexpr double beyond_3_sigma = 0.00135;
   constexpr double few = 10;
   if (std::min(hits, n * p.value) >= few && std::min(n - hits, n - n * p.value) >= few) {
     const double either = std::max(hits / n * (1 - hits / n), p.value * (1 - p.value)) / n;
@@ -187,12 +235,8 @@ ImportanceSampling importance_sampling(const LimitState& state, const Form& form
         options.worst_variation);
     return result;
   }
-  result.plain = plain;
-  if (!result.plain) {
-    const std::uint64_t count =
-        p.value > 1e-3 ? options.plain_samples : std::min<std::uint64_t>(options.plain_samples, 3000);
-    if (count > 0) result.plain = plain_sample(state, count, options.seed);
-  }
+  const double sampled = (by_kept ? 1 - p.value : p.value) + 3 * p.standard_error;
+  result.plain = completed(state, plain, cases_to_see(std::clamp(sampled, 0., 1.), options), options);
   if (by_kept) result.left_out = left_out_by(p, result.plain);
   if (result.plain && disagree(p, *result.plain)) {
     result.status = ImportanceStatus::disagrees;

@@ -10,7 +10,9 @@ struct ImportanceOptions {
   std::uint64_t most_samples = 20000;   ///< in blocks of 1000
   double wanted_variation = 0.01;       ///< coefficient of variation of the sampled region at which sampling ends
   double worst_variation = 0.3;         ///< above it there is no number
-  std::uint64_t plain_samples = 20000;  ///< of the check where p > 1e-3; below, 3000 at most
+  double missed = 1e-3;                 ///< the probability of a missed way to fail that the plain sample is to see
+  double confidence = 0.95;             ///< of seeing it, and of the plain sample's interval; two-sided
+  std::uint64_t plain_samples = 20000;  ///< to which a plain sample is completed at most; 0: none is made
 };
 
 enum class ImportanceStatus {
@@ -48,9 +50,10 @@ struct ImportanceSampling {
 /// p = 1 - mean of w(u) 1[g(u) >= 0], with the same standard error. Sample k is a function of (seed, k); sums run in
 /// its order.
 ///
-/// Against it stands a plain sample: `plain` where the study has one, else its own. They disagree where they differ by
-/// more than 3 standard deviations, or where so few or so many plain cases lie beyond the limit that their chance is
-/// below 0.00135 (exact, used below ten).
+/// Against it stands a plain sample: `plain`, completed with cases of its own until a missed region of the probability
+/// `missed` would be seen with the confidence, or to `plain_samples`. They disagree where they differ by more than 3
+/// standard deviations, or where so few or so many plain cases lie beyond the limit that their chance is below 0.00135
+/// (exact, used below ten).
 ImportanceSampling importance_sampling(const LimitState& state, const Form& form, const ImportanceOptions& options = {},
                                        const std::optional<LimitProbability>& plain = {});
 

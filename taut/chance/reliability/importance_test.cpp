@@ -90,6 +90,43 @@ TEST(Importance, disagrees_where_a_way_to_fail_was_missed) {
   EXPECT_EQ(importance_sampling(state, f, {}, plain).status, ImportanceStatus::found);
 }
 
+/// 64 cases of a study, none of which lies beyond.
+LimitProbability clean_64() {
+  LimitProbability few;
+  few.cases = 64;
+  few.counted.interval.high = 1;
+  return few;
+}
+
+// A small sample of the study does not stand for the plain sample that sees a missed way of 1e-3: cases are added to
+// it. Of 64 clean cases alone p = 1e-9 was "found".
+TEST(Importance, completes_a_small_sample_of_the_study) {
+  // a region without an answer has no design point
+  const LimitState hidden =
+      state_of(normals(2), [](const Point& x) { return x[1] < -2.5 && x[0] < 1 ? std::nan("") : 6 - x[0]; });
+  const ImportanceSampling s = importance_sampling(hidden, form(hidden), {.seed = 3}, clean_64());
+  EXPECT_EQ(s.status, ImportanceStatus::disagrees);
+  ASSERT_TRUE(s.plain);
+  const auto& [low, high] = s.plain->counted.interval;
+  const double p = normal_above(2.5) * normal_below(1) + normal_above(6);
+  EXPECT_TRUE(low < p && p < high) << low << ' ' << high;
+  EXPECT_EQ(s.plain->beyond, 0u);
+  EXPECT_EQ(s.plain->left_out.value, 0);
+
+  // (1 - 1e-3)^n = 0.025 where nothing lies beyond: n = 3688; more where some cases do anyway, up to 20000
+  const auto cases = [](double beta, double confidence) {
+    const LimitState plane = state_of(normals(2), [beta](const Point& x) { return beta - x[0] + 0 * x[1]; });
+    const ImportanceSampling found = importance_sampling(plane, form(plane), {.confidence = confidence}, clean_64());
+    return found.plain->cases;
+  };
+  EXPECT_EQ(cases(6, 0.95), 3688u);
+  EXPECT_EQ(cases(6, 0.99), 5296u);    // ln 0.005/ln(1 - 1e-3)
+  EXPECT_EQ(cases(5.2, 0.95), 3688u);  // p = 1e-7 takes none away
+  EXPECT_GT(cases(4, 0.95), 3688u);
+  EXPECT_LT(cases(4, 0.95), cases(3.5, 0.95));
+  EXPECT_EQ(cases(2, 0.95), 20000u);
+}
+
 TEST(Importance, too_few_samples_beyond) {
   const LimitState state = state_of(normals(1), [](const Point& x) { return 3 - x[0]; });
   Form f = form(state);

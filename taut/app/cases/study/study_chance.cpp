@@ -26,9 +26,15 @@ struct LimitAnswer {
   std::optional<chance::ImportanceSampling> importance;
   bool interrupted = false;  ///< before both had ended: they have no numbers
 
+  /// Importance sampling has a number.
+  bool weighted() const { return importance && importance->status == chance::ImportanceStatus::found; }
+  /// The sample of the study, with the cases that importance sampling has added for its check.
+  const chance::LimitProbability& plain() const {
+    return importance && importance->plain ? *importance->plain : sampled;
+  }
   /// The one that decides, failed cases counted as beyond: of importance sampling where there is one.
   Estimate decisive(double confidence) const {
-    if (!importance) return sampled.counted;
+    if (!weighted()) return plain().counted;
     const chance::Weighted& w = importance->counted;
     const double q = chance::normal_score((1 + confidence) / 2);
     return {.value = w.value,
@@ -55,6 +61,7 @@ Outcome add_reliability(const Study& study, const StudyLimit& limit, const Study
   }
   // Breitung's and FORM's numbers are asymptotic: a sample around the design points always stands beside them
   sampling.seed = seed;
+  sampling.confidence = study.request.confidence;
   answer.importance = chance::importance_sampling(state, *answer.form, sampling, answer.sampled);
   answer.interrupted = counter.ended();
   if (answer.interrupted) return {};
@@ -99,6 +106,32 @@ void add_design_points(const Study& study, std::size_t k, const chance::Form& fo
                        fmt::format("{}: {} (beta {:.4g})", words, values_in_words(study, first.values), first.beta)});
 }
 
+/// So many cases as the deck's `samples` has to give to decide by the sample alone; empty: no number would.
+std::string samples_to_tell(const chance::LimitProbability& sampled, double allowed) {
+  const auto needed = chance::cases_needed(sampled, allowed);
+  return needed ? fmt::format(": about {} samples would tell", *needed) : std::string{};
+}
+
+/// A limit that is kept by importance sampling may yet be missed in a way that FORM has not found. The plain sample
+/// sees that down to `missed`: an allowed probability above it has to be kept by the plain sample too. False: it is
+/// not, and the limit is not judged. Below `missed` the verdict says on what it rests.
+bool is_seen(const std::string& words, const LimitAnswer& answer, double allowed, Result& r) {
+  const chance::LimitProbability& plain = answer.plain();
+  const double high = plain.counted.interval.high;
+  if (high <= allowed) return true;
+  if (allowed < chance::ImportanceOptions{}.missed) {
+    warn_unsafe(r, fmt::format("{}: a way to fail that FORM has not found is excluded only above {} ({} plain cases)",
+                               words, probability_in_words(high), plain.cases));
+    return true;
+  }
+  r.unmade.push_back(fmt::format(
+      "the probability of {} is {} by importance sampling, but a plain sample of {} cases excludes a way to fail that "
+      "FORM has not found only above {}, and {} is allowed{}",
+      words, probability_in_words(answer.importance->counted.value), plain.cases, probability_in_words(high),
+      probability_in_words(allowed), samples_to_tell(plain, allowed)));
+  return false;
+}
+
 /// The allowed probability against the confidence interval of the one found.
 void judge(const Study& study, std::size_t k, const LimitAnswer& answer, Result& r) {
   const StudyLimit& limit = study.limits[k];
@@ -108,7 +141,9 @@ void judge(const Study& study, std::size_t k, const LimitAnswer& answer, Result&
     r.unjudged.push_back(fmt::format("the probability of {}", words));
     return;
   }
-  if (chance::judged(p, *limit.allowed) != chance::Allowed::not_judged) {
+  const chance::Allowed judged = chance::judged(p, *limit.allowed);
+  if (judged == chance::Allowed::kept && answer.weighted() && !is_seen(words, answer, *limit.allowed, r)) return;
+  if (judged != chance::Allowed::not_judged) {
     r.checks.push_back(make_check(
         fmt::format("probability of {}", words), p.interval.high, si::one,
         {.sense = Sense::at_most,
@@ -118,11 +153,10 @@ void judge(const Study& study, std::size_t k, const LimitAnswer& answer, Result&
          .trust = "user"}));
     return;
   }
-  const auto needed = answer.importance ? std::nullopt : chance::cases_needed(answer.sampled, *limit.allowed);
   r.unmade.push_back(fmt::format("the probability of {} is {} to {}, which holds the allowed {}{}", words,
                                  probability_in_words(p.interval.low), probability_in_words(p.interval.high),
                                  probability_in_words(*limit.allowed),
-                                 needed ? fmt::format(": about {} samples would tell", *needed) : std::string{}));
+                                 answer.weighted() ? std::string{} : samples_to_tell(answer.plain(), *limit.allowed)));
 }
 
 void add_limits(const Study& study, const StudyData& data, const StudyOptions& options, ChanceSummary& summary,
@@ -147,24 +181,26 @@ void add_limits(const Study& study, const StudyData& data, const StudyOptions& o
                        .importance = {}};
     summary.probabilities.push_back(answer.sampled);
     if (reliability) {
-      if (const Outcome outcome = add_reliability(study, limit, options, answer); !outcome.ok()) {
-        r.status = outcome.status;
-        r.message = outcome.message;
-        continue;
-      }
+      const Outcome outcome = add_reliability(study, limit, options, answer);
       if (answer.interrupted) {
         r.interrupted = true;
         r.unmade.push_back(fmt::format("the probability of {}: FORM was interrupted", words));
         continue;
       }
+      if (!outcome.ok()) {
+        r.status = outcome.status;
+        r.message = outcome.message;
+        continue;
+      }
       add_design_points(study, k, *answer.form, r);
     }
     const Estimate p = answer.decisive(study.request.confidence);
-    const double left_out = answer.importance ? answer.importance->left_out.value : answer.sampled.left_out.value;
-    const std::string from = answer.importance
-                                 ? fmt::format("importance sampling, {} samples", answer.importance->samples)
-                                 : fmt::format("{} cases, {} beyond, {} without an answer", answer.sampled.cases,
-                                               answer.sampled.beyond, answer.sampled.failed);
+    const chance::LimitProbability& plain = answer.plain();
+    const double left_out = answer.weighted() ? answer.importance->left_out.value : plain.left_out.value;
+    const std::string from =
+        answer.weighted()
+            ? fmt::format("importance sampling, {} samples", answer.importance->samples)
+            : fmt::format("{} cases, {} beyond, {} without an answer", plain.cases, plain.beyond, plain.failed);
     t.rows.push_back({words, p.value, p.interval.low, p.interval.high, left_out,
                       limit.allowed ? *limit.allowed : std::nan(""), from});
     r.values.push_back({"p" + end, p.value, si::one, "p", "probability of " + words, {}});
@@ -172,7 +208,7 @@ void add_limits(const Study& study, const StudyData& data, const StudyOptions& o
     r.answers.push_back(
         {"Probability", fmt::format("{}: {} ({} to {})", words, probability_in_words(p.value),
                                     probability_in_words(p.interval.low), probability_in_words(p.interval.high))});
-    if (answer.importance && !answer.importance->rests_on.empty()) r.warnings.push_back(answer.importance->rests_on);
+    if (answer.weighted() && !answer.importance->rests_on.empty()) r.warnings.push_back(answer.importance->rests_on);
     judge(study, k, answer, r);
   }
   r.tables.insert(r.tables.begin(), std::move(t));

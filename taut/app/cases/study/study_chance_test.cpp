@@ -171,6 +171,25 @@ Result by_form(Study study, const StudyLimit& limit) {
   return r;
 }
 
+// Phi(-3) = 1.35e-3. What 20000 plain cases leave open is more than 1.5e-3, and less than 1e-2. Below 1e-3 the plain
+// sample does not reach, and the verdict says so.
+TEST(StudyChance, APlainSampleStandsBesideAKeptLimit) {
+  const Result open = by_form(linear(), at_most(15, 1.5e-3));
+  EXPECT_TRUE(open.checks.empty());
+  ASSERT_EQ(open.unmade.size(), 1U);
+  EXPECT_THAT(open.unmade[0], HasSubstr("samples would tell"));
+  const Result kept = by_form(linear(), at_most(15, 1e-2));
+  ASSERT_EQ(kept.checks.size(), 1U);
+  EXPECT_TRUE(kept.checks[0].passes);
+  EXPECT_TRUE(kept.unsafe.empty());
+  const Result rare = by_form(linear(), at_most(25, 1e-5));
+  ASSERT_EQ(rare.checks.size(), 1U);
+  EXPECT_TRUE(rare.checks[0].passes);
+  ASSERT_EQ(rare.unsafe.size(), 1U);
+  EXPECT_THAT(rare.unsafe[0], HasSubstr("a way to fail that FORM has not found is excluded only above"));
+  EXPECT_LE(rare.unsafe[0].size(), 160U);
+}
+
 // The medians lie 2.5 and 4 standard deviations beyond the limit: P = 0.99379 and 0.99997, not 1.08 and no answer.
 TEST(StudyChance, AMachineThatNearlyAlwaysFails) {
   for (const auto& [beta, p] : {std::pair{-2.5, 0.993790334674224}, {-4.0, 0.999968328758167}}) {
