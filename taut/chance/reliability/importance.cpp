@@ -227,10 +227,11 @@ ImportanceSampling importance_sampling(const LimitState& state, const Form& form
   const Weighted& p = result.counted;
   const std::uint64_t beyond = result.beyond + result.failed;
   if (!(variation <= options.worst_variation)) {
+    result.plain = completed(state, plain, options.plain_samples, options);
     result.status = ImportanceStatus::not_converged;
     result.reason = fmt::format(
         "importance sampling has not converged: {} of {} samples {} the limit, coefficient of variation {:.2g} "
-        "(at most {}). Give it more samples",
+        "(at most {})",
         by_kept ? result.samples - beyond : beyond, result.samples, by_kept ? "keep" : "lie beyond", variation,
         options.worst_variation);
     return result;
@@ -242,7 +243,7 @@ ImportanceSampling importance_sampling(const LimitState& state, const Form& form
     result.status = ImportanceStatus::disagrees;
     result.reason = fmt::format(
         "sampling at the design points gives {:.3g}, a plain sample of {} cases {:.3g}: they differ by more than 3 "
-        "standard deviations, so FORM has missed a way to {}. Take the plain sample with more cases",
+        "standard deviations, so FORM has missed a way to {}",
         p.value, result.plain->cases, result.plain->counted.value, by_kept ? "keep the limit" : "fail");
     return result;
   }

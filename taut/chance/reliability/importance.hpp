@@ -28,8 +28,8 @@ struct Weighted {
   double variation = 0;  ///< standard_error/value; infinite where value = 0
 };
 
-/// Importance sampling around the design points, and a plain sample beside it. The numbers count only where status is
-/// found.
+/// Importance sampling around the design points, and a plain sample beside it. `left_out` and `counted` count only
+/// where status is found; `plain` always does.
 struct ImportanceSampling {
   ImportanceStatus status = ImportanceStatus::no_design_point;
   std::string reason;  ///< where there is no number: why
@@ -38,7 +38,7 @@ struct ImportanceSampling {
   Weighted left_out;
   Weighted counted;  ///< failed cases counted as beyond; this one decides
   std::uint64_t samples = 0, beyond = 0, failed = 0;
-  std::optional<LimitProbability> plain;  ///< what the plain sample gives
+  std::optional<LimitProbability> plain;  ///< what the plain sample gives; none without design point
   /// Below 1e-4: on how many samples the number rests, as a sentence; else empty.
   std::string rests_on;
 };
@@ -53,7 +53,7 @@ struct ImportanceSampling {
 /// Against it stands a plain sample: `plain`, completed with cases of its own until a missed region of the probability
 /// `missed` would be seen with the confidence, or to `plain_samples`. They disagree where they differ by more than 3
 /// standard deviations, or where so few or so many plain cases lie beyond the limit that their chance is below 0.00135
-/// (exact, used below ten).
+/// (exact, used below ten). Where importance sampling has no number the plain sample is completed to `plain_samples`.
 ImportanceSampling importance_sampling(const LimitState& state, const Form& form, const ImportanceOptions& options = {},
                                        const std::optional<LimitProbability>& plain = {});
 

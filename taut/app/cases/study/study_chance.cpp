@@ -112,6 +112,25 @@ std::string samples_to_tell(const chance::LimitProbability& sampled, double allo
   return needed ? fmt::format(": about {} samples would tell", *needed) : std::string{};
 }
 
+/// A limit without a number of FORM or importance sampling: the plain sample decides where its interval does. Else
+/// false, and the result has no answer, with what to change.
+bool falls_back(const Study& study, std::size_t k, const Outcome& outcome, const LimitAnswer& answer, Result& r) {
+  const chance::LimitProbability& plain = answer.plain();
+  const std::optional<double>& allowed = study.limits[k].allowed;
+  if (allowed && chance::judged(plain.counted, *allowed) != chance::Allowed::not_judged) {
+    r.warnings.push_back(fmt::format("{}. The plain sample of {} cases decides", outcome.message, plain.cases));
+    return true;
+  }
+  const auto& [low, high] = plain.counted.interval;
+  const std::string what = allowed ? fmt::format("which holds the allowed {}{}", probability_in_words(*allowed),
+                                                 samples_to_tell(plain, *allowed))
+                                   : "take it by leaving form, sorm and importance out of 'answer'";
+  r.status = outcome.status;
+  r.message = fmt::format("{}. The plain sample of {} cases gives {} to {}, {}", outcome.message, plain.cases,
+                          probability_in_words(low), probability_in_words(high), what);
+  return false;
+}
+
 /// A limit that is kept by importance sampling may yet be missed in a way that FORM has not found. The plain sample
 /// sees that down to `missed`: an allowed probability above it has to be kept by the plain sample too. False: it is
 /// not, and the limit is not judged. Below `missed` the verdict says on what it rests.
@@ -187,12 +206,8 @@ void add_limits(const Study& study, const StudyData& data, const StudyOptions& o
         r.unmade.push_back(fmt::format("the probability of {}: FORM was interrupted", words));
         continue;
       }
-      if (!outcome.ok()) {
-        r.status = outcome.status;
-        r.message = outcome.message;
-        continue;
-      }
-      add_design_points(study, k, *answer.form, r);
+      if (!outcome.ok() && !falls_back(study, k, outcome, answer, r)) continue;
+      if (outcome.ok()) add_design_points(study, k, *answer.form, r);
     }
     const Estimate p = answer.decisive(study.request.confidence);
     const chance::LimitProbability& plain = answer.plain();

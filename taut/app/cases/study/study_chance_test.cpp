@@ -171,6 +171,21 @@ Result by_form(Study study, const StudyLimit& limit) {
   return r;
 }
 
+// Where b < -2.5 and a < 1 a machine has no answer, P = 0.0052; FORM sees the limit at a = 6 alone, P = 1e-9, and of
+// 64 cases none may lie there. The added plain cases see it and decide.
+TEST(StudyChance, FormDoesNotPassWhereTheStudyHasFewCases) {
+  const auto model = [](const chance::Point& p) -> std::vector<double> {
+    return {p[1] < -2.5 && p[0] < 1 ? std::nan("") : p[0]};
+  };
+  const Result r = by_form(made_study({standard, standard}, 1, model), at_most(6, 1e-3));
+  EXPECT_EQ(r.status, Status::ok) << r.message;
+  ASSERT_EQ(r.checks.size(), 1U);
+  EXPECT_FALSE(r.checks[0].passes);
+  EXPECT_NEAR(value_of(r, "p"), 5.2e-3, 2.5e-3);
+  ASSERT_EQ(r.warnings.size(), 1U);
+  EXPECT_THAT(r.warnings[0], HasSubstr("FORM has missed a way to fail"));
+}
+
 // Phi(-3) = 1.35e-3. What 20000 plain cases leave open is more than 1.5e-3, and less than 1e-2. Below 1e-3 the plain
 // sample does not reach, and the verdict says so.
 TEST(StudyChance, APlainSampleStandsBesideAKeptLimit) {
@@ -201,6 +216,25 @@ TEST(StudyChance, AMachineThatNearlyAlwaysFails) {
     ASSERT_EQ(r.checks.size(), 1U);
     EXPECT_FALSE(r.checks[0].passes);
   }
+}
+
+// FORM has no design point of an output that never changes. No case of 64 lies beyond: at most 0.056 by the sample.
+TEST(StudyChance, WithoutADesignPointTheSampleDecidesIfItCan) {
+  const Study flat =
+      made_study({standard, standard}, 1, [](const chance::Point&) -> std::vector<double> { return {0}; });
+  const Result kept = by_form(flat, at_most(1, 0.06));
+  EXPECT_EQ(kept.status, Status::ok) << kept.message;
+  ASSERT_EQ(kept.checks.size(), 1U);
+  EXPECT_TRUE(kept.checks[0].passes);
+  ASSERT_EQ(kept.warnings.size(), 1U);
+  EXPECT_THAT(kept.warnings[0], HasSubstr("The plain sample of 64 cases decides"));
+  const Result open = by_form(flat, at_most(1, 0.05));
+  EXPECT_EQ(open.status, Status::not_converged);
+  EXPECT_THAT(open.message, HasSubstr("about 72 samples would tell"));
+  EXPECT_TRUE(open.checks.empty());
+  const Result free = by_form(flat, at_most(1));
+  EXPECT_EQ(free.status, Status::not_converged);
+  EXPECT_THAT(free.message, HasSubstr("leaving form, sorm and importance out of 'answer'"));
 }
 
 }  // namespace taut::app::study_chance_test
