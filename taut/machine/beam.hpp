@@ -15,7 +15,7 @@ enum class BeamHold { clamped, hinged };
 /// A piece of a beam between two bodies (or the ground). Its own weight is the only load between its ends.
 struct BeamPiece {
   structure::RodPiece rod;
-  int section_every = 1;  ///< integration steps of `rod` between two reported sections; a divisor of their number
+  int section_every = 1;  ///< integration steps of `rod` between two listed sections; a divisor of their number
   Place start, end;
   BeamHold start_hold = BeamHold::clamped, end_hold = BeamHold::clamped;
   /// Axes of the section as built, in three frames: of the body at its start, of the body at its end, and of the body

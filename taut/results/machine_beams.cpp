@@ -21,7 +21,9 @@ using solve::EquilibriumResult;
 Table beams(const machine::Model& m, const EquilibriumResult& e) {
   std::vector<solve::BeamPointRow> rows;
   for (const BeamResult& b : e.beams) {
-    for (const BeamPoint& p : b.points) rows.push_back({m, b, p});
+    for (const BeamPoint& p : b.points) {
+      if (p.listed) rows.push_back({m, b, p});
+    }
   }
   return make_table("beams",
                     "Beams: forces, stress and deflection along their axes (N: tension positive; w: across the chord)",

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <string>
 
 #include "test/support/machine_decks.hpp"
 
@@ -43,6 +44,35 @@ TEST(MachineBeams, FirstOrderIsStatics) {
   EXPECT_EQ(exit_code(r), 4) << "alpha_cr is below 10";
   EXPECT_NEAR(value_of(r, "mast.M_max"), 40, 1e-8);
   EXPECT_EQ(table_of(r, "beams").rows.size(), 4U);
+}
+
+/// Hinged at both ends, heavy: M = w L^2/8 in its middle.
+std::string span(const std::string& elements) {
+  return R"(taut: 1
+machine:
+  points: {a: [0 m, 0 m, 5 m], w: {body: wall, at: [0 m, 0 m, 0 m]}}
+  bodies: {wall: {at: [4 m, 0 m, 5 m]}}
+  beams:
+    b: {from: a, to: w, section: CHS 219.1x8, steel: S355, base: hinge, top: hinge, mass: 6000 kg/m, order: first, elements: )" +
+         elements + "}\nchecks: {masts: {b: {load_factor: 1.0}}}\n";
+}
+
+/// What `elements` says is which sections the table has: not where the largest values are looked for.
+TEST(MachineBeams, ElementsThinTheTableOnly) {
+  const taut::Result r = run_text(span("16"));
+  EXPECT_NEAR(value_of(r, "b.M_max"), 6000 * 9.80665 * 16 / 8, 1);
+  EXPECT_FALSE(check_of(r, "b.stress_max").passes);
+  for (const char* elements : {"1", "2", "3", "7"}) {
+    const taut::Result s = run_text(span(elements));
+    EXPECT_EQ(table_of(s, "beams").rows.size(), std::stoul(elements) + 1);
+    for (const char* name : {"b.M_max", "b.stress_max"}) {
+      EXPECT_NEAR(value_of(s, name) / value_of(r, name), 1, 1e-3) << elements << name;
+    }
+    for (const char* name : {"b.stress_max", "b.section"}) {
+      EXPECT_NEAR(check_of(s, name).value / check_of(r, name).value, 1, 1e-3) << elements << name;
+    }
+    EXPECT_EQ(exit_code(s), 4);
+  }
 }
 
 TEST(MachineBeams, BucklingIsExitThree) {

@@ -10,6 +10,7 @@ namespace taut::solve {
 
 /// Results at one section of a loaded beam.
 struct BeamPoint {
+  bool listed = true;               ///< in tables: one of the sections that the beam's `elements` ask for
   double s = 0;                     ///< along the axis as built, from the start, m
   Vector3 place = Vector3::Zero();  ///< m
   double N = 0;                     ///< axial force, tension positive, N
@@ -26,7 +27,7 @@ struct BeamPoint {
 /// Results of a beam. Base force and moment act on the beam at its start, exerted by its support.
 struct BeamResult {
   int beam = 0;
-  Array<BeamPoint> points;  ///< from start to end; two points where something is fixed to it
+  Array<BeamPoint> points;  ///< of each step from start to end; two points where something is fixed to it
   Vector3 base_force = Vector3::Zero(), base_moment = Vector3::Zero();
   /// Indices of the points with the largest M, |N| and stress.
   std::size_t most_bent = 0, most_pressed = 0, most_stressed = 0;

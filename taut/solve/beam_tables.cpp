@@ -66,8 +66,10 @@ void fill_points(const mechanics::System& s, const mechanics::Configuration& c, 
     along(piece.rod, start, &all);
     along(bare, built, &all_built);
     const double step = (piece.rod.to - piece.rod.from) / piece.rod.steps;
-    for (std::size_t i = 0; i < all.size(); i += as_size(piece.section_every)) {
-      r.points.push_back(point_of(piece.rod, all[i], all_built[i], piece.rod.from + static_cast<double>(i) * step));
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      BeamPoint& p = r.points.emplace_back(
+          point_of(piece.rod, all[i], all_built[i], piece.rod.from + static_cast<double>(i) * step));
+      p.listed = i % as_size(piece.section_every) == 0;
       const double turn =
           angle_between(first, direction(piece.rod, all[i])) - angle_between(first_built, all_built[i].axes.col(2));
       r.bend = std::max(r.bend, std::abs(turn));

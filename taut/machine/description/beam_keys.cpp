@@ -59,7 +59,9 @@ const Description& Beam::describe() {
           .field(&Beam::strong, "strong", "", si::one,
                  "direction of bending about its strong axis; default: upwards for a horizontal beam, x for a vertical "
                  "one")
-          .field(&Beam::elements, "elements", "n", si::one, "number of intervals between reported sections")
+          .field(&Beam::elements, "elements", "n", si::one,
+                 "number of intervals between the sections that tables show; the largest values are looked for at 48 "
+                 "or more")
           .at_least(1)
           .at_most(256)
           .choice(
