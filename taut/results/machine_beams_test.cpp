@@ -75,6 +75,32 @@ TEST(MachineBeams, ElementsThinTheTableOnly) {
   }
 }
 
+/// A box of figures, bent over its corner.
+std::string corner(const std::string& figures) {
+  return R"(taut: 1
+machine:
+  points: {foot: [0 m, 0 m, 0 m], head: [0 m, 0 m, 6 m], a1: {body: b, at: [0 m, 2 m, 6 m]}, a2: {body: b, at: [0 m, -2 m, 6 m]}}
+  beams:
+    b: {from: foot, to: head, steel: S355, )" +
+         figures + R"(}
+  loads: [{at: b.top, force: [7 kN, 7 kN, -10 kN]}]
+)";
+}
+
+TEST(MachineBeams, FiguresAreABoxUnlessTheyAreRound) {
+  const std::string box = "A: 44.8 cm^2, I: 1490 cm^4, W: 199 cm^3";
+  const taut::Result r = run_text(corner(box)), both = run_text(corner(box + ", W_weak: 199 cm^3"));
+  const taut::Result round = run_text(corner(box + ", round: true"));
+  EXPECT_NEAR(value_of(r, "b.stress_max"), 442.7e6, 0.1e6);
+  EXPECT_EQ(value_of(r, "b.stress_max"), value_of(both, "b.stress_max"));
+  EXPECT_FALSE(check_of(r, "b.stress_max").passes);
+  EXPECT_NEAR(value_of(round, "b.stress_max"), 313.8e6, 0.1e6);
+  EXPECT_TRUE(round.unmade.empty() && r.unmade.empty()) << "no torsion";
+  expect_mistake(run_text(corner(box + ", round: true, W_weak: 150 cm^3")), "a round section has one 'W'");
+  expect_mistake(run_text(corner(box + ", round: true, J: 150 cm^4")), "2 I");
+  expect_mistake(run_text(corner("section: CHS 219.1x8, round: true")), "belongs to a section by figures");
+}
+
 TEST(MachineBeams, BucklingIsExitThree) {
   const taut::Result r = run_text(pole(", base: hinge"));
   EXPECT_EQ(exit_code(r), 3);

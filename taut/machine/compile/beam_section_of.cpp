@@ -15,16 +15,27 @@ constexpr double G_by_E = 1 / 2.6;      // nu = 0.3
 
 /// Figures that a section of the catalogue has already.
 void refuse_figures(const description::Beam& given, const std::string& path, std::vector<Complaint>& complaints) {
-  const auto refuse = [&](const std::optional<double>& value, const char* key) {
+  const auto refuse = [&](const auto& value, const char* key) {
     if (!value) return;
     complaints.push_back(
         {fmt::format("{}.{}", path, key), "belongs to a section by figures; this one has a 'section'"});
   };
+  refuse(given.round, "round");
   refuse(given.I, "I");
   refuse(given.I_weak, "I_weak");
   refuse(given.J, "J");
   refuse(given.W, "W");
   refuse(given.W_weak, "W_weak");
+}
+
+/// Figures that a round section has by its others.
+void refuse_of_round(const description::Beam& given, const std::string& path, std::vector<Complaint>& complaints) {
+  const auto refuse = [&](const std::optional<double>& value, const char* key, const char* words) {
+    if (value) complaints.push_back({fmt::format("{}.{}", path, key), words});
+  };
+  refuse(given.I_weak, "I_weak", "a round section has one 'I': leave it out, or leave 'round' out");
+  refuse(given.W_weak, "W_weak", "a round section has one 'W': leave it out, or leave 'round' out");
+  refuse(given.J, "J", "of a round section it is 2 I: leave it out, or leave 'round' out");
 }
 
 void check_steel(const description::Beam& given, const std::optional<double>& wall, const std::string& path,
@@ -59,6 +70,7 @@ structure::BeamSection section_of(const description::Beam& given, double gravity
     return b;
   }
   if (!given.I) complaints.push_back({path, "a section by figures needs 'I' beside 'A'"});
+  if (given.round) refuse_of_round(given, path, complaints);
   if (given.steel && !given.W) complaints.push_back({path + ".steel", "the stress needs 'W', the section modulus"});
   check_steel(given, {}, path, complaints);
   const double I = given.I.value_or(1), weak = given.I_weak.value_or(I);
@@ -70,7 +82,7 @@ structure::BeamSection section_of(const description::Beam& given, double gravity
   b.W_x = given.W.value_or(0);
   b.W_y = given.W_weak.value_or(b.W_x);
   b.weight = given.mass.value_or(b.area * steel_density) * gravity;
-  b.round = !given.I_weak && !given.W_weak;
+  b.round = given.round;
   return b;
 }
 

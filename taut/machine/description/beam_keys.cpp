@@ -41,6 +41,10 @@ const Description& Beam::describe() {
           .field(&Beam::J, "J", "I_t", si::m4.in("cm^4"), "torsion constant; default: I + I_weak, as of a round tube")
           .above(0)
           .at_most(100)
+          .field(
+              &Beam::round, "round",
+              "true: a section by figures that is round, so that both bending moments add as vectors; default: their "
+              "stresses add, as in a corner")
           .field(&Beam::W, "W", "W", si::m3.in("cm^3"), "elastic section modulus, for the stress")
           .above(0)
           .at_most(100)

@@ -28,6 +28,7 @@ struct Beam {
   std::optional<double> I;             ///< m4
   std::optional<double> I_weak;        ///< m4; default: I
   std::optional<double> J;             ///< torsion, m4; default: I + I_weak
+  bool round = false;                  ///< the section by figures
   std::optional<double> W;             ///< m3
   std::optional<double> W_weak;        ///< m3; default: W
   double E = 210e9;                    ///< Pa
