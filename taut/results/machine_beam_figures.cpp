@@ -75,6 +75,37 @@ double shown_times(const solve::EquilibriumResult& e, double size) {
   return round_number(wanted_size * size / most);
 }
 
+namespace {
+
+/// Of the most stressed point; where it bears no shear that counts, of a fibre.
+void write_stress(Sheet<Num>& s, const structure::BeamSection& section, const solve::BeamPoint& p, const Num& N,
+                  const Num& M) {
+  const structure::PointStress at = most_stressed_point(section, {.axial = p.N,
+                                                                  .shear_x = p.shear_x,
+                                                                  .shear_y = p.shear_y,
+                                                                  .bends_to_x = p.bends_to_x,
+                                                                  .bends_to_y = p.bends_to_y,
+                                                                  .torsion = p.torsion});
+  const bool sheared = at.equivalent() > at.sigma;
+  const Num A = s.named("A", si::m2, section.area);
+  Num sigma;
+  if (section.round && !sheared) {
+    sigma = s.eq("", "sigma", si::Pa, N / A + M / s.named("W", si::m3, section.W_x),
+                 "largest fibre stress, EN 1993-1-1, 6.2.1 (5)");
+  } else {
+    const Num sigma_M = s.named("sigma_M", si::Pa, at.sigma - std::abs(p.N) / section.area);
+    sigma = s.eq("", "sigma", si::Pa, N / A + sigma_M,
+                 section.round ? "sigma_M: M/W of the most stressed point; EN 1993-1-1, 6.2.1 (5)"
+                               : "|M_x|/W_x + |M_y|/W_y is sigma_M; EN 1993-1-1, 6.2.1 (5)");
+  }
+  if (!sheared) return;
+  const Num tau = s.named("tau", si::Pa, at.tau);
+  s.eq("6.1", "sigma_v", si::Pa, sqrt(square(sigma) + 3 * square(tau)),
+       "EN 1993-1-1, (6.1); tau: torsion over W_t and shear in that point");
+}
+
+}  // namespace
+
 void add_beam_plots(const MachineRun& run, Result& r) {
   add_plot(
       run, "beam_moments", "Bending moment along the beams", {.label = "bending moment", .unit = si::N_m},
@@ -108,14 +139,7 @@ void write_beams(Sheet<Num>& s, const MachineRun& run) {
     s.section(fmt::format("Beam {}: its most {} section, {:.4g} m from its base ({})", run.model.beams[i].name,
                           stressed ? "stressed" : "bent", p.s, when));
     const Num N = s.named("N", si::N, std::abs(p.N)), M = s.named("M", si::N_m, p.M);
-    if (stressed && section.round) {
-      const Num A = s.named("A", si::m2, section.area), W = s.named("W", si::m3, section.W_x);
-      s.eq("", "sigma", si::Pa, N / A + M / W, "largest fibre stress, EN 1993-1-1, 6.2.1 (5)");
-    } else if (stressed) {
-      const Num A = s.named("A", si::m2, section.area);
-      const Num sigma_M = s.named("sigma_M", si::Pa, p.stress - std::abs(p.N) / section.area);
-      s.eq("", "sigma", si::Pa, N / A + sigma_M, "|M_x|/W_x + |M_y|/W_y is sigma_M; EN 1993-1-1, 6.2.1 (5)");
-    }
+    if (stressed) write_stress(s, section, p, N, M);
     if (worst->compression > 0 && std::isfinite(worst->critical_factor)) {
       const Num N_Ed = s.named("N_Ed", si::N, worst->compression);
       const Num N_cr = s.named("N_cr", si::N, worst->critical_factor * worst->compression);

@@ -46,6 +46,16 @@ void add_fact(const std::string& beam, const std::string& where, Check check, Re
   r.checks.push_back(std::move(check));
 }
 
+/// A stress without its torsion says nothing of a limit that it keeps.
+void tell_left_out(const machine::description::Beam& given, const checks::WorstOf& torsion, Result& r) {
+  if (std::isnan(torsion.value)) return;
+  const std::string words = fmt::format(
+      "{}: the stress does not contain its torsion of {:.4g} kN m ({}): give the section's 'W_t', or 'round: true'",
+      given.name, torsion.value / 1e3, torsion.when);
+  if (given.steel) r.unmade.push_back(words);
+  r.warnings.push_back(words);
+}
+
 void check_stress(const machine::description::Beam& given, const checks::WorstOf& stress, Result& r) {
   if (!given.steel || std::isnan(stress.value)) return;
   const auto steel = catalogue::find_steel(*given.steel);
@@ -67,7 +77,8 @@ void check_stress(const machine::description::Beam& given, const checks::WorstOf
            make_check(given.name + ".stress_max", stress.value, si::Pa,
                       {.sense = Sense::at_most,
                        .limit = yield,
-                       .rule = fmt::format("|N|/A + M/W <= f_y of {} ({}), EN 1993-1-1, 6.2.1 (5), gamma_M0 = 1",
+                       .rule = fmt::format("|N|/A + M/W with torsion and shear by von Mises <= f_y of {} ({}), EN "
+                                           "1993-1-1, 6.2.1 (5), gamma_M0 = 1",
                                            full_name(*steel), where),
                        .trust = trust}),
            r);
@@ -116,6 +127,7 @@ void add_worst(const machine::description::Beam& given, const checks::BeamWorst&
   add("N_cr", worst.N_cr);
   add("alpha_cr", worst.alpha_cr);
   check_stress(given, worst.stress, r);
+  tell_left_out(given, worst.torsion_left_out, r);
   check_buckling(given, given.order == machine::description::Order::first ? worst.together : worst.alpha_cr, r);
 }
 

@@ -101,6 +101,33 @@ TEST(MachineBeams, FiguresAreABoxUnlessTheyAreRound) {
   expect_mistake(run_text(corner("section: CHS 219.1x8, round: true")), "belongs to a section by figures");
 }
 
+/// The couple of two forces twists it: without W_t its stress is not judged; above f_y it fails whatever the torsion.
+TEST(MachineBeams, TorsionOfFiguresNeedsItsModulus) {
+  const std::string loads = "  - {at: a1, force: [10 kN, 0 kN, 0 kN]}\n  - {at: a2, force: [-10 kN, 0 kN, 0 kN]}\n";
+  const auto twisted = [&](const std::string& more, const std::string& H) {
+    std::string deck = corner("A: 44.8 cm^2, I: 1490 cm^4, W: 199 cm^3" + more);
+    const std::string plain = "  loads: [{at: b.top, force: [7 kN, 7 kN, -10 kN]}]\n";
+    deck.replace(deck.find(plain), plain.size(),
+                 "  loads:\n  - {at: b.top, force: [" + H + ", 0 kN, -10 kN]}\n" + loads);
+    return run_text(deck);
+  };
+  const auto tells = [](const taut::Result& r) {
+    return r.unmade.size() == 1 && r.unmade[0].find("'W_t'") != std::string::npos;
+  };
+  const taut::Result unknown = twisted("", "5 kN");
+  EXPECT_TRUE(tells(unknown));
+  EXPECT_EQ(exit_code(unknown), 4);
+  EXPECT_TRUE(check_of(unknown, "b.stress_max").passes);
+  const taut::Result fails = twisted("", "15 kN");
+  EXPECT_FALSE(check_of(fails, "b.stress_max").passes);
+  const taut::Result known = twisted(", W_t: 321 cm^3", "5 kN"), round = twisted(", round: true", "5 kN");
+  EXPECT_TRUE(known.unmade.empty() && round.unmade.empty());
+  const double sigma = value_of(unknown, "b.stress_max"), twist = 40e3 * 6 / (210e9 / 2.6 * 2980e-8);
+  const double T = 40e3 * std::cos(twist);  // the arms turn, the forces don't
+  EXPECT_NEAR(value_of(known, "b.stress_max"), std::hypot(sigma, std::sqrt(3) * T / 321e-6), 3e5);
+  EXPECT_NEAR(value_of(round, "b.stress_max"), std::hypot(sigma, std::sqrt(3) * T / 398e-6), 3e5);
+}
+
 TEST(MachineBeams, BucklingIsExitThree) {
   const taut::Result r = run_text(pole(", base: hinge"));
   EXPECT_EQ(exit_code(r), 3);

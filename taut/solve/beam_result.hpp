@@ -19,7 +19,7 @@ struct BeamPoint {
   double torsion = 0;               ///< N m
   double shear_x = 0, shear_y = 0;  ///< components of V along x (bending about the strong axis) and y of the section, N
   double bends_to_x = 0, bends_to_y = 0;                     ///< components of M, bending towards x and y, N m
-  double stress = std::numeric_limits<double>::quiet_NaN();  ///< largest |N|/A + M/W, Pa; NaN: W not known
+  double stress = std::numeric_limits<double>::quiet_NaN();  ///< largest equivalent, Pa; NaN: W not known
   Vector3 deflection = Vector3::Zero();  ///< from its position as built, carried along with the body at the start, m
   double w = 0;                          ///< the component of the deflection normal to the chord, m
 };
@@ -41,7 +41,8 @@ struct BeamResult {
   /// The same with the forces of all beams of the machine growing alike: several legs buckle together before one would
   /// with the others as they are.
   double critical_together = std::numeric_limits<double>::infinity();
-  double compression = 0;  ///< largest compression, N; 0: none
+  double compression = 0;       ///< largest compression, N; 0: none
+  double torsion_left_out = 0;  ///< the largest that its stresses don't contain because W_t is not known, N m
 };
 
 /// A beam counts as failed when `bend` exceeds most_bend, because elastic struts have equilibria beyond buckling; or

@@ -31,7 +31,7 @@ BeamPoint point_of(const structure::RodPiece& rod, const RodState& state, const 
   p.shear_y = f.shear_y;
   p.bends_to_x = f.bends_to_x;
   p.bends_to_y = f.bends_to_y;
-  if (rod.section.W_x > 0) p.stress = largest_stress(rod.section, f.axial, f.bends_to_x, f.bends_to_y);
+  if (rod.section.W_x > 0) p.stress = largest_stress(rod.section, f);
   p.deflection = state.place - built.place;
   return p;
 }
@@ -70,6 +70,9 @@ void fill_points(const mechanics::System& s, const mechanics::Configuration& c, 
       BeamPoint& p = r.points.emplace_back(
           point_of(piece.rod, all[i], all_built[i], piece.rod.from + static_cast<double>(i) * step));
       p.listed = i % as_size(piece.section_every) == 0;
+      if (piece.rod.section.W_x > 0 && leaves_out_torsion(piece.rod.section, section_forces(all[i]))) {
+        r.torsion_left_out = std::max(r.torsion_left_out, std::abs(p.torsion));
+      }
       const double turn =
           angle_between(first, direction(piece.rod, all[i])) - angle_between(first_built, all_built[i].axes.col(2));
       r.bend = std::max(r.bend, std::abs(turn));

@@ -264,7 +264,8 @@ const Quantities<BeamPointRow>& beam_point_quantities() {
       {"V", "V", si::N, "shear", [](const Row& r) { return r.point.V; }},
       {"M", "M", si::N_m, "bending moment", [](const Row& r) { return r.point.M; }},
       {"torsion", "M_t", si::N_m, "torsional moment", [](const Row& r) { return r.point.torsion; }},
-      {"stress", "sigma", si::Pa, "|N|/A + M/W", [](const Row& r) { return r.point.stress; }},
+      {"stress", "sigma", si::Pa, "|N|/A + M/W with torsion and shear by von Mises",
+       [](const Row& r) { return r.point.stress; }},
       {"w", "w", si::m.in("mm"), "deflection across the chord, from as built", [](const Row& r) { return r.point.w; }}};
   return all;
 }
@@ -280,7 +281,7 @@ const Quantities<BeamRow>& beam_quantities() {
        [](const Row& r) { return r.part.points.front().N; }},
       {"N_max", "N_max", si::N, "largest axial force, pulled or pressed,",
        [](const Row& r) { return std::abs(r.part.points[r.part.most_pressed].N); }},
-      {"stress_max", "sigma_max", si::Pa, "largest |N|/A + M/W",
+      {"stress_max", "sigma_max", si::Pa, "largest |N|/A + M/W with torsion and shear by von Mises",
        [](const Row& r) { return r.part.points[r.part.most_stressed].stress; }},
       {"top_displacement", "", si::m.in("mm"), "displacement of the far end",
        [](const Row& r) { return r.part.top_displacement; }},

@@ -4,8 +4,10 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <optional>
 
 #include "taut/base/expects.hpp"
+#include "taut/structure/hollow_section.hpp"
 
 namespace taut::structure {
 namespace {
@@ -27,18 +29,20 @@ Num to_power(const Num& x, const Num& exponent) {
   return {v, {}, make_node(Op::power, {x.formula(), exponent.formula()}, v)};
 }
 
-/// The quantities of a section that all conditions share.
+/// The quantities of a section that all conditions share. `f`: what torsion leaves of f_y for N and M.
 template <class T>
 struct Shared {
-  T A, f_y, gamma_M0, h, b, t;
+  T A, f_y, f, gamma_M0, h, b, t;
   bool round = false, plastic = true;
 };
 
 template <class T>
 Shared<T> shared_of(const SteelSection& m, int section_class, Sheet<T>& s) {
   const SectionRow& r = m.section;
-  return {s.named("A", si::m2, r.area),
-          s.named("f_y", si::Pa, m.yield),
+  const T A = s.named("A", si::m2, r.area), f_y = s.named("f_y", si::Pa, m.yield);
+  return {A,
+          f_y,
+          f_y,
           s.named("gamma_M0", si::one, m.gamma.M0),
           s.named("h", si::m.in("mm"), r.height),
           s.named("b", si::m.in("mm"), r.width),
@@ -54,15 +58,24 @@ struct Shear {
   double V_Rd = 0, use = 0;
 };
 
-double torsion_shear(const SectionRow& r, double torsion) {
-  const double t = r.thickness;
-  const double enclosed =
-      r.shape == SectionShape::chs ? std::numbers::pi / 4 * square(r.height - t) : (r.height - t) * (r.width - t);
-  return std::abs(torsion) / (2 * enclosed * t);
+/// T over T_Rd, and what it leaves of f_y; empty where it leaves all of it to the last digit.
+template <class T>
+std::optional<T> torsion_share(Shared<T>& q, const SectionRow& r, double torsion, CrossSectionUse& u, Sheet<T>& s) {
+  const double modulus = q.plastic ? 2 * enclosed_area(r) * r.thickness : torsion_modulus(r);
+  u.T_Rd = modulus * value(q.f_y) / sqrt(3.0) / value(q.gamma_M0);
+  u.torsion = std::abs(torsion) / u.T_Rd;
+  if (!counts_torsion(u.torsion)) return std::nullopt;
+  const T W_t = s.named("W_t", si::m3, modulus), M_t = s.named("T_Ed", si::N_m, std::abs(torsion));
+  const T T_Rd = s.eq("6.23", "T_Rd", si::N_m, W_t * q.f_y / sqrt(T(3.0)) / q.gamma_M0,
+                      q.plastic ? "EN 1993-1-1, 6.2.7; W_t = 2 A_m t by Bredt" : "EN 1993-1-1, 6.2.7; W_t elastic");
+  const T eta = s.eq("6.23", "eta_T", si::one, M_t / T_Rd, "EN 1993-1-1, (6.23)");
+  q.f = s.eq("6.1", "f_T", si::Pa, q.f_y * sqrt(max(1 - square(eta), T(0.0))),
+             "EN 1993-1-1, (6.1): what the shear of torsion leaves to N and M");
+  return eta;
 }
 
 template <class T>
-Shear<T> shear_along(const Shared<T>& q, const SectionRow& r, char along, double V_Ed, double torsion, Sheet<T>& s) {
+Shear<T> shear_along(const Shared<T>& q, char along, double V_Ed, const std::optional<T>& torsion, Sheet<T>& s) {
   const std::string axis(1, along);
   const auto name = [&](const char* symbol) { return std::string(symbol) + "_" + axis; };
   const T A_v =
@@ -70,10 +83,8 @@ Shear<T> shear_along(const Shared<T>& q, const SectionRow& r, char along, double
           ? s.eq("", "A_v", si::m2, 2 * q.A / s.named("pi", si::one, std::numbers::pi), "EN 1993-1-1, 6.2.6 (3) g")
           : s.eq("", name("A_v"), si::m2, q.A * (along == 'z' ? q.h : q.b) / (q.b + q.h), "EN 1993-1-1, 6.2.6 (3) f");
   T V_Rd = s.eq("6.18", name("V_pl"), si::N, A_v * (q.f_y / sqrt(T(3.0))) / q.gamma_M0, "EN 1993-1-1, (6.18)");
-  if (torsion != 0) {
-    const T tau = s.named("tau_t", si::Pa, torsion_shear(r, torsion));
-    V_Rd = s.eq("6.28", name("V_T"), si::N, max(T(1.0) - tau / (q.f_y / sqrt(T(3.0)) / q.gamma_M0), T(0.0)) * V_Rd,
-                "EN 1993-1-1, (6.28)");
+  if (torsion) {
+    V_Rd = s.eq("6.28", name("V_T"), si::N, max(T(1.0) - *torsion, T(0.0)) * V_Rd, "EN 1993-1-1, (6.28)");
   }
   const double left = value(V_Rd);
   Shear<T> shear{A_v, T(0.0), left, 0};
@@ -93,11 +104,11 @@ T bending(const Shared<T>& q, char about, double W_pl, double W_el, const Shear<
   const T W = q.plastic ? s.named("W_pl_" + axis, si::m3, W_pl) : s.named("W_el_" + axis, si::m3, W_el);
   const char* clause = q.plastic ? "EN 1993-1-1, (6.13)" : "EN 1993-1-1, (6.14)";
   const std::string name = "M_" + axis + "_Rd";
-  if (value(shear.rho) == 0) return s.eq(q.plastic ? "6.13" : "6.14", name, si::N_m, W * q.f_y / q.gamma_M0, clause);
+  if (value(shear.rho) == 0) return s.eq(q.plastic ? "6.13" : "6.14", name, si::N_m, W * q.f / q.gamma_M0, clause);
   if (q.round || !q.plastic) {
-    return s.eq("", name, si::N_m, (1 - shear.rho) * W * q.f_y / q.gamma_M0, "EN 1993-1-1, 6.2.8 (3), on all of it");
+    return s.eq("", name, si::N_m, (1 - shear.rho) * W * q.f / q.gamma_M0, "EN 1993-1-1, 6.2.8 (3), on all of it");
   }
-  return s.eq("", name, si::N_m, (W - shear.rho * square(shear.A_v) / (8 * q.t)) * q.f_y / q.gamma_M0,
+  return s.eq("", name, si::N_m, (W - shear.rho * square(shear.A_v) / (8 * q.t)) * q.f / q.gamma_M0,
               "EN 1993-1-1, 6.2.8 (3), on the shear area");
 }
 
@@ -105,13 +116,13 @@ T bending(const Shared<T>& q, char about, double W_pl, double W_el, const Shear<
 template <class T>
 T axial(const Shared<T>& q, const Shear<T>& y, const Shear<T>& z, Sheet<T>& s) {
   if (value(y.rho) == 0 && value(z.rho) == 0) {
-    return s.eq("6.10", "N_pl", si::N, q.A * q.f_y / q.gamma_M0, "EN 1993-1-1, (6.10)");
+    return s.eq("6.10", "N_pl", si::N, q.A * q.f / q.gamma_M0, "EN 1993-1-1, (6.10)");
   }
   if (q.round || !q.plastic) {
-    return s.eq("", "N_V", si::N, (1 - max(y.rho, z.rho)) * q.A * q.f_y / q.gamma_M0,
+    return s.eq("", "N_V", si::N, (1 - max(y.rho, z.rho)) * q.A * q.f / q.gamma_M0,
                 "EN 1993-1-1, 6.2.10 (3), on all of it");
   }
-  return s.eq("", "N_V", si::N, (q.A - y.rho * y.A_v - z.rho * z.A_v) * q.f_y / q.gamma_M0,
+  return s.eq("", "N_V", si::N, (q.A - y.rho * y.A_v - z.rho * z.A_v) * q.f / q.gamma_M0,
               "EN 1993-1-1, 6.2.10 (3), on the shear areas");
 }
 
@@ -162,7 +173,7 @@ template <class T>
 double elastic(const Shared<T>& q, const SectionRow& r, const T& rho, const CrossForces& f, Sheet<T>& s) {
   const T N = s.named("N_Ed", si::N, std::abs(f.N)), W_y = s.named("W_el_y", si::m3, r.W_el_y);
   const char* clause = "EN 1993-1-1, (6.42)";
-  const T f_yd = value(rho) == 0 ? q.f_y : T((1 - rho) * q.f_y);
+  const T f_yd = value(rho) == 0 ? q.f : T((1 - rho) * q.f);
   if (q.round) {
     const T M = s.named("M_Ed", si::N_m, std::hypot(f.M_y, f.M_z));
     const T sigma = s.eq("6.42", "sigma_x", si::Pa, N / q.A + M / W_y, clause);
@@ -176,16 +187,19 @@ double elastic(const Shared<T>& q, const SectionRow& r, const T& rho, const Cros
 
 }  // namespace
 
+bool counts_torsion(double share) { return 1 - square(share) < 1; }
+
 template <class T>
 CrossSectionUse cross_section(const SteelSection& m, const CrossForces& f, Sheet<T>& s) {
   const SectionRow& r = m.section;
   CrossSectionUse u;
   u.section_class = section_class(r, m.yield, f).value;
   expects(u.section_class < 4, "a section of class 4 is refused before its resistance is asked for");
-  const Shared<T> q = shared_of<T>(m, u.section_class, s);
+  Shared<T> q = shared_of<T>(m, u.section_class, s);
+  const std::optional<T> torsion = torsion_share(q, r, f.torsion, u, s);
   const double V_y = q.round ? 0 : std::abs(f.V_y), V_z = q.round ? std::hypot(f.V_y, f.V_z) : std::abs(f.V_z);
-  const Shear<T> z = shear_along(q, r, 'z', V_z, f.torsion, s);
-  const Shear<T> y = q.round ? Shear<T>{z.A_v, T(0.0), z.V_Rd, 0} : shear_along(q, r, 'y', V_y, f.torsion, s);
+  const Shear<T> z = shear_along(q, 'z', V_z, torsion, s);
+  const Shear<T> y = q.round ? Shear<T>{z.A_v, T(0.0), z.V_Rd, 0} : shear_along(q, 'y', V_y, torsion, s);
   u.V_z_Rd = z.V_Rd;
   u.V_y_Rd = y.V_Rd;
   u.shear = std::max(y.use, z.use);
@@ -217,7 +231,7 @@ CrossSectionUse cross_section(const SteelSection& m, const CrossForces& f, Sheet
 double elastic_stress(const SectionRow& r, const CrossForces& f) {
   const double bending = r.shape == SectionShape::chs ? std::hypot(f.M_y, f.M_z) / r.W_el_y
                                                       : std::abs(f.M_y) / r.W_el_y + std::abs(f.M_z) / r.W_el_z;
-  return std::abs(f.N) / r.area + bending;
+  return std::hypot(std::abs(f.N) / r.area + bending, std::sqrt(3.0) * f.torsion / torsion_modulus(r));
 }
 
 template CrossSectionUse cross_section(const SteelSection&, const CrossForces&, Sheet<double>&);

@@ -80,13 +80,53 @@ TEST(CrossSection, LargeShear) {
   EXPECT_GT(beyond.worst(), 1);
 }
 
-// tau_t = T/(2 A_m t) = 30 kN m/(2 x 290 x 190 x 10 mm3) = 27.2232 MPa leaves 0.867177 of V_pl.
+// A_m = 290 x 190 mm2 - (4 - pi) (12.5 mm)^2 = 54965.9 mm2; tau_t = T/(2 A_m t) = 30 kN m/(2 A_m x 10 mm) = 27.2897 MPa
+// leaves 0.866853 of V_pl.
 TEST(CrossSection, TorsionTakesShear) {
   const auto u = use(steel("RHS 300x200x10"), forces(0, 50e3, 0, 100e3, 0, -30e3));
-  EXPECT_NEAR(u.V_z_Rd, 0.8671774 * 1167371, 5);
+  EXPECT_NEAR(u.V_z_Rd, 0.8668526 * 1167371, 5);
   const auto lost = use(steel("RHS 300x200x10"), forces(0, 50e3, 0, 0, 0, 300e3));
   EXPECT_EQ(lost.V_z_Rd, 0);
   EXPECT_GT(lost.worst(), 1);
+}
+
+// CHS 219.1x8: 2 A_m t = 16 mm x pi/4 (211.1 mm)^2 = 560.002 cm3, T_Rd = 114.777 kN m in f_y/sqrt(3) = 204.959 MPa.
+TEST(CrossSection, TorsionAndBendingTogether) {
+  const SteelSection m = steel("CHS 219.1x8");
+  const auto u = use(m, forces(0, 81e3, 0, 16e3, 0, 99.4e3));
+  EXPECT_NEAR(u.T_Rd, 114777, 20);
+  EXPECT_NEAR(u.torsion, 0.86603, 2e-4);
+  const auto plain = use(m, forces(0, 81e3, 0, 16e3));
+  EXPECT_NEAR(u.utilisation, plain.utilisation / std::sqrt(1 - 0.86603 * 0.86603), 2e-3);
+  EXPECT_LT(plain.utilisation, 1);
+  EXPECT_GT(u.utilisation, 1);
+  // without shear: (M/M_pl)^2 + (T/T_pl)^2 = 1, the plastic limit of a thin tube
+  const auto circle = use(m, forces(0, 0.6 * plain.M_y_Rd, 0, 0, 0, 0.8 * u.T_Rd));
+  EXPECT_NEAR(circle.utilisation, 1, 1e-9);
+  const auto twisted = use(m, forces(0, 0, 0, 0, 0, 1.1 * u.T_Rd));
+  EXPECT_NEAR(twisted.torsion, 1.1, 1e-9);
+  EXPECT_GT(twisted.worst(), 1);
+}
+
+// Class 3: sigma sqrt(1/(1 - 3 tau^2/f_y^2)) <= f_y is von Mises, with tau of the outer fibre.
+TEST(CrossSection, TorsionInClassThreeIsVonMises) {
+  const SteelSection m = steel("CHS 508x10");
+  const double T = 250e3, sigma = 400e3 / 15645.1e-6 + 340e3 / 1910.25e-6, tau = T / (2 * 1910.25e-6);
+  const auto u = use(m, forces(400e3, 300e3, -160e3, 0, 0, T));
+  EXPECT_EQ(u.section_class, 3);
+  EXPECT_NEAR(u.utilisation, sigma / 355e6 / std::sqrt(1 - 3 * std::pow(tau / 355e6, 2)), 1e-4);
+  EXPECT_NEAR(elastic_stress(m.section, forces(400e3, 300e3, -160e3, 0, 0, T)), std::hypot(sigma, std::sqrt(3) * tau),
+              1e-4 * sigma);
+}
+
+TEST(CrossSection, TorsionOfRoundingChangesNothing) {
+  for (const char* name : {"CHS 508x16", "RHS 300x200x10"}) {
+    const auto u = use(steel(name), forces(100e3, 50e3, 0, 80e3, 0, 1e-6)),
+               v = use(steel(name), forces(100e3, 50e3, 0, 80e3));
+    EXPECT_EQ(u.utilisation, v.utilisation);
+    EXPECT_EQ(u.shear, v.shear);
+    EXPECT_EQ(u.M_y_Rd, v.M_y_Rd);
+  }
 }
 
 TEST(CrossSection, TooMuchAxialForceIsTooMuch) {
@@ -131,6 +171,9 @@ RC_GTEST_PROP(CrossSection, SameWrittenAsComputed, ()) {
   RC_ASSERT(a.utilisation == b.utilisation);
   RC_ASSERT(a.shear == b.shear);
   RC_ASSERT(b.utilisation >= b.n);
+  CrossForces less = f;
+  less.torsion *= 0.9;
+  RC_ASSERT(cross_section(m, less, plain).utilisation <= b.utilisation);
   // signs don't count, and a tube has no axes
   const auto mirrored = cross_section(
       m, CrossForces{.N = f.N, .V_y = -f.V_y, .V_z = f.V_z, .M_y = -f.M_y, .M_z = f.M_z, .torsion = -f.torsion}, plain);

@@ -42,12 +42,31 @@ Bending bending(double high, double wide, const HollowSizes& s) {
           .W_pl = (wide * square(high) - b_i * square(h_i)) / 4 - 4 * out.area * arm_out + 4 * in.area * arm_in};
 }
 
-double torsion_of_box(const HollowSizes& s) {
+/// The middle line of the walls of a box: its length, and what it encloses.
+struct MiddleLine {
+  double length, enclosed;
+  double K(double t) const { return 2 * enclosed * t / length; }
+};
+MiddleLine middle_line(const HollowSizes& s) {
   const double t = s.wall, R_c = (s.outer_radius + s.inner_radius) / 2;
-  const double middle = 2 * (s.width + s.height - 2 * t) - 2 * R_c * (4 - pi);
-  const double enclosed = (s.width - t) * (s.height - t) - square(R_c) * (4 - pi);
-  const double K = 2 * enclosed * t / middle;
-  return cube(t) * middle / 3 + 2 * K * enclosed;
+  return {.length = 2 * (s.width + s.height - 2 * t) - 2 * R_c * (4 - pi),
+          .enclosed = (s.width - t) * (s.height - t) - square(R_c) * (4 - pi)};
+}
+
+double torsion_of_box(const HollowSizes& s) {
+  const double t = s.wall;
+  const MiddleLine line = middle_line(s);
+  return cube(t) * line.length / 3 + 2 * line.K(t) * line.enclosed;
+}
+
+HollowSizes sizes_of(const SectionRow& row) {
+  return {.shape = row.shape,
+          .forming = row.forming,
+          .height = row.height,
+          .width = row.width,
+          .wall = row.thickness,
+          .outer_radius = row.outer_radius,
+          .inner_radius = row.inner_radius};
 }
 
 void fill_box(const HollowSizes& s, SectionRow& row) {
@@ -103,17 +122,26 @@ SectionRow hollow_section(const HollowSizes& s) {
   return row;
 }
 
+double enclosed_area(const SectionRow& row) {
+  if (row.shape == SectionShape::chs) return pi / 4 * square(row.height - row.thickness);
+  return middle_line(sizes_of(row)).enclosed;
+}
+
+double torsion_modulus(const SectionRow& row) {
+  if (row.shape == SectionShape::chs) return 2 * row.I_t / row.height;
+  const double t = row.thickness;
+  return row.I_t / (t + middle_line(sizes_of(row)).K(t) / t);
+}
+
 SectionRow with_thinner_wall(const SectionRow& row, double share) {
   expects(share >= 0 && share < 1, "a wall keeps something of its thickness");
   if (share == 0) return row;
   const double left = 1 - share;
-  SectionRow thin = hollow_section({.shape = row.shape,
-                                    .forming = row.forming,
-                                    .height = row.height,
-                                    .width = row.width,
-                                    .wall = row.thickness * left,
-                                    .outer_radius = row.outer_radius * left,
-                                    .inner_radius = row.inner_radius * left});
+  HollowSizes sizes = sizes_of(row);
+  sizes.wall *= left;
+  sizes.outer_radius *= left;
+  sizes.inner_radius *= left;
+  SectionRow thin = hollow_section(sizes);
   thin.name = fmt::format("{} with its wall {:.3g} % thinner", row.name, share * 100);
   thin.standard = row.standard;
   thin.mass_per_length = row.mass_per_length;

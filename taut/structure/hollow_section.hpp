@@ -25,6 +25,14 @@ catalogue::SectionRow hollow_section(const HollowSizes& sizes);
 /// of the row.
 catalogue::SectionRow with_thinner_wall(const catalogue::SectionRow& row, double share);
 
+/// What the middle line of its wall encloses, with its rounded corners, m2: pi (D - t)^2/4; of a box (H - t)(B - t) -
+/// (4 - pi) R_c^2, R_c = (r_o + r_i)/2.
+double enclosed_area(const catalogue::SectionRow& row);
+
+/// Elastic torsion modulus: M_t/W_t is the largest shear stress, m3. EN 10210-2, annex B: I_t/(D/2); of a box I_t/(t +
+/// K/t), K = 2 A_h t/(length of the middle line).
+double torsion_modulus(const catalogue::SectionRow& row);
+
 /// Radii that the standards compute with: hot 1.5 t and t; cold 2 t and t (t <= 6 mm), 2.5 t and 1.5 t (t <= 10 mm),
 /// 3 t and 2 t above.
 HollowSizes with_usual_radii(HollowSizes sizes);

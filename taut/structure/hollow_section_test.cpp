@@ -60,4 +60,12 @@ TEST(HollowSection, RefusesWallsThatFillIt) {
                ContractViolation);
 }
 
+// EN 10210-2, table: C_t of SHS 100x100x5 is 81.8 cm3, W_t of a tube 2 W_el.
+TEST(HollowSection, TorsionModulus) {
+  const SectionRow box = *catalogue::find_section("SHS 100x100x5"), tube = *catalogue::find_section("CHS 219.1x8");
+  EXPECT_NEAR(torsion_modulus(box), 81.8e-6, 0.05e-6);
+  EXPECT_LT(torsion_modulus(box), 2 * enclosed_area(box) * box.thickness) << "largest above mean stress";
+  EXPECT_NEAR(torsion_modulus(tube) / tube.W_el_y, 2, 2e-3);
+}
+
 }  // namespace taut::structure::hollow_section_test

@@ -58,6 +58,7 @@ void take_section(const SteelSection& steel, const CrossForces& design, const Ma
   const CrossSectionUse use = cross_section(steel, design, plain);
   take_worse(u.section, use.utilisation, at);
   take_worse(u.shear, use.shear, at);
+  take_worse(u.torsion, use.torsion, at);
 }
 
 void take_station(const Mast& mast, const MastCase& c, const MastPlace& at, MastUse& u) {
@@ -93,7 +94,7 @@ void take_member(const Mast& mast, const MastCase& c, std::size_t load_case, std
 
 double MastUse::utilisation() const {
   if (!refused.empty()) return std::numeric_limits<double>::infinity();
-  return std::max({section.value, shear.value, flexural.value, member.value, stress_use.value});
+  return std::max({section.value, shear.value, torsion.value, flexural.value, member.value, stress_use.value});
 }
 
 CrossForces member_forces(const Mast& mast, const MastCase& c, std::size_t part) {

@@ -59,11 +59,12 @@ struct MastUse {
   MastWorst slenderness;  ///< of walls over the limit of class 3
   WallClass slenderest;   ///< that wall, and the section it is of
   std::string slenderest_section;
-  MastWorst section;  ///< N + M + V
+  MastWorst section;  ///< N + M + V + T
   MastWorst shear;
+  MastWorst torsion;     ///< T/T_Rd
   MastWorst flexural;    ///< (6.46)
   MastWorst member;      ///< (6.61), (6.62)
-  MastWorst stress;      ///< |N|/A + M/W, Pa, without factors
+  MastWorst stress;      ///< elastic_stress: |N|/A + M/W and torsion, Pa, without factors
   MastWorst stress_use;  ///< over [sigma]; 0 without one
   bool pressed = false;  ///< in any case
   /// The largest of what decides: EN 1993-1-1, and [sigma] where it is given; infinite where refused.

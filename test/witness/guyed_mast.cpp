@@ -83,9 +83,7 @@ bool pass_forces(const GuyedMastProblem& p, double height, BeamState& s, Shape& 
 
 MastPoint point_of(const GuyedMastProblem& p, double height, const BeamState& s) {
   const auto f = section_forces(s);
-  return {.height = height,
-          .state = s,
-          .stress = structure::largest_stress(p.mast.section, f.axial, f.bends_to_x, f.bends_to_y)};
+  return {.height = height, .state = s, .stress = structure::largest_stress(p.mast.section, f)};
 }
 
 Shape shoot(const GuyedMastProblem& p, const Unknowns& u, bool keep_points) {

@@ -241,7 +241,7 @@ void add_comparisons(const Input& in, const Output& o, const Section& section, c
   add("axial force at the foot", "N", si::N, o.N, e.N_exact);
   add("shear at the foot", "Q", si::N, o.Q, e.Q_exact);
   add("moment at the foot", "M", si::N_m, o.M, e.M_exact);
-  const double stress = structure::largest_stress(section.beam, o.N, o.M, 0);
+  const double stress = structure::largest_stress(section.beam, {.axial = o.N, .bends_to_x = o.M});
   add(("largest stress in the " + section.name).c_str(), "sigma", si::Pa, stress, e.sigma_exact);
 }
 

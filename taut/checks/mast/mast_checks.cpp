@@ -52,24 +52,37 @@ void add_wall_check(const MastReport& report, const MastUse& u, Result& r) {
                  r);
 }
 
+/// Of a mast in a plane torsion is what rounding leaves.
+bool counts_torsion(const MastUse& u) { return structure::counts_torsion(u.torsion.value); }
+
 void add_section_checks(const MastReport& report, const MastUse& u, Result& r) {
   const LoadedMast& m = report.loaded;
   const auto& steel = m.mast.parts[u.section.at.part].member.steel;
   const int section_class =
       structure::section_class(steel.section, steel.yield, station_at(m, u.section.at).design).value;
-  limit_strength(report, "section", u.section.value, si::one,
-                 {.sense = Sense::at_most,
-                  .limit = 1,
-                  .rule = fmt::format("N, M and V in one section ({}, class {}, f_y = {:.4g} MPa), EN 1993-1-1, {}; {}",
-                                      steel.section.name, section_class, steel.yield / 1e6,
-                                      section_class < 3 ? "6.2.9.1" : "(6.42)", place_words(m, u.section.at)),
-                  .trust = recalled_section},
-                 r);
+  limit_strength(
+      report, "section", u.section.value, si::one,
+      {.sense = Sense::at_most,
+       .limit = 1,
+       .rule = fmt::format("{} in one section ({}, class {}, f_y = {:.4g} MPa), EN 1993-1-1, {}; {}",
+                           counts_torsion(u) ? "N, M, V and torsion" : "N, M and V", steel.section.name, section_class,
+                           steel.yield / 1e6, section_class < 3 ? "6.2.9.1" : "(6.42)", place_words(m, u.section.at)),
+       .trust = recalled_section},
+      r);
   limit_strength(report, "shear", u.shear.value, si::one,
                  {.sense = Sense::at_most,
                   .limit = 1,
                   .rule = fmt::format("V over V_pl,T, EN 1993-1-1, (6.18), (6.28); {}", place_words(m, u.shear.at)),
                   .trust = "UNVERIFIED: shear areas as recalled"},
+                 r);
+  if (!counts_torsion(u)) return;
+  const auto& twisted = m.mast.parts[u.torsion.at.part].member.steel;
+  limit_strength(report, "torsion", u.torsion.value, si::one,
+                 {.sense = Sense::at_most,
+                  .limit = 1,
+                  .rule = fmt::format("T over T_Rd = W_t f_y/(sqrt(3) gamma_M0) of {}, EN 1993-1-1, (6.23); {}",
+                                      twisted.section.name, place_words(m, u.torsion.at)),
+                  .trust = "derived"},
                  r);
 }
 
@@ -112,13 +125,14 @@ void add_stress_check(const MastCheckRequest& request, const MastReport& report,
   const LoadedMast& m = report.loaded;
   const MastPlace& at = u.stress_use.at;
   const double allowed = *m.mast.parts[at.part].allowable_stress;
-  limit_strength(report, "allowable_stress", u.stress_use.value * allowed, si::Pa,
-                 {.sense = Sense::at_most,
-                  .limit = allowed,
-                  .rule = fmt::format("N/A + M/W <= [sigma] without other factors, Shoshin et al. 2022, (12)-(14); {}",
-                                      place_words(m, at)),
-                  .trust = trust_of_stress(request, report, at.part)},
-                 r);
+  limit_strength(
+      report, "allowable_stress", u.stress_use.value * allowed, si::Pa,
+      {.sense = Sense::at_most,
+       .limit = allowed,
+       .rule = fmt::format("N/A + M/W{} <= [sigma] without other factors, Shoshin et al. 2022, (12)-(14); {}",
+                           counts_torsion(u) ? ", with torsion sqrt(sigma^2 + 3 tau^2)," : "", place_words(m, at)),
+       .trust = trust_of_stress(request, report, at.part)},
+      r);
 }
 
 /// A mast at its worst section.
@@ -151,13 +165,13 @@ const Quantities<MastRow>& mast_quantities() {
       {"M_z", "M_z", si::N_m, "design moment about the weak axis", force(&structure::CrossForces::M_z)},
       {"V", "V", si::N, "design shear force, resultant of both axes",
        [](const Row& r) { return std::hypot(r.station().design.V_y, r.station().design.V_z); }},
-      {"section_use", "", si::one, "utilisation of the cross-section by N, M and V, EN 1993-1-1, 6.2",
+      {"section_use", "", si::one, "utilisation of the cross-section by N, M, V and torsion, EN 1993-1-1, 6.2",
        [](const Row& r) { return r.use.section.value; }},
       {"buckling", "", si::one, "utilisation by flexural buckling, (6.46); empty: not pressed",
        [](const Row& r) { return r.use.pressed ? r.use.flexural.value : none; }},
       {"member", "", si::one, "utilisation of the member by N and M, (6.61), (6.62); empty: not pressed",
        [](const Row& r) { return r.use.pressed && asks_for_members(r.report.loaded) ? r.use.member.value : none; }},
-      {"stress", "sigma", si::Pa, "largest |N|/A + M/W anywhere, without factors",
+      {"stress", "sigma", si::Pa, "largest |N|/A + M/W (with torsion by von Mises) anywhere, without factors",
        [](const Row& r) { return r.use.stress.value; }},
       {"case", "", si::one, "load case of the worst cross-section",
        [](const Row& r) { return case_at(r.report.loaded, r.use.section.at).words; }}};
@@ -334,7 +348,8 @@ void add_mast_report(const MastCheckRequest& request, const MastReport& report, 
     r.values.push_back(make_value(kind, report.name, "", v, fmt::format("{} of {}", kind.about.words, report.name)));
   };
   if (u.refused.empty()) {
-    value("MAST.utilisation", std::max({u.section.value, u.shear.value, u.flexural.value, u.member.value}));
+    value("MAST.utilisation",
+          std::max({u.section.value, u.shear.value, u.torsion.value, u.flexural.value, u.member.value}));
     add_row(report, u, r);
     add_profile(report, r);
     write_mast(request, report, u, r);

@@ -130,6 +130,40 @@ TEST(MastChecks, MachineBeamIsTheCantilever) {
   EXPECT_NEAR(check_of(turned, "mast.section").value, check_of(r, "mast.section").value, 1e-6);
 }
 
+/// Bent by H = 16 kN and twisted by a couple of 25 kN on arms of 2 m.
+const char* const twisted = R"(taut: 1
+machine:
+  points:
+    foot: [0 m, 0 m, 0 m]
+    head: [0 m, 0 m, 5 m]
+    a1: {body: b, at: [0 m, 2 m, 5 m]}
+    a2: {body: b, at: [0 m, -2 m, 5 m]}
+  beams:
+    b: {from: foot, to: head, section: CHS 219.1x8, steel: S355}
+  loads:
+    - {at: a1, force: [25 kN, 0 kN, 0 kN]}
+    - {at: a2, force: [-25 kN, 0 kN, 0 kN]}
+    - {at: b.top, force: [16 kN, 0 kN, -10 kN]}
+checks: {masts: {b: {load_factor: 1.0, allowable_stress: 320 MPa}}}
+)";
+
+// sigma about 302 MPa, tau = 99.4 kN m/(2 W_el) = 184 MPa; T_Rd = 2 A_m t f_y/sqrt(3) = 114.8 kN m.
+TEST(MastChecks, TorsionCountsBesideBending) {
+  const taut::Result r = run_text(twisted);
+  EXPECT_NEAR(check_of(r, "b.torsion").value, 0.866, 2e-3);
+  EXPECT_FALSE(check_of(r, "b.section").passes);
+  EXPECT_NEAR(value_of(r, "b.stress_max") / 355e6, 1.24, 0.01);
+  EXPECT_FALSE(check_of(r, "b.stress_max").passes);
+  EXPECT_FALSE(check_of(r, "b.allowable_stress").passes);
+  EXPECT_EQ(exit_code(r), 4);
+  const taut::Result plain =
+      run_text(twisted, {"machine.loads[0].force=[0 N, 0 N, 0 N]", "machine.loads[1].force=[0 N, 0 N, 0 N]"});
+  EXPECT_FALSE(has_check(plain, "b.torsion")) << "rounding is no torsion";
+  EXPECT_NEAR(check_of(plain, "b.section").value, 0.64, 0.01);
+  EXPECT_TRUE(check_of(plain, "b.allowable_stress").passes);
+  EXPECT_EQ(exit_code(plain), 0);
+}
+
 // Two places a hair apart are as good as one: a short piece of the beam must not spoil its critical load.
 TEST(MastChecks, PlacesNearlyTogether) {
   const auto use = [](const std::string& second) {

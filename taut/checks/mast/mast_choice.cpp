@@ -27,7 +27,7 @@ const char* mast_governing(const structure::MastUse& u) {
   if (u.section.value == most) return "section";
   if (u.member.value == most) return "member";
   if (u.flexural.value == most) return "buckling";
-  return "shear";
+  return u.torsion.value == most ? "torsion" : "shear";
 }
 
 /// A section that passes, of a mast of that height.

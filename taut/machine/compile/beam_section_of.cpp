@@ -24,6 +24,7 @@ void refuse_figures(const description::Beam& given, const std::string& path, std
   refuse(given.I, "I");
   refuse(given.I_weak, "I_weak");
   refuse(given.J, "J");
+  refuse(given.W_t, "W_t");
   refuse(given.W, "W");
   refuse(given.W_weak, "W_weak");
 }
@@ -36,6 +37,7 @@ void refuse_of_round(const description::Beam& given, const std::string& path, st
   refuse(given.I_weak, "I_weak", "a round section has one 'I': leave it out, or leave 'round' out");
   refuse(given.W_weak, "W_weak", "a round section has one 'W': leave it out, or leave 'round' out");
   refuse(given.J, "J", "of a round section it is 2 I: leave it out, or leave 'round' out");
+  refuse(given.W_t, "W_t", "of a round section it is 2 W: leave it out, or leave 'round' out");
 }
 
 void check_steel(const description::Beam& given, const std::optional<double>& wall, const std::string& path,
@@ -83,6 +85,8 @@ structure::BeamSection section_of(const description::Beam& given, double gravity
   b.W_y = given.W_weak.value_or(b.W_x);
   b.weight = given.mass.value_or(b.area * steel_density) * gravity;
   b.round = given.round;
+  b.W_t = given.round ? 2 * b.W_x : given.W_t.value_or(0);
+  if (given.round) b.shear_x = b.shear_y = structure::round_shear(b.area);
   return b;
 }
 

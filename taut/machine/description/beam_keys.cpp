@@ -41,6 +41,11 @@ const Description& Beam::describe() {
           .field(&Beam::J, "J", "I_t", si::m4.in("cm^4"), "torsion constant; default: I + I_weak, as of a round tube")
           .above(0)
           .at_most(100)
+          .field(&Beam::W_t, "W_t", "W_t", si::m3.in("cm^3"),
+                 "elastic torsion modulus, for the stress: torsion over it is the largest shear stress; default: not "
+                 "known, of a round section 2 W")
+          .above(0)
+          .at_most(100)
           .field(
               &Beam::round, "round",
               "true: a section by figures that is round, so that both bending moments add as vectors; default: their "
