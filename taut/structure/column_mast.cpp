@@ -152,6 +152,21 @@ double compression_at(const ColumnMast& m, const std::vector<Slice>& slices, con
   return N;
 }
 
+/// The largest compression with factors, N (0: pulled everywhere), and the lowest slice that has it. In a slice the
+/// lower end has most: only its weight adds to it.
+struct MostPressed {
+  double N = 0;
+  std::size_t slice = 0;
+};
+MostPressed most_pressed(const ColumnMast& m, const std::vector<Slice>& slices, const MastCombination& c) {
+  MostPressed most;
+  for (std::size_t i = 0; i < slices.size(); ++i) {
+    const double N = compression_at(m, slices, c, slices[i].from, true);
+    if (N > most.N) most = {.N = N, .slice = i};
+  }
+  return most;
+}
+
 double most_bent(const std::vector<ColumnPoint>& points) {
   double M = 0;
   for (const ColumnPoint& p : points) M = std::max(M, std::abs(p.M));
@@ -190,7 +205,7 @@ std::vector<ColumnPoint> worse_way(Column column) {
 class Combination {
  public:
   Combination(const ColumnMast& m, const std::vector<Slice>& slices, const MastCombination& c, ColumnMastResult& r)
-      : m_(m), slices_(slices), c_(c), r_(r) {
+      : m_(m), slices_(slices), c_(c), r_(r), most_pressed_(most_pressed(m, slices, c)) {
     expects(c.factors.size() == c.loads.size(), "each load has its factor");
     for (const Plane plane : {Plane::y, Plane::z}) {
       critical_ = std::min(critical_, critical_factor(column_of(m, slices, c, plane, true, true)));
@@ -213,7 +228,9 @@ class Combination {
       }
       return;
     }
-    const bool crooked = compression_at(m_, slices_, c_, 0, true) > 0;
+    r_.pressed = r_.pressed || most_pressed_.N > 0;
+    // what the deck gives is how it stands; the rule's sway is of what is pressed
+    const bool crooked = most_pressed_.N > 0 || m_.sway.value_or(0) > 0;
     add_case(Plane::y, crooked);
     if (crooked) add_case(Plane::z, true);
   }
@@ -221,11 +238,14 @@ class Combination {
  private:
   double height() const { return slices_.back().to; }
 
-  /// The largest offset of the bow, m; 0 where (5.8) lets it be left out.
+  /// The largest offset of the bow, m; 0 where (5.8) lets it be left out, and where nothing is pressed, which has no
+  /// buckling length. By the slice that is pressed most: the foot may be pulled below loads that press.
   double bow(Plane plane) const {
-    const double N = compression_at(m_, slices_, c_, 0, true);
-    const SectionRow& r = slices_.front().section;
-    const double yield = m_.pieces.front().yield, EI = stiffness(m_, slices_.front().low, plane);
+    const double N = most_pressed_.N;
+    if (N <= 0) return 0;
+    const Slice& slice = slices_[most_pressed_.slice];
+    const SectionRow& r = slice.section;
+    const double yield = m_.pieces[slice.piece].yield, EI = stiffness(m_, slice.low, plane);
     const double slenderness = std::sqrt(r.area * yield / euler_load(m_.E, EI / m_.E, height()));
     const double length = buckling_length(EI, critical_, N);
     if (m_.bow) return *m_.bow * length;
@@ -286,6 +306,7 @@ class Combination {
   const std::vector<Slice>& slices_;
   const MastCombination& c_;
   ColumnMastResult& r_;
+  MostPressed most_pressed_;
   double critical_ = std::numeric_limits<double>::infinity();
 };
 

@@ -46,7 +46,7 @@ struct ColumnMast {
   double E = 210e9;
   PartialFactors gamma;
   std::optional<Curve> curve;
-  std::optional<double> sway;  ///< as built; else EN 1993-1-1, (5.5)
+  std::optional<double> sway;  ///< as built, pressed or not; else EN 1993-1-1, (5.5), where any part is pressed
   std::optional<double> bow;   ///< share of the buckling length; else table 5.1 where (5.8) asks for it
   double C_m = 0.9;
   std::vector<MastCombination> combinations;
@@ -62,7 +62,8 @@ struct ColumnMastResult {
   std::string refused;
   double critical_factor = std::numeric_limits<double>::infinity();  ///< the least over the combinations, as factored
   double sway = 0, bow = 0;                                          ///< as taken (the bow of the worst combination, m)
-  double top_displacement = 0;                                       ///< the largest, m
+  bool pressed = false;         ///< somewhere, under some combination; else there is no buckling length, and no bow
+  double top_displacement = 0;  ///< the largest, m
 };
 ColumnMastResult column_mast(const ColumnMast& given);
 

@@ -188,6 +188,60 @@ TEST(ColumnMast, HingedMastNeedsItsGuys) {
   EXPECT_NEAR(r.bow, 10.0 / 300, 1e-4);  // pinned: the buckling length is the height
 }
 
+/// 8 m, pressed by 130 kN at its top and pulled by `lift` at 2 m.
+ColumnMastResult lifted(double lift, double pressed = 130e3) {
+  ColumnMast m = cantilever("CHS 219.1x8", 8, pressed, 2e3);
+  m.sway = 0.08;
+  m.bow = 0;
+  m.combinations[0].loads.push_back(
+      {.height = 2, .down = -lift, .across_y = 0, .across_z = 0, .moment_y = 0, .moment_z = 0});
+  m.combinations[0].factors.push_back(1);
+  return column_mast(m);
+}
+
+// With a foot without force the column is a cantilever l = 6 m upon a beam a = 2 m: with z the way from its top,
+// E I z'' + N z = H (l - x) and z(l) = 0, the moment at 2 m is N tan(kl)/k (turn + phi + H/N), turn = (M a + H
+// a^2/2)/EI.
+TEST(ColumnMast, APulledFootLeavesTheMastAboveItLeaning) {
+  const double H = 2e3, N = 130e3, a = 2, l = 6, phi = 0.08;
+  const double EI = 210e9 * catalogue::find_section("CHS 219.1x8")->I_y, k = std::sqrt(N / EI);
+  const double bent = N * std::tan(k * l) / k;
+  const double M = bent * (H * a * a / (2 * EI) + phi + H / N) / (1 - bent * a / EI) + H * a;
+  const ColumnMastResult r = lifted(130e3);
+  EXPECT_EQ(r.sway, phi);
+  EXPECT_NEAR(r.cases[0].stations[0].design.M_y, M, 1e-6 * M);
+  const auto use = [](double lift) {
+    const ColumnMastResult one = lifted(lift);
+    return mast_use(one.mast, one.cases).section.value;
+  };
+  EXPECT_GT(use(131e3), 1);
+  EXPECT_NEAR(use(129e3), use(131e3), 0.03);
+}
+
+// By the rule's bow too: its length is that of what is pressed, as for the mast whose whole height is.
+TEST(ColumnMast, TheBowIsOfTheSliceThatIsPressedMost) {
+  ColumnMast m = cantilever("CHS 219.1x8", 8, 130e3, 0);
+  m.bow = 0.01;
+  m.combinations[0].loads.push_back(
+      {.height = 2, .down = -200e3, .across_y = 0, .across_z = 0, .moment_y = 0, .moment_z = 0});
+  m.combinations[0].factors.push_back(1);
+  const ColumnMastResult r = column_mast(m);
+  const double EI = 210e9 * m.pieces[0].section.I_y;
+  EXPECT_NEAR(r.bow, 0.01 * buckling_length(EI, r.critical_factor, 130e3), 1e-9);
+}
+
+// Pulled everywhere: the sway of the deck is how it stands; that of the rule, and a bow, are of what is pressed.
+TEST(ColumnMast, OfAPulledMastTheGivenSwayCounts) {
+  const ColumnMastResult given = lifted(0, -130e3);
+  EXPECT_FALSE(given.pressed);
+  EXPECT_EQ(given.sway, 0.08);
+  EXPECT_EQ(given.bow, 0);
+  const double k = std::sqrt(130e3 / (210e9 * catalogue::find_section("CHS 219.1x8")->I_y));
+  const double M = std::tanh(8 * k) / k * (130e3 * 0.08 + 2e3);  // against each other, and the other way
+  EXPECT_NEAR(std::abs(given.cases[0].stations[0].design.M_y), M, 1e-6 * M);
+  EXPECT_EQ(column_mast(cantilever("CHS 219.1x8", 8, -130e3, 2e3)).sway, 0);
+}
+
 TEST(ColumnMast, OwnWeight) {
   ColumnMast m = cantilever("CHS 508x16", 8, 0, 10e3);
   m.own_weight = true;

@@ -204,8 +204,10 @@ MastReport own_mast(const MastCheckRequest& request, const std::vector<MastLoadR
       : std::isinf(column.top_stiffness) ? "held"
                                          : "held elastically",
       solved.sway,
-      solved.bow > 0 ? fmt::format(", with a bow of {:.4g} mm", solved.bow * 1e3)
-                     : std::string(", no bow needed by (5.8)"),
+      solved.bow > 0      ? fmt::format(", with a bow of {:.4g} mm", solved.bow * 1e3)
+      : !solved.pressed   ? std::string(", without a bow: it is pressed nowhere and has no buckling length")
+      : request.bow == 0. ? std::string(", without a bow as given")
+                          : std::string(", no bow needed by (5.8)"),
       top * 1e3, solved.critical_factor));
   if (request.pieces.empty()) {
     report.in_section = [request, column](const catalogue::SectionRow& row) -> std::optional<structure::LoadedMast> {
