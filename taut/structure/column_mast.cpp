@@ -123,7 +123,7 @@ Column column_of(const ColumnMast& m, const std::vector<Slice>& slices, const Ma
   column.top_stiffness = m.top_stiffness;
   for (const Slice& s : slices) {
     const double mass = (s.low.mass_per_length + s.high.mass_per_length) / 2;
-    const double weight = m.own_weight && pressed ? mass * m.gravity * (factored ? m.weight_factor : 1) : 0;
+    const double weight = m.own_weight && pressed ? mass * m.gravity * (factored ? c.weight_factor : 1) : 0;
     column.pieces.push_back({s.to - s.from, stiffness(m, s.low, plane), stiffness(m, s.high, plane), weight});
   }
   for (std::size_t i = 0; i < c.loads.size(); ++i) {
@@ -147,7 +147,7 @@ double compression_at(const ColumnMast& m, const std::vector<Slice>& slices, con
   for (const Slice& s : slices) {
     if (!m.own_weight) break;
     const double above = std::max(0.0, s.to - std::max(height, s.from));
-    N += above * (s.low.mass_per_length + s.high.mass_per_length) / 2 * m.gravity * (factored ? m.weight_factor : 1);
+    N += above * (s.low.mass_per_length + s.high.mass_per_length) / 2 * m.gravity * (factored ? c.weight_factor : 1);
   }
   return N;
 }

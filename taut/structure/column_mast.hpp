@@ -34,14 +34,14 @@ struct MastCombination {
   std::string words;
   std::vector<MastLoad> loads;  ///< as they are
   std::vector<double> factors;  ///< of each load: partial factor times dynamic factor
+  double weight_factor = 1;     ///< of its own weight: partial factor
 };
 
 struct ColumnMast {
   std::vector<MastPiece> pieces;  ///< from the base
   bool clamped_base = true;
   double top_stiffness = 0;  ///< of guys, both ways, N/m; infinite: the top does not move
-  bool own_weight = false;   ///< each piece's mass times gravity, with `weight_factor`
-  double weight_factor = 1;
+  bool own_weight = false;   ///< each piece's mass times gravity, with the combination's `weight_factor`
   double gravity = standard_gravity;
   double E = 210e9;
   PartialFactors gamma;

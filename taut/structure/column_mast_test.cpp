@@ -245,7 +245,7 @@ TEST(ColumnMast, OfAPulledMastTheGivenSwayCounts) {
 TEST(ColumnMast, OwnWeight) {
   ColumnMast m = cantilever("CHS 508x16", 8, 0, 10e3);
   m.own_weight = true;
-  m.weight_factor = 1.35;
+  m.combinations[0].weight_factor = 1.35;
   const auto r = column_mast(m);
   EXPECT_NEAR(r.cases[0].stations[0].design.N, 1.35 * 8 * 9.80665 * m.pieces[0].section.mass_per_length, 1e-3);
   EXPECT_NEAR(r.cases[0].stations[0].service.N, 8 * 9.80665 * m.pieces[0].section.mass_per_length, 1);

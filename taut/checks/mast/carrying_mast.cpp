@@ -110,13 +110,18 @@ class Combinations {
         const bool known = std::any_of(own.begin(), own.end(), [&](const auto& t) { return t.name == l.load_case; });
         if (!known) own.push_back({l.load_case, request_.load_factor});
       }
+      if (request_.own_weight) own.push_back({std::string(weight_term), request_.load_factor});
       for (const std::string& analysis : analyses())
         add_states("", own, {.name = analysis, .factor = request_.load_factor});
       return own_;
     }
     for (const MastCombinationRequest& c : request_.combinations) {
       std::vector<MastTerm> own, of_states;
-      for (const MastTerm& t : c.terms) (is_load(t.name) ? own : of_states).push_back(t);
+      for (const MastTerm& t : c.terms) {
+        if (!is_weight(t)) (is_load(t.name) ? own : of_states).push_back(t);
+      }
+      // named, because the factors of the states may be without the dynamic one
+      if (request_.own_weight) own.push_back({std::string(weight_term), weight_factor(c.terms)});
       for (const MastTerm& t : of_states) add_states(c.name + ": ", own, t);
       if (of_states.empty()) own_.combinations.push_back(c);
     }
@@ -124,6 +129,7 @@ class Combinations {
   }
 
  private:
+  bool is_weight(const MastTerm& term) const { return request_.own_weight && term.name == weight_term; }
   bool is_load(const std::string& name) const {
     return std::any_of(request_.loads.begin(), request_.loads.end(),
                        [&](const auto& l) { return l.load_case == name; });

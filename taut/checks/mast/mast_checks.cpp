@@ -283,6 +283,20 @@ tl::expected<MastMaterial, Complaint> mast_material(const MastCheckRequest& requ
   return *mast_material(request, *row, steel);
 }
 
+namespace {
+
+/// Of a mast whose own weight counts: with which factors.
+std::string weight_words(const MastCheckRequest& request) {
+  if (request.combinations.empty()) return fmt::format("own weight times {:.4g}", request.load_factor);
+  std::vector<std::string> each;
+  for (const MastCombinationRequest& c : request.combinations) {
+    each.push_back(fmt::format("{:.4g} ({})", weight_factor(c.terms), c.name));
+  }
+  return fmt::format("own weight times {}", fmt::join(each, ", "));
+}
+
+}  // namespace
+
 std::string factor_words(const MastCheckRequest& request, const MastReport& report) {
   std::string words = fmt::format("{}: ", report.name);
   if (request.combinations.empty()) {
@@ -292,6 +306,7 @@ std::string factor_words(const MastCheckRequest& request, const MastReport& repo
   } else {
     words += "EN 1993-1-1 with forces times the partial factors of 'combinations'";
   }
+  if (request.own_weight) words += fmt::format(", {} without dynamic factor", weight_words(request));
   words += fmt::format(", dynamic factor {:.4g}, strength over gamma_M0 = {:.4g}, gamma_M1 = {:.4g}",
                        request.dynamic_factor, request.gamma_M0, request.gamma_M1);
   if (request.wall_tolerance > 0) words += fmt::format(", walls {:.3g} % thinner", request.wall_tolerance * 100);
@@ -315,6 +330,7 @@ void add_mast_report(const MastCheckRequest& request, const MastReport& report, 
   for (const std::string& analysis : report.left_out) {
     r.unjudged.push_back(fmt::format("{} in '{}', which none of its combinations names", report.name, analysis));
   }
+  if (!report.relieved.empty()) r.warnings.push_back(fmt::format("{}: {}", report.name, report.relieved));
   const bool factored = request.load_factor != 1 || !request.combinations.empty();
   if (!factored) {
     r.warnings.push_back(

@@ -2,6 +2,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <string_view>
 #include <tl/expected.hpp>
 #include <vector>
 
@@ -43,6 +44,7 @@ struct MastReport {
   structure::LoadedMast loaded;
   std::vector<MastMaterial> materials;  ///< by part
   std::string refused;                  ///< why there are no forces
+  std::string relieved;                 ///< a combination in which its own weight relieves it by too much
   std::set<std::string> left_out;       ///< analyses with states that no combination names
   std::vector<std::string> words;       ///< how it was computed
   structure::MastOf in_section;         ///< the same mast in another section, for `choose`
@@ -69,6 +71,11 @@ void complain_of_own_mast(const MastCheckRequest& request, const std::string& pa
 
 /// Partial factors in two places.
 void refuse_both_factors(const MastCheckRequest& request, const std::string& path, std::vector<Complaint>& complaints);
+
+/// The term of a combination that names the mast's own weight.
+inline constexpr std::string_view weight_term = "own_weight";
+/// Partial factor of the own weight in a combination: that of its term `own_weight`, else the largest of its factors.
+double weight_factor(const std::vector<MastTerm>& terms);
 
 /// Such a mast, solved. `loads`: in place of those in the request; `gravity`: of its own weight, m/s2.
 MastReport own_mast(const MastCheckRequest& request, const std::vector<MastLoadRequest>& loads,

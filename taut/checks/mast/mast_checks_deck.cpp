@@ -54,8 +54,10 @@ const Description& MastTerm::describe() {
 const Description& MastCombinationRequest::describe() {
   static const Description d =
       Describe<MastCombinationRequest>()
-          .named_records(&MastCombinationRequest::terms, "terms",
-                         "load cases, of a machine one analysis, each with its partial factor: `{work: 1.5}`")
+          .named_records(
+              &MastCombinationRequest::terms, "terms",
+              "load cases, of a machine one analysis, each with its partial factor: `{work: 1.5}`; 'own_weight' "
+              "names the weight of a mast with 'own_weight: true', whose factor is else the largest")
           .shorthand("factor")
           .rest();
   return d;
@@ -95,7 +97,10 @@ void add_own_mast(Describe<MastCheckRequest>& d) {
              "motion of the deck")
       .field(&R::foot, "foot", "", si::m, "its base, x, y, z; with 'carries'")
       .field(&R::towards, "towards", "", si::one, "horizontal direction in which its strong axis bends; with 'carries'")
-      .field(&R::own_weight, "own_weight", "true: the weight of such a mast counts, with 'load_factor'")
+      .field(
+          &R::own_weight, "own_weight",
+          "true: the weight of such a mast counts, times 'load_factor', or its factor in each of 'combinations', not "
+          "times 'dynamic_factor'")
       .field(&R::sway, "sway", "phi", si::one, "inclination as built; default: by (5.5) of EN 1993-1-1")
       .at_least(0)
       .at_most(0.1)

@@ -34,11 +34,13 @@ std::vector<std::string> cases_of(const std::vector<MastLoadRequest>& loads) {
   return names;
 }
 
-/// One combination: loads of its cases with their factors.
+/// One combination: loads of its cases with their factors, its own weight with its own. The dynamic factor is of what
+/// moves: not of the weight.
 MastCombination combination(const MastCheckRequest& request, const std::vector<MastLoadRequest>& loads,
                             const std::string& words, const std::vector<MastTerm>& terms) {
   MastCombination c;
   c.words = words;
+  c.weight_factor = weight_factor(terms);
   const double height = height_of(request);
   for (const MastTerm& term : terms) {
     for (const MastLoadRequest& l : loads) {
@@ -70,7 +72,6 @@ ColumnMast own_column(const MastCheckRequest& request, const std::vector<MastLoa
   m.clamped_base = request.base == MastBase::clamped;
   m.top_stiffness = request.top_stiffness;
   m.own_weight = request.own_weight;
-  m.weight_factor = request.load_factor;
   m.gamma = {.M0 = request.gamma_M0, .M1 = request.gamma_M1};
   m.curve = curve_of(request);
   m.sway = request.sway;
@@ -78,6 +79,44 @@ ColumnMast own_column(const MastCheckRequest& request, const std::vector<MastLoa
   m.C_m = request.C_m;
   m.combinations = combinations_of(request, loads);
   return m;
+}
+
+/// Whether the loads of a combination, without its own weight, pull the mast at some height.
+bool pulls(const MastCombination& c) {
+  for (const structure::MastLoad& at : c.loads) {
+    double N = 0;
+    for (std::size_t i = 0; i < c.loads.size(); ++i) {
+      if (c.loads[i].height >= at.height) N += c.factors[i] * c.loads[i].down;
+    }
+    if (N < 0) return true;
+  }
+  return false;
+}
+
+/// Of two combinations: the same loads with the same factors.
+bool same_loads(const MastCombination& a, const MastCombination& b) {
+  if (a.factors != b.factors) return false;
+  for (std::size_t i = 0; i < a.loads.size(); ++i) {
+    if (a.loads[i].height != b.loads[i].height || a.loads[i].down != b.loads[i].down) return false;
+  }
+  return true;
+}
+
+/// Where loads pull, the weight relieves: a factor above 1 on it is then on the unsafe side, EN 1990, table A1.2 (B).
+std::string relieved(const ColumnMast& m) {
+  if (!m.own_weight) return {};
+  for (const MastCombination& c : m.combinations) {
+    if (c.weight_factor <= 1 || !pulls(c)) continue;
+    const bool also_light =
+        std::any_of(m.combinations.begin(), m.combinations.end(),
+                    [&](const MastCombination& other) { return other.weight_factor <= 1 && same_loads(c, other); });
+    if (also_light) continue;
+    return fmt::format(
+        "the loads of '{}' pull it, where its weight relieves, and that counts {:.4g} times: add a "
+        "combination with 'own_weight' of at most 1",
+        c.words, c.weight_factor);
+  }
+  return {};
 }
 
 void use_length(const MastCheckRequest& request, structure::LoadedMast& m) {
@@ -127,6 +166,14 @@ void complain_of_loads(const MastCheckRequest& request, const std::string& path,
     }
   }
   std::vector<std::string> known = cases_of(request.loads);
+  if (request.own_weight) {
+    if (std::find(known.begin(), known.end(), weight_term) != known.end()) {
+      complaints.push_back({path + ".loads", fmt::format("'{}' is the weight of the mast: give the load case "
+                                                         "another name",
+                                                         weight_term)});
+    }
+    known.emplace_back(weight_term);
+  }
   known.insert(known.end(), analyses.begin(), analyses.end());
   for (const MastCombinationRequest& c : request.combinations) {
     const std::string at = fmt::format("{}.combinations.{}", path, c.name);
@@ -134,8 +181,10 @@ void complain_of_loads(const MastCheckRequest& request, const std::string& path,
     for (const MastTerm& t : c.terms) {
       if (std::find(known.begin(), known.end(), t.name) != known.end()) continue;
       complaints.push_back({fmt::format("{}.{}", at, t.name),
-                            fmt::format("no load{} is of case '{}'{}", analyses.empty() ? "" : " or analysis", t.name,
-                                        did_you_mean(t.name, known))});
+                            t.name == weight_term
+                                ? std::string("is the weight of the mast, which needs 'own_weight: true'")
+                                : fmt::format("no load{} is of case '{}'{}", analyses.empty() ? "" : " or analysis",
+                                              t.name, did_you_mean(t.name, known))});
     }
   }
 }
@@ -177,8 +226,20 @@ void complain_of_own_mast(const MastCheckRequest& request, const std::string& pa
 }
 
 void refuse_both_factors(const MastCheckRequest& request, const std::string& path, std::vector<Complaint>& complaints) {
-  if (request.combinations.empty() || request.load_factor == 1 || request.own_weight) return;
-  complaints.push_back({path + ".load_factor", "'combinations' have the partial factors already"});
+  if (request.combinations.empty() || request.load_factor == 1) return;
+  complaints.push_back(
+      {path + ".load_factor", request.own_weight ? "'combinations' have the partial factors already, of the weight by "
+                                                   "the name 'own_weight'"
+                                                 : "'combinations' have the partial factors already"});
+}
+
+double weight_factor(const std::vector<MastTerm>& terms) {
+  double largest = 0;
+  for (const MastTerm& t : terms) {
+    if (t.name == weight_term) return t.factor;
+    largest = std::max(largest, t.factor);
+  }
+  return largest;
 }
 
 MastReport own_mast(const MastCheckRequest& request, const std::vector<MastLoadRequest>& loads, double gravity) {
@@ -190,6 +251,7 @@ MastReport own_mast(const MastCheckRequest& request, const std::vector<MastLoadR
     report.materials.push_back(std::move(found.material));
     column.pieces.push_back(std::move(found.piece));
   }
+  report.relieved = relieved(column);
   structure::ColumnMastResult solved = column_mast(column);
   report.refused = solved.refused;
   report.loaded = {.mast = std::move(solved.mast), .cases = std::move(solved.cases)};
