@@ -111,6 +111,9 @@ Vector3 farthest_from_chord(const solve::BeamResult& b) {
   return farthest;
 }
 
+/// A beam that no factor within the range of the analysis makes buckle presses nothing.
+bool presses(const solve::BeamResult& beam) { return std::isfinite(beam.critical_factor); }
+
 /// Whether the state contains the imperfections that make (6.61) needless, EN 1993-1-1, 5.2.2 (7) a: sway and bow of
 /// 5.3.2 in the direction in which the beam bends (5.3.1 (2)). What of them lies along the deflection counts.
 bool built_crooked(const Beam& beam, const machine::Beam& built, const MastMaterial& material,
@@ -126,6 +129,11 @@ bool built_crooked(const Beam& beam, const machine::Beam& built, const MastMater
   const auto of = curve.value_or(structure::curve_of(material.section, material.yield));
   return bow >= rounded * structure::bow_share(of, true) && sway >= rounded * structure::sway_of(built.length);
 }
+
+/// 1/alpha_cr of a mast: not less, not more than.
+struct Inverse {
+  double least = 0, most = 0;
+};
 
 /// One mast of the machine's beams.
 class MachineMast {
@@ -195,29 +203,44 @@ class MachineMast {
     return true;
   }
 
-  /// By the wall that counts: a thinner one takes from the stiffness at most in proportion.
-  double inverse_critical(const BeamState& state) const {
-    double sum = 0;
+  /// By the wall that counts: a thinner one takes from the stiffness at most in proportion. The factor of one beam is
+  /// for its own forces alone, those of the others as they are: that of the mast is at most the least of them, and at
+  /// least 1/sum(1/alpha) (Dunkerley). Where no other beam presses, it is that of all together, as found.
+  Inverse inverse_critical(const BeamState& state) const {
+    double sum = 0, largest = 1 / state.together;
     for (const solve::BeamResult& beam : state.beams) {
       const double alpha = beam.critical_factor;
-      if (std::isfinite(alpha) && alpha > 0) sum += 1 / alpha;
+      if (!std::isfinite(alpha) || alpha <= 0) continue;
+      sum += 1 / alpha;
+      largest = std::max(largest, 1 / alpha);
     }
-    return softer_ * std::max(sum, 1 / state.together);
+    return {.least = softer_ * largest, .most = softer_ * (state.alone ? largest : std::max(sum, largest))};
+  }
+
+  std::string buckles(double factor, const Inverse& inverse, const std::string& words) const {
+    const bool surely = factor * inverse.least >= 1;
+    return fmt::format(
+        "{}: under {:.4g} times its forces the mast {}, its critical factor is {}{:.4g}{}; "
+        "choose a stiffer section, shorten it, or guy it",
+        words, factor, surely ? "buckles" : "may buckle",
+        inverse.least == inverse.most ? ""
+        : surely                      ? "at most "
+                                      : "at least ",
+        1 / (surely ? inverse.least : inverse.most),
+        surely ? "" : " (a lower bound, from those of its beams by Dunkerley, because other beams press as well)");
   }
 
   /// The engine has bent the mast under its forces as they are, of second order by 1/(1 - 1/alpha) more than of first,
   /// alpha the critical factor; under `factor` times them it is 1/(1 - factor/alpha), EN 1993-1-1, (5.4). First order
   /// does where alpha/factor is 10 at least, 5.2.1 (3).
-  double magnified(double factor, double inverse, const std::string& words) {
+  double magnified(double factor, const Inverse& bounds, const std::string& words) {
+    const double inverse = bounds.most;
     bool second = true;
     for (const std::string& name : beams_of(request_)) {
       second = second && beam_named(deck_, name)->order == machine::description::Order::second;
     }
     if (factor * inverse >= 1) {
-      report_.refused = fmt::format(
-          "{}: under {:.4g} times its forces the mast buckles, its critical factor is {:.4g}; "
-          "choose a stiffer section, shorten it, or guy it",
-          words, factor, 1 / inverse);
+      report_.refused = buckles(factor, bounds, words);
       return 1;
     }
     const double all = 1 / (1 - factor * inverse);
@@ -230,10 +253,8 @@ class MachineMast {
     c.words = words;
     c.members = !built_crooked(state);
     const double all = factor * request_.dynamic_factor;
-    // each beam's factor is for its own forces alone: those of one mast buckle not before 1/sum(1/alpha) (Dunkerley),
-    // with beams that press beside it not before the factor of all
-    const double together = inverse_critical(state);
-    const double bends = magnified(all, together, words);
+    const Inverse inverse = inverse_critical(state);
+    const double bends = magnified(all, inverse, words);
     double height = 0;
     for (std::size_t i = 0; i < state.beams.size(); ++i) {
       const solve::BeamResult& b = state.beams[i];
@@ -245,8 +266,8 @@ class MachineMast {
       }
       height += lengths_[i];
     }
-    if (!request_.buckling_length && together > 0) {
-      for (const solve::BeamResult& b : state.beams) c.critical_force.push_back(b.compression / together);
+    if (!request_.buckling_length && inverse.most > 0) {
+      for (const solve::BeamResult& b : state.beams) c.critical_force.push_back(b.compression / inverse.most);
     }
     report_.loaded.cases.push_back(std::move(c));
   }
@@ -331,13 +352,22 @@ std::vector<MastStates> mast_states(const std::vector<MastCheckRequest>& masts, 
 
 namespace {
 
+/// See BeamState::alone.
+bool is_alone(const MastStates& mast, const solve::EquilibriumResult& state) {
+  for (std::size_t i = 0; i < state.beams.size(); ++i) {
+    const bool own = std::find(mast.beams.begin(), mast.beams.end(), i) != mast.beams.end();
+    if (!own && presses(state.beams[i])) return false;
+  }
+  return true;
+}
+
 /// See BeamState::together.
-double together_in(const solve::EquilibriumResult& state) {
+double together_in(const solve::EquilibriumResult& state, bool alone) {
   constexpr double apart = 0.99;  // of the weakest beam's own factor: from there on it buckles by itself
   double least = std::numeric_limits<double>::infinity();
   for (const solve::BeamResult& beam : state.beams) least = std::min(least, beam.critical_factor);
   const double all = state.beams.empty() ? least : state.beams.front().critical_together;
-  return all > 0 && all < apart * least ? all : std::numeric_limits<double>::infinity();
+  return all > 0 && (alone || all < apart * least) ? all : std::numeric_limits<double>::infinity();
 }
 
 }  // namespace
@@ -345,8 +375,12 @@ double together_in(const solve::EquilibriumResult& state) {
 void take(const CheckState& state, const CheckedDeck& deck, MastStates& mast) {
   if (!mast.request->carries.empty()) mast.carried.push_back(carried_by(*mast.request, state));
   if (mast.beams.empty() || state.rest == nullptr) return;
-  BeamState& one = mast.states.emplace_back(
-      BeamState{.words = state.words, .analysis = state.analysis, .beams = {}, .together = together_in(*state.rest)});
+  const bool alone = is_alone(mast, *state.rest);
+  BeamState& one = mast.states.emplace_back(BeamState{.words = state.words,
+                                                      .analysis = state.analysis,
+                                                      .beams = {},
+                                                      .together = together_in(*state.rest, alone),
+                                                      .alone = alone});
   for (const std::size_t beam : mast.beams) one.beams.push_back(state.rest->beams[beam]);
   if (!mast.request->top_criterion) return;
   const auto k = guy_stiffness(deck, state, beams_of(*mast.request).back() + ".top");

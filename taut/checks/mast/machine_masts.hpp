@@ -21,6 +21,9 @@ struct BeamState {
   /// Critical factor of all beams of the machine together, where they buckle before the weakest of them would with the
   /// others as they are; infinite: they do not press each other.
   double together = std::numeric_limits<double>::infinity();
+  /// No other beam of the machine presses: what buckles under growing forces is this mast, and `together` is the factor
+  /// of all as found.
+  bool alone = false;
 };
 
 /// A mast over all states that were shown.
