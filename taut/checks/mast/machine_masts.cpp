@@ -9,11 +9,14 @@
 #include "taut/base/suggest.hpp"
 #include "taut/catalogue/section_search.hpp"
 #include "taut/checks/guy/guy_checks.hpp"
+#include "taut/structure/column.hpp"
 
 namespace taut::checks {
 namespace {
 
 using machine::description::Beam;
+
+constexpr double as_rounded = 0.98;  // of a number that a deck gives in three digits
 
 std::size_t index_in(const machine::Model& model, const std::string& name) {
   const auto found =
@@ -114,12 +117,65 @@ Vector3 farthest_from_chord(const solve::BeamResult& b) {
 /// A beam that no factor within the range of the analysis makes buckle presses nothing.
 bool presses(const solve::BeamResult& beam) { return std::isfinite(beam.critical_factor); }
 
+/// What may hold sections of beams sideways: ropes that run over or end at them, what touches or pushes them.
+bool holds(const machine::Model& model, int body) {
+  for (const machine::Reeving& rope : model.reevings) {
+    for (const machine::Node& node : rope.nodes) {
+      if (node.at.body == body) return true;
+    }
+    for (const machine::Guides& guides : rope.guides) {
+      for (const machine::Node& node : guides.all) {
+        if (node.at.body == body) return true;
+      }
+    }
+  }
+  return std::any_of(model.contacts.begin(), model.contacts.end(), [&](const auto& c) { return c.body == body; }) ||
+         std::any_of(model.faces.begin(), model.faces.end(), [&](const auto& f) { return f.body == body; }) ||
+         std::any_of(model.actuators.begin(), model.actuators.end(),
+                     [&](const auto& a) { return a.from_body == body || a.to_body == body; });
+}
+
+/// Whether another beam begins or ends at a section.
+bool meets_another(const machine::Model& model, const machine::Beam& own, int body) {
+  return std::any_of(model.beams.begin(), model.beams.end(), [&](const machine::Beam& other) {
+    return &other != &own && (other.pieces.front().start.body == body || other.pieces.back().end.body == body);
+  });
+}
+
+/// Whether the mast goes on from this end of a beam as another beam.
+bool goes_on(const machine::Model& model, const machine::Beam& beam, int body) {
+  if (body == machine::ground || !model.bodies[body].beam) return false;
+  return &model.beams[*model.bodies[body].beam] != &beam || meets_another(model, beam, body);
+}
+
+/// Whether the bow of a beam is that of the member that buckles, EN 1993-1-1, 5.3.2 (3) b, one half wave from where the
+/// mast is held to where it is held next. `inverse`: 1/alpha_cr of the mast, not too small. Where the mast goes on as
+/// another beam, its buckling length pi sqrt(EI/(alpha N)) must not be longer than this beam; where something may hold
+/// the beam between its ends, not shorter. There alpha is that of the beam's own forces, which is not below the mast's.
+bool bow_spans_member(const machine::Model& model, const machine::Beam& built, const solve::BeamResult& b,
+                      double inverse) {
+  if (b.compression <= 0) return true;
+  const auto& pieces = built.pieces;
+  const structure::BeamSection& section = pieces.front().rod.section;
+  const double weak = std::min(section.EI_x, section.EI_y), strong = std::max(section.EI_x, section.EI_y);
+  if (goes_on(model, built, pieces.front().start.body) || goes_on(model, built, pieces.back().end.body)) {
+    if (inverse <= 0) return false;
+    if (structure::buckling_length(strong, 1 / inverse, b.compression) > built.length / as_rounded) return false;
+  }
+  bool held = false;
+  for (std::size_t i = 1; i < pieces.size(); ++i) {
+    const int body = pieces[i].start.body;
+    held = held || holds(model, body) || meets_another(model, built, body);
+  }
+  if (!held) return true;
+  return presses(b) && structure::buckling_length(weak, b.critical_factor, b.compression) >= as_rounded * built.length;
+}
+
 /// Whether the state contains the imperfections that make (6.61) needless, EN 1993-1-1, 5.2.2 (7) a: sway and bow of
 /// 5.3.2 in the direction in which the beam bends (5.3.1 (2)). What of them lies along the deflection counts.
 bool built_crooked(const Beam& beam, const machine::Beam& built, const MastMaterial& material,
                    std::optional<structure::Curve> curve, const solve::BeamResult& b) {
   if (beam.order != machine::description::Order::second || !beam.imperfection) return false;
-  constexpr double rounded = 0.98;  // of a number that a deck gives in three digits
   const auto along = [&](const Vector3& moved) {
     const double size = moved.norm();
     return size > 0 ? imperfection_sense(beam, built).dot(moved) / size : 0;
@@ -127,7 +183,7 @@ bool built_crooked(const Beam& beam, const machine::Beam& built, const MastMater
   const double bow = beam.imperfection->bow.value_or(0) * along(farthest_from_chord(b));
   const double sway = beam.imperfection->sway.value_or(0) * along(b.points.back().deflection);
   const auto of = curve.value_or(structure::curve_of(material.section, material.yield));
-  return bow >= rounded * structure::bow_share(of, true) && sway >= rounded * structure::sway_of(built.length);
+  return bow >= as_rounded * structure::bow_share(of, true) && sway >= as_rounded * structure::sway_of(built.length);
 }
 
 /// 1/alpha_cr of a mast: not less, not more than.
@@ -195,10 +251,12 @@ class MachineMast {
   }
 
   bool built_crooked(const BeamState& state) const {
+    const double inverse = inverse_critical(state).most;
     for (std::size_t i = 0; i < state.beams.size(); ++i) {
       const Beam& beam = *beam_named(deck_, beams_of(request_)[i]);
       const machine::Beam& built = model_.beams[mast_.beams[i]];
       if (!checks::built_crooked(beam, built, report_.materials[i], curve_of(request_), state.beams[i])) return false;
+      if (!bow_spans_member(model_, built, state.beams[i], inverse)) return false;
     }
     return true;
   }
@@ -280,7 +338,8 @@ class MachineMast {
         crooked ? "sections are checked in the bent shape with sway and bow as built of EN 1993-1-1, 5.3.2, so that "
                   "(6.61) is not asked for (5.2.2 (7) a)"
                 : "(6.61) is asked for beside the sections in states without bow and sway as built of EN 1993-1-1, "
-                  "5.3.2, in the direction of the bending; of second-order moments that is on the safe side",
+                  "5.3.2, in the direction of the bending, the bow from hold to hold of the mast; of second-order "
+                  "moments that is on the safe side",
         request_.buckling_length ? "from 'buckling_length'" : "from the critical load of the whole machine"));
   }
 

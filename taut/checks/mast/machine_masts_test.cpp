@@ -13,6 +13,44 @@ namespace taut::checks::machine_masts_test {
 
 using namespace taut_test;
 
+/// 20 m on a hinge, guyed at its top and, with `middle`, at half its height; pushed at a quarter.
+Result guyed(const std::string& bow, bool middle, const std::string& more = "") {
+  std::string guys;
+  for (int i = 1; i <= 3; ++i) {
+    guys += fmt::format("    g{0}: {{rope: guy, from: mast.top, to: a{0}, install: {{tension: 14 kN, at: top}}}}\n", i);
+    if (middle)
+      guys += fmt::format("    m{0}: {{rope: guy, from: mid, to: a{0}, install: {{tension: 14 kN, at: top}}}}\n", i);
+  }
+  return run_text(fmt::format(
+      "taut: 1\nmachine:\n  ropes: {{guy: {{mass: 0 kg/m, stiffness: 20 MN, breaking_force: 279 kN}}}}\n"
+      "  points:\n    foot: [0 m, 0 m, 0 m]\n    head: [0 m, 0 m, 20 m]\n    mid: {{body: mast, at: [0 m, 0 "
+      "m, 10 m]}}\n    quarter: {{body: mast, at: [0 m, 0 m, 5 m]}}\n    a1: [-20 m, 0 m, 0 m]\n    a2: [10 "
+      "m, 17.32 m, 0 m]\n    a3: [10 m, -17.32 m, 0 m]\n{}  beams: {{mast: {{from: foot, to: head, section: "
+      "CHS 139.7x6.3, steel: S355, base: hinge, mass: 0 kg/m, imperfection: {{bow: {}, sway: 0.012, towards: "
+      "[1, 0, 0]}}}}}}\n  guys:\n{}  loads:\n    - {{at: mast.top, force: [{} kN, 0 kN, -{} kN]}}\n    - "
+      "{{at: quarter, force: [{} kN, 0 kN, 0 kN]}}\nanalyses: [{{equilibrium: {{}}}}]\nchecks: {{guys: "
+      "{{guy: {{safety_factor: 3, pretension: [0.001, 0.2], may_go_slack: true}}}}, masts: {{mast: "
+      "{{load_factor: 1.0}}}}}}\n",
+      more, bow, guys, 5, middle ? 70 : 10, middle ? 3.6 : 0.4));
+}
+
+// A half wave over 20 m has no bow in a bay of 10 m that buckles by itself: (6.61) is asked for, however large it is.
+TEST(MachineMasts, OneBowOverTwoBaysIsNoneOfABay) {
+  for (const char* bow : {"0.0032", "0.00334"}) {
+    const Result r = guyed(bow, true);
+    ASSERT_TRUE(has_check(r, "mast.member")) << r.message << to_text(r.errors);
+    EXPECT_GT(check_of(r, "mast.member").value, 1.5);
+  }
+}
+
+// Where only a load stands between its ends, it is the member's, 5.2.2 (7) a.
+TEST(MachineMasts, OneBowFromHoldToHoldIsThatOfTheMember) {
+  EXPECT_TRUE(has_check(guyed("0.0032", false), "mast.member"));
+  const Result r = guyed("0.00334", false);
+  EXPECT_TRUE(has_check(r, "mast.section")) << r.message << to_text(r.errors);
+  EXPECT_FALSE(has_check(r, "mast.member"));
+}
+
 /// A cantilever of 8 m in `parts` beams, `down` N at its top; `more` beams beside it.
 Result upright(int parts, double down, double factor, const std::string& imperfection = "", bool strut = false) {
   std::string points, beams, names;
@@ -52,6 +90,13 @@ TEST(MachineMasts, BesideOthersThatPressABoundIsCalledOne) {
   const std::string rule = check_of(r, "all.section").rule;
   EXPECT_NE(rule.find("the mast may buckle, its critical factor is at least 1.62"), std::string::npos) << rule;
   EXPECT_NE(rule.find("Dunkerley"), std::string::npos) << rule;
+}
+
+// The bows of the parts of a member that nothing holds where they meet are none of the member.
+TEST(MachineMasts, BowsOfPartsAreNoneOfTheMember) {
+  const std::string crooked = ", imperfection: {bow: -0.004, sway: 0.006, towards: [1, 0, 0]}";
+  EXPECT_FALSE(has_check(upright(1, 100e3, 1.2, crooked), "all.member"));
+  EXPECT_TRUE(has_check(upright(2, 100e3, 1.2, crooked), "all.member"));
 }
 
 }  // namespace taut::checks::machine_masts_test
