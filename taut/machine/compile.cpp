@@ -61,6 +61,7 @@ class Compiler {
     for (const auto& given : machine_.carriages) model_.bodies.push_back(body_of(given));
     if (complaints_.empty()) {
       for (const StraightBeam& beam : links_.beams().in_order()) add_beam(model_, beam);
+      warm_beams(model_);
     }
     check_axes();
     check_holds(machine_, complaints_);

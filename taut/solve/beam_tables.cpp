@@ -52,6 +52,7 @@ void fill_points(const mechanics::System& s, const mechanics::Configuration& c, 
     const RodState start = mechanics::piece_start(s, c, k);
     structure::RodPiece bare = piece.rod;
     bare.section.weight = 0;
+    bare.thermal_strain = 0;
     bare.order = structure::BeamOrder::second;
     if (piece.rod.from == 0) {
       const bool moves = piece.reference != machine::ground;

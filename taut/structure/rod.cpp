@@ -64,7 +64,7 @@ class Equation {
     const BeamSection& b = piece_.section;
     const Matrix3 R = quaternion(p.q).normalized().toRotationMatrix();
     const Vector3 c = compliance(b), d = R.col(2);
-    const double stretch = p.force.dot(d) / b.EA;
+    const double stretch = p.force.dot(d) / b.EA + piece_.thermal_strain;
     const Vector3 along = (1 + stretch) * d;
     const Vector3 curvature = c.cwiseProduct(R.transpose() * p.moment) + built_curvature(piece_.bow, s);
     if (v != nullptr) {
@@ -91,7 +91,7 @@ class Equation {
     const Matrix3 A = built(s);
     const Vector3 d = A.col(2);
     const Matrix3 C = A * compliance(b).asDiagonal() * A.transpose();
-    const double stretch = p.force.dot(d) / b.EA;
+    const double stretch = p.force.dot(d) / b.EA + piece_.thermal_strain;
     if (v != nullptr) {
       const auto turn = v->middleRows<3>(3), force = v->middleRows<3>(6), moment = v->bottomRows<3>();
       v_rate->topRows<3>() = -cross(d) * turn + d * (d.transpose() * force) / b.EA;

@@ -27,8 +27,9 @@ struct RodPiece {
   BeamSection section;
   Bow bow;
   BeamOrder order = BeamOrder::second;
-  double from = 0, to = 1;  ///< m
-  int steps = 16;           ///< of the classical Runge-Kutta method
+  double from = 0, to = 1;    ///< m
+  int steps = 16;             ///< of the classical Runge-Kutta method
+  double thermal_strain = 0;  ///< expansion coefficient times (temperature - that at which it is as built), > -1
 };
 
 /// State of a cross-section of a piece. `force`, `moment`: exerted by the part above on the part below. Second order:
@@ -43,10 +44,10 @@ struct RodState {
 };
 
 /// Integrates a state from the start of a piece to its end. Second order: a Kirchhoff-Love rod whose only load is its
-/// own weight w, rigid in shear: F' = w up, M' = -place' x F, place' = (1 + N/EA) d3, the axes turn with the curvatures
-/// M_1/EI_y, M_2/EI_x, M_3/GJ (Antman, Nonlinear Problems of Elasticity, ch. 8). First order: place' = d3 + turn x d3 +
-/// (F.d3/EA) d3, turn' = curvature of M, M' = -d3 x F, with d3 and the axes of the curvatures as built. `each`, if
-/// given, receives the states after each step.
+/// own weight w, rigid in shear: F' = w up, M' = -place' x F, place' = (1 + N/EA + thermal_strain) d3, the axes turn
+/// with the curvatures M_1/EI_y, M_2/EI_x, M_3/GJ (Antman, Nonlinear Problems of Elasticity, ch. 8). First order:
+/// place' = d3 + turn x d3 + (F.d3/EA + thermal_strain) d3, turn' = curvature of M, M' = -d3 x F, with d3 and the axes
+/// of the curvatures as built. `each`, if given, receives the states after each step.
 RodState along(const RodPiece& piece, const RodState& start, std::vector<RodState>* each = nullptr);
 
 /// d(end)/d(start), 12 x 12. Rows: place, turn, force, moment. Columns: a rotation of the start together with all axes

@@ -27,6 +27,19 @@ RodPiece piece(BeamOrder order) {
   return p;
 }
 
+// Without forces it is the same shape, larger.
+TEST(Rod, WarmedItIsLongerInProportion) {
+  for (const BeamOrder order : {BeamOrder::first, BeamOrder::second}) {
+    RodPiece p = piece(order);
+    p.section.weight = 0;
+    RodState start;
+    start.axes = turned({0.3, -0.2, 0.5});
+    const Vector3 cold = along(p, start).place;
+    p.thermal_strain = 1e-3;
+    EXPECT_LT((along(p, start).place - 1.001 * cold).norm(), 1e-12);
+  }
+}
+
 RodState start_of(BeamOrder order) {
   RodState s;
   s.place = {1, 2, 3};
@@ -39,7 +52,8 @@ RodState start_of(BeamOrder order) {
 
 TEST(Rod, RatesAreTheDifferences) {
   for (const BeamOrder order : {BeamOrder::first, BeamOrder::second}) {
-    const RodPiece p = piece(order);
+    RodPiece p = piece(order);
+    p.thermal_strain = 0.02;
     const RodState start = start_of(order);
     RodRates rates;
     const RodState end = along(p, start, rates);

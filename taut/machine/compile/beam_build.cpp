@@ -126,6 +126,7 @@ void add_beam(Model& model, const StraightBeam& b) {
     const double elements = std::ceil(b.elements * (end - from) - 1e-9);
     piece.section_every = static_cast<int>(std::max(2.0, std::ceil(least_steps * (end - from) / elements)));
     piece.rod.steps = piece.section_every * static_cast<int>(elements);
+    piece.rod.thermal_strain = b.thermal_strain;
     piece.start = start;
     piece.start_axes = in_body(model, start.body, section.axes);
     piece.reference = b.from.body;
@@ -133,6 +134,7 @@ void add_beam(Model& model, const StraightBeam& b) {
     piece.start_hold = from == 0 ? b.base : BeamHold::clamped;
     structure::RodPiece bare = piece.rod;
     bare.section.weight = 0;
+    bare.thermal_strain = 0;
     bare.order = structure::BeamOrder::second;
     section = along(bare, section);
     section.axes = axis.bow.axes(axis.chord, end * length);
@@ -151,6 +153,22 @@ void add_beam(Model& model, const StraightBeam& b) {
     beam.pieces.push_back(piece);
   }
   model.beams.push_back(std::move(beam));
+}
+
+void warm_beams(Model& model) {
+  // each beam stands behind the one on which it begins
+  Array<Vector3> moved(model.bodies.size(), Vector3(Vector3::Zero()));
+  for (std::size_t i = 0; i < model.beams.size(); ++i) {
+    const Place& from = model.beams[i].pieces.front().start;
+    const Vector3 start = in_ground(model, from);
+    for (const BeamPiece& piece : model.beams[i].pieces) {
+      const int end = piece.end.body;
+      if (end == ground || model.bodies[end].beam != static_cast<int>(i)) continue;
+      moved[end] = piece.rod.thermal_strain * (model.bodies[end].position - start);
+      if (from.body != ground) moved[end] += moved[from.body];
+    }
+  }
+  for (std::size_t i = 0; i < model.bodies.size(); ++i) model.bodies[i].position += moved[i];
 }
 
 }  // namespace taut::machine

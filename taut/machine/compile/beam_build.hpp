@@ -23,6 +23,7 @@ struct StraightBeam {
   double bow = 0;                    ///< e/L of a half wave of sine, free of stress
   double sway = 0;                   ///< inclination of the whole beam as built, tan; of a free top
   Vector3 sense = Vector3::UnitX();  ///< of bow and sway; what of it is across the axis counts
+  double thermal_strain = 0;         ///< structure::RodPiece; places are given without it
   /// Where it is cut, as `cuts_of` has them: where something is fixed to it. Shares of its length in (0, 1), growing.
   Array<double> stations = {};
 };
@@ -35,5 +36,9 @@ Array<double> cuts_of(const StraightBeam& beam, double length);
 /// by its ends are there already, where they stand as built. The bodies' origins lie on the axis as built, their axes
 /// are those of the ground frame.
 void add_beam(Model& model, const StraightBeam& beam);
+
+/// Moves the sections of all beams to where they are at their temperature before anything acts: guys are put up there.
+/// What stands on a beam by a body of the deck stays where that is.
+void warm_beams(Model& model);
 
 }  // namespace taut::machine

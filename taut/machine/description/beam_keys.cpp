@@ -65,6 +65,11 @@ const Description& Beam::describe() {
           .at_least(0)
           .at_most(1e6)
           .field(&Beam::steel, "steel", "steel grade, for the check of the stress, as 'taut list steels' shows it")
+          .field(&Beam::expansion, "expansion", "a", si::per_K, "thermal expansion (EN 1993-1-1, 3.2.6)")
+          .at_least(0)
+          .field(&Beam::reference_temperature, "reference_temperature", "", si::K.in("degC"),
+                 "temperature at which it reaches from 'from' to 'to' without stress; default: that of the machine")
+          .at_least(0)
           .field(&Beam::strong, "strong", "", si::one,
                  "direction of bending about its strong axis; default: upwards for a horizontal beam, x for a vertical "
                  "one")

@@ -35,6 +35,8 @@ struct Beam {
   double E = 210e9;                    ///< Pa
   std::optional<double> mass;          ///< kg/m; default: the catalogue's, or A times 7850 kg/m3
   std::optional<std::string> steel;
+  double expansion = 12e-6;                     ///< 1/K, EN 1993-1-1, 3.2.6
+  std::optional<double> reference_temperature;  ///< K
   std::optional<Triple> strong;
   int elements = 16;
   BeamBase base = BeamBase::clamped;

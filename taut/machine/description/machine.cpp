@@ -11,7 +11,7 @@ const Description& Machine::describe() {
           .at_most(1e4)
           .at_least(0)
           .field(&Machine::temperature, "temperature", "", si::K.in("degC"),
-                 "temperature of all ropes, such as 15 degC")
+                 "temperature of all ropes and beams, such as 15 degC")
           .at_least(0)
           .named_records(&Machine::points, "points", "points of the ground or of a body")
           .shorthand("at")

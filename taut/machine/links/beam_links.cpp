@@ -20,10 +20,13 @@ constexpr double at_an_end = 5e-4;  ///< of the length, as the least piece of a 
 std::string path_of(const std::string& beam, const char* key) { return fmt::format("beams.{}.{}", beam, key); }
 
 /// Fills what does not depend on places.
-StraightBeam straight(const description::Beam& given, double gravity, std::vector<Complaint>& complaints) {
+StraightBeam straight(const Machine& machine, const description::Beam& given, std::vector<Complaint>& complaints) {
   StraightBeam b;
   b.name = given.name;
-  b.section = section_of(given, gravity, complaints);
+  b.section = section_of(given, machine.gravity, complaints);
+  if (machine.temperature) {
+    b.thermal_strain = given.expansion * (*machine.temperature - *reference_of(machine, given));
+  }
   b.order = given.order == description::Order::first ? structure::BeamOrder::first : structure::BeamOrder::second;
   b.base = given.base == description::BeamBase::hinge ? BeamHold::hinged : BeamHold::clamped;
   b.elements = given.elements;
@@ -41,10 +44,14 @@ double size_across(const Vector3& v, const Vector3& way) {
 
 }  // namespace
 
+std::optional<double> reference_of(const Machine& machine, const description::Beam& beam) {
+  return beam.reference_temperature ? beam.reference_temperature : machine.temperature;
+}
+
 BeamPlans::BeamPlans(const Machine& machine, int first_body, std::vector<Complaint>& complaints) : machine_(machine) {
   for (const auto& given : machine.beams) {
     Plan& plan = plans_.emplace_back();
-    plan.beam = straight(given, machine.gravity, complaints);
+    plan.beam = straight(machine, given, complaints);
     const auto twin = [&](const auto& all) {
       return std::any_of(all.begin(), all.end(), [&](const auto& one) { return one.name == given.name; });
     };

@@ -9,6 +9,10 @@
 
 namespace taut::machine {
 
+/// Temperature at which a beam is as long as between its places, K: its own, else that of the machine. Empty: nobody
+/// says one.
+std::optional<double> reference_of(const Machine& machine, const description::Beam& beam);
+
 /// The beams of a machine before they are built: where each begins and ends, where something is fixed to it, and the
 /// numbers of the bodies that its sections will be.
 class BeamPlans {

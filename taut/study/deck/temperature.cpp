@@ -8,6 +8,7 @@
 
 #include "taut/base/array.hpp"
 #include "taut/base/expects.hpp"
+#include "taut/machine/links/beam_links.hpp"
 #include "taut/units/any_quantity.hpp"
 
 namespace taut::study {
@@ -34,9 +35,22 @@ void set_temperature(machine::Model& model, const machine::Machine& machine, dou
     const auto reference = reference_of(machine, rope);
     if (reference) model.reevings[i].thermal_strain = rope.expansion * (temperature - *reference);
   }
+  for (machine::Beam& beam : model.beams) {
+    const auto given = std::find_if(machine.beams.begin(), machine.beams.end(),
+                                    [&](const auto& one) { return one.name == beam.name; });
+    expects(given != machine.beams.end(), "a compiled machine names its beams");
+    const auto reference = machine::reference_of(machine, *given);
+    if (!reference) continue;
+    for (machine::BeamPiece& piece : beam.pieces) {
+      piece.rod.thermal_strain = given->expansion * (temperature - *reference);
+    }
+  }
 }
 
 void keep_references(machine::Machine& machine, const std::optional<double>& before) {
+  for (auto& beam : machine.beams) {
+    if (!beam.reference_temperature) beam.reference_temperature = before;
+  }
   for (auto& rope : machine.ropes) {
     if (!rope.reference_temperature) rope.reference_temperature = before;
   }
@@ -49,6 +63,13 @@ void require_references(const machine::Machine& machine, const std::string& path
         {path, fmt::format("the length of rope '{}' holds at no temperature that is reported: give the "
                            "machine a 'temperature' or the rope a 'reference_temperature'",
                            rope.name)});
+  }
+  for (const auto& beam : machine.beams) {
+    if (machine::reference_of(machine, beam)) continue;
+    complaints.push_back(
+        {path, fmt::format("the length of beam '{}' holds at no temperature that is reported: give the machine a "
+                           "'temperature' or the beam a 'reference_temperature'",
+                           beam.name)});
   }
 }
 

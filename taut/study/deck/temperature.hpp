@@ -10,15 +10,16 @@
 
 namespace taut::study {
 
-/// All ropes at another temperature (K): their lengths at the reference temperature stay as they are. A rope without
-/// one of its own has its length at the machine's temperature.
+/// All ropes and beams at another temperature (K): their lengths at the reference temperature stay as they are. One
+/// without a reference of its own has its length at the machine's temperature.
 void set_temperature(machine::Model& model, const machine::Machine& machine, double temperature);
 
-/// Lengths of ropes without a reference temperature hold at the temperature (K) that the machine had before another one
-/// was put into it; nothing: it had none.
+/// Lengths of ropes and beams without a reference temperature hold at the temperature (K) that the machine had before
+/// another one was put into it; nothing: it had none.
 void keep_references(machine::Machine& machine, const std::optional<double>& before);
 
-/// Complains of ropes whose reference temperature nobody says, at `path`: other temperatures would change nothing.
+/// Complains of ropes and beams whose reference temperature nobody says, at `path`: other temperatures would change
+/// nothing.
 void require_references(const machine::Machine& machine, const std::string& path, std::vector<Complaint>& complaints);
 
 /// "-20 degC", for words.
