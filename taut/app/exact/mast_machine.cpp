@@ -125,6 +125,7 @@ machine::Model mast_machine(const Input& in, const std::vector<MastGuy>& guys, c
   mast.name = "mast";
   mast.to.at = {0, 0, mast_height(in)};
   mast.section = section;
+  mast.section.shear_x = mast.section.shear_y = {};  // the paper's condition, N/A + M/W, has no shear
   mast.base = in.base == mast_section::Base::hinged ? machine::BeamHold::hinged : machine::BeamHold::clamped;
   mast.elements = mast_elements;
   for (const MastGuy& guy : guys) mast.stations.push_back(guy.height / mast_height(in));
