@@ -1,6 +1,6 @@
 """Made from the descriptions by python/tools/make_stub.py; do not edit. `./dev python stub` makes it again.
 
-schema: 07d7572c7f1be1eaf80db25f1d5a79efeb1031e3d0df5f41536374fef0c7169a
+schema: 984d659f15ad4d2814b2237e375c205da3b3429a964bd39f618573aff819a1bf
 """
 
 from collections.abc import Mapping, Sequence
@@ -417,11 +417,15 @@ class Parts:
         I: Quantity | None = None,
         I_weak: Quantity | None = None,
         J: Quantity | None = None,
+        W_t: Quantity | None = None,
+        round: bool | None = None,
         W: Quantity | None = None,
         W_weak: Quantity | None = None,
         E: Quantity | None = None,
         mass: Quantity | None = None,
         steel: str | Quantity | None = None,
+        expansion: Quantity | None = None,
+        reference_temperature: Quantity | None = None,
         strong: Sequence[Quantity] | Mapping[str, Any] | None = None,
         elements: int | None = None,
         base: Literal["clamped", "hinge"] | None = None,
@@ -439,14 +443,22 @@ class Parts:
         I: m^4. second moment of area, for bending towards 'strong' (above 0 cm^4 and at most 1e10 cm^4).
         I_weak: m^4. second moment of area for the other direction; default: the same (above 0 cm^4 and at most 1e10 cm^4).
         J: m^4. torsion constant; default: I + I_weak, as of a round tube (above 0 cm^4 and at most 1e10 cm^4).
+        W_t: m^3. elastic torsion modulus, for the stress: torsion over it is the largest shear stress; default: not known,
+            of a round section 2 W (above 0 cm^3 and at most 1e8 cm^3).
+        round: true: a section by figures that is round, so that both bending moments add as vectors; default: their
+            stresses add, as in a corner. Default: false.
         W: m^3. elastic section modulus, for the stress (above 0 cm^3 and at most 1e8 cm^3).
         W_weak: m^3. elastic section modulus for the other direction; default: the same (above 0 cm^3 and at most 1e8 cm^3).
         E: Pa. modulus of elasticity; G = E/2.6 (above 0 GPa and at most 10000 GPa). Default: 210 GPa.
         mass: kg/m. mass per metre; default: that of the catalogue, or A times 7850 kg/m3 (at least 0 kg/m and at most
             1000000 kg/m).
         steel: steel grade, for the check of the stress, as 'taut list steels' shows it.
+        expansion: 1/K. thermal expansion (EN 1993-1-1, 3.2.6) (at least 0 1/K). Default: 1.2e-5 1/K.
+        reference_temperature: K. temperature at which it reaches from 'from' to 'to' without stress; default: that of the
+            machine (at least -273.15 degC).
         strong: direction of bending about its strong axis; default: upwards for a horizontal beam, x for a vertical one.
-        elements: number of intervals between reported sections (at least 1 and at most 256). Default: 16.
+        elements: number of intervals between the sections that tables show; the largest values are looked for at 48 or more
+            (at least 1 and at most 256). Default: 16.
         base: connection at 'from'; a hinge inclines in any direction but does not turn about the axis of the beam:
             `clamped`, `hinge`. Default: clamped.
         top: connection at 'to'; default: free where 'to' is a point of the ground, else clamped: `free`, `clamped`,

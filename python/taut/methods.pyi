@@ -1,6 +1,6 @@
 """Made from the descriptions by python/tools/make_stub.py; do not edit. `./dev python stub` makes it again.
 
-schema: 07d7572c7f1be1eaf80db25f1d5a79efeb1031e3d0df5f41536374fef0c7169a
+schema: 984d659f15ad4d2814b2237e375c205da3b3429a964bd39f618573aff819a1bf
 """
 
 from collections.abc import Mapping, Sequence
