@@ -156,6 +156,13 @@ Outcome put_up(const MachineDeck& deck, machine::Model& model, std::vector<study
   return {};
 }
 
+void add_payload_limits(const std::vector<study::Asked>& asked, results::MachineRun& run) {
+  for (const study::Asked& one : asked) {
+    const auto* payload = std::get_if<study::PayloadRun>(&one.question);
+    if (payload != nullptr && one.judged) run.checked->payloads.add(*payload, run.model);
+  }
+}
+
 /// All that was asked, as deep as wanted. `run`: what it rests on, for whoever goes on from there.
 Result compute(const MachineDeck& deck, machine::Model model, study::AskedAll asked, RunDepth depth,
                const std::function<bool(const Progress&)>& progress, results::MachineRun& run) {
@@ -186,10 +193,7 @@ Result compute(const MachineDeck& deck, machine::Model model, study::AskedAll as
     r.warnings.push_back(std::move(text));
   solve_states(deck, run, r);
   if (run.judges || !asked.more.empty()) run.checked = std::make_shared<checks::CheckedParts>(deck, run.model);
-  for (const study::Asked& one : asked.more) {
-    const auto* payload = std::get_if<study::PayloadRun>(&one.question);
-    if (payload != nullptr && one.judged) run.checked->payloads.add(*payload, run.model);
-  }
+  add_payload_limits(asked.more, run);
   if (run.judges) {
     results::show_put_up(run.model, lines, *run.checked);
     results::show_answers(run, *run.checked);

@@ -188,9 +188,9 @@ class Compiler {
     const RopeData* data = rope(given.rope, path + ".rope");
     if (data != nullptr) set_rope(reeving, *data, machine_.gravity);
     rope_of_reeving_.push_back(data == nullptr ? RopeData{} : *data);
-    set_given(machine_, model_, {.given = given, .rope = rope_of_reeving_.back(), .ropes = ropes_, .path = path},
-              reeving, complaints_);
-    stops_.push_back(stops_of(machine_, links_, given, rope_of_reeving_.back(), ropes_, path, complaints_));
+    const DescribedReeving described{.given = given, .rope = rope_of_reeving_.back(), .ropes = ropes_, .path = path};
+    set_given(machine_, model_, described, reeving, complaints_);
+    stops_.push_back(stops_of(machine_, links_, described, complaints_));
     model_.reevings.push_back(std::move(reeving));
   }
 

@@ -10,7 +10,6 @@ namespace beam_temperature_test {
 
 using namespace taut_test;
 using taut::Result;
-using taut::Status;
 using taut::Table;
 
 /// A pole, 30 m, and a rope beside it that plays no part; `beam`, `rope`, `machine`: more keys of each.

@@ -9,10 +9,6 @@
 namespace taut::results {
 namespace {
 
-using solve::BeamPoint;
-using solve::BeamResult;
-using solve::EquilibriumResult;
-
 constexpr double wanted_size = 0.06;  ///< of the drawing: the largest deflection
 constexpr double seen = 0.03;         ///< larger ones are seen as they are
 

@@ -41,7 +41,7 @@ StressPair farthest(const Ellipse& e) {
   return found.squaredNorm() >= end.squaredNorm() ? found : end;
 }
 
-const double by_shear = std::sqrt(3.0);
+constexpr double by_shear = std::numbers::sqrt3;
 
 PointStress stress_of(const StressPair& p) { return {.sigma = std::abs(p.x()), .tau = std::abs(p.y()) / by_shear}; }
 
@@ -117,8 +117,8 @@ PointStress most_stressed_point(const BeamSection& section, const SectionForces&
   const double twist = section.W_t > 0 ? std::abs(f.torsion) / section.W_t : 0;
   const StressPair all(std::abs(f.axial) / section.area, by_shear * twist);
   if (section.round) return stress_of(worst_of_tube(section, f, all));
-  const Way x{std::abs(f.bends_to_x) / section.W_x, std::abs(f.shear_x), section.shear_x};
-  const Way y{std::abs(f.bends_to_y) / section.W_y, std::abs(f.shear_y), section.shear_y};
+  const Way x{.sigma = std::abs(f.bends_to_x) / section.W_x, .V = std::abs(f.shear_x), .shear = section.shear_x};
+  const Way y{.sigma = std::abs(f.bends_to_y) / section.W_y, .V = std::abs(f.shear_y), .shear = section.shear_y};
   const StressPair along_x = worst_of_wall(x, y, all), along_y = worst_of_wall(y, x, all);
   return stress_of(along_x.squaredNorm() > along_y.squaredNorm() ? along_x : along_y);
 }

@@ -64,7 +64,7 @@ TEST(Beam, TheMostStressedPointOfATubeIsTheWorstOfAll) {
       const double sigma = std::abs(f.axial) / A + M / W * std::cos(at);
       for (const double sign : {-1, 1}) {
         const double tau = std::abs(f.torsion) / t.W_t + sign * 2 * V / A * std::sin(at - apart);
-        most = std::max(most, std::hypot(sigma, std::sqrt(3) * tau));
+        most = std::max(most, std::hypot(sigma, std::numbers::sqrt3 * tau));
       }
     }
     if (V == 0) most = std::abs(f.axial) / A;

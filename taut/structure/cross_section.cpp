@@ -62,13 +62,13 @@ struct Shear {
 template <class T>
 std::optional<T> torsion_share(Shared<T>& q, const SectionRow& r, double torsion, CrossSectionUse& u, Sheet<T>& s) {
   const double modulus = q.plastic ? 2 * enclosed_area(r) * r.thickness : torsion_modulus(r);
-  u.T_Rd = modulus * value(q.f_y) / sqrt(3.0) / value(q.gamma_M0);
+  u.T_Rd = modulus * value(q.f_y) / std::numbers::sqrt3 / value(q.gamma_M0);
   u.torsion = std::abs(torsion) / u.T_Rd;
   if (!counts_torsion(u.torsion)) return std::nullopt;
   const T W_t = s.named("W_t", si::m3, modulus), M_t = s.named("T_Ed", si::N_m, std::abs(torsion));
   const T T_Rd = s.eq("6.23", "T_Rd", si::N_m, W_t * q.f_y / sqrt(T(3.0)) / q.gamma_M0,
                       q.plastic ? "EN 1993-1-1, 6.2.7; W_t = 2 A_m t by Bredt" : "EN 1993-1-1, 6.2.7; W_t elastic");
-  const T eta = s.eq("6.23", "eta_T", si::one, M_t / T_Rd, "EN 1993-1-1, (6.23)");
+  T eta = s.eq("6.23", "eta_T", si::one, M_t / T_Rd, "EN 1993-1-1, (6.23)");
   q.f = s.eq("6.1", "f_T", si::Pa, q.f_y * sqrt(max(1 - square(eta), T(0.0))),
              "EN 1993-1-1, (6.1): what the shear of torsion leaves to N and M");
   return eta;
@@ -231,7 +231,7 @@ CrossSectionUse cross_section(const SteelSection& m, const CrossForces& f, Sheet
 double elastic_stress(const SectionRow& r, const CrossForces& f) {
   const double bending = r.shape == SectionShape::chs ? std::hypot(f.M_y, f.M_z) / r.W_el_y
                                                       : std::abs(f.M_y) / r.W_el_y + std::abs(f.M_z) / r.W_el_z;
-  return std::hypot(std::abs(f.N) / r.area + bending, std::sqrt(3.0) * f.torsion / torsion_modulus(r));
+  return std::hypot(std::abs(f.N) / r.area + bending, std::numbers::sqrt3 * f.torsion / torsion_modulus(r));
 }
 
 template CrossSectionUse cross_section(const SteelSection&, const CrossForces&, Sheet<double>&);

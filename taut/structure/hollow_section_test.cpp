@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "taut/base/expects.hpp"
 #include "taut/catalogue/section_search.hpp"
 

@@ -67,6 +67,22 @@ struct WeightSums {
   double kept_squares = 0, beyond_squares = 0, failed_squares = 0;
 };
 
+/// A sample with its margin, NaN where it failed.
+void take(double margin, double weight, ImportanceSampling& result, WeightSums& sums) {
+  if (std::isnan(margin)) {
+    ++result.failed;
+    sums.failed += weight;
+    sums.failed_squares += weight * weight;
+  } else if (margin < 0) {
+    ++result.beyond;
+    sums.beyond += weight;
+    sums.beyond_squares += weight * weight;
+  } else {
+    sums.kept += weight;
+    sums.kept_squares += weight * weight;
+  }
+}
+
 Weighted weighted(double value, double standard_error) {
   return {.value = value,
           .standard_error = standard_error,
@@ -204,21 +220,7 @@ ImportanceSampling importance_sampling(const LimitState& state, const Form& form
     Points points;
     for (std::uint64_t k = 0; k < block; ++k) points.push_back(sample_of(mixture, options.seed, result.samples + k));
     const std::vector<double> g = state.margins(points);
-    for (std::size_t k = 0; k < points.size(); ++k) {
-      const double w = weight_of(mixture, points[k]);
-      if (std::isnan(g[k])) {
-        ++result.failed;
-        sums.failed += w;
-        sums.failed_squares += w * w;
-      } else if (g[k] < 0) {
-        ++result.beyond;
-        sums.beyond += w;
-        sums.beyond_squares += w * w;
-      } else {
-        sums.kept += w;
-        sums.kept_squares += w * w;
-      }
-    }
+    for (std::size_t k = 0; k < points.size(); ++k) take(g[k], weight_of(mixture, points[k]), result, sums);
     result.samples += block;
     sums.n = static_cast<double>(result.samples);
     variation = by_kept ? estimate_kept(result, sums) : estimate_beyond(result, sums);

@@ -104,17 +104,7 @@ class Combinations {
   }
 
   MastCheckRequest all() {
-    if (request_.combinations.empty()) {
-      std::vector<MastTerm> own;
-      for (const MastLoadRequest& l : request_.loads) {
-        const bool known = std::any_of(own.begin(), own.end(), [&](const auto& t) { return t.name == l.load_case; });
-        if (!known) own.push_back({l.load_case, request_.load_factor});
-      }
-      if (request_.own_weight) own.push_back({std::string(weight_term), request_.load_factor});
-      for (const std::string& analysis : analyses())
-        add_states("", own, {.name = analysis, .factor = request_.load_factor});
-      return own_;
-    }
+    if (request_.combinations.empty()) add_each_analysis();
     for (const MastCombinationRequest& c : request_.combinations) {
       std::vector<MastTerm> own, of_states;
       for (const MastTerm& t : c.terms) {
@@ -129,6 +119,18 @@ class Combinations {
   }
 
  private:
+  /// Without combinations: all loads with the states of one analysis at a time.
+  void add_each_analysis() {
+    std::vector<MastTerm> own;
+    for (const MastLoadRequest& l : request_.loads) {
+      const bool known = std::any_of(own.begin(), own.end(), [&](const auto& t) { return t.name == l.load_case; });
+      if (!known) own.push_back({l.load_case, request_.load_factor});
+    }
+    if (request_.own_weight) own.push_back({std::string(weight_term), request_.load_factor});
+    for (const std::string& analysis : analyses())
+      add_states("", own, {.name = analysis, .factor = request_.load_factor});
+  }
+
   bool is_weight(const MastTerm& term) const { return request_.own_weight && term.name == weight_term; }
   bool is_load(const std::string& name) const {
     return std::any_of(request_.loads.begin(), request_.loads.end(),

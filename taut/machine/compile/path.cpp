@@ -347,9 +347,9 @@ void begin_at_drive(Array<Stop>& stops, const std::string& path, std::vector<Com
 
 }  // namespace
 
-Array<Stop> stops_of(const Machine& machine, const Links& links, const description::Reeving& reeving,
-                     const RopeData& rope, const Array<RopeData>& ropes, const std::string& path,
+Array<Stop> stops_of(const Machine& machine, const Links& links, const DescribedReeving& described,
                      std::vector<Complaint>& complaints) {
+  const auto& [reeving, rope, ropes, path] = described;
   PathReader reader(machine, links, name_of(reeving), rope, ropes, complaints);
   if (reeving.path.size() < 2) complaints.push_back({path, "a rope runs from one element to another one"});
   reader.stops.reserve(reeving.path.size());

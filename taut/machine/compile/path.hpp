@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "taut/base/array.hpp"
+#include "taut/machine/compile/given.hpp"
 #include "taut/machine/links/links.hpp"
-#include "taut/machine/links/rope_of.hpp"
 
 namespace taut::machine {
 
@@ -31,9 +31,8 @@ struct Stop {
 
 /// The nodes of a reeving's path, an endless one from its drive on, tackles written out: between two sheaves of a
 /// tackle of n parts the rope runs n times. Where the element before is one of the two, it counts as the beginning of
-/// the first part. Sides are not set. `rope`: lies on a drum in its layer; `ropes`: all of the machine.
-Array<Stop> stops_of(const Machine& machine, const Links& links, const description::Reeving& reeving,
-                     const RopeData& rope, const Array<RopeData>& ropes, const std::string& path,
+/// the first part. Sides are not set. On a drum the rope lies in its layer.
+Array<Stop> stops_of(const Machine& machine, const Links& links, const DescribedReeving& described,
                      std::vector<Complaint>& complaints);
 
 /// Lays the axes that the deck leaves open horizontally across the path in plan: by the directions of unit length from

@@ -43,10 +43,11 @@ struct Directions {
   bool (*has)(const ClampForces& f);
 };
 constexpr std::array directions{
-    Directions{"ropes hauled in", [](const ClampForces& f) { return !f.skyline_out && !f.mainline_out; }},
-    Directions{"ropes paid out", [](const ClampForces& f) { return f.skyline_out && f.mainline_out; }},
-    Directions{"one rope hauled in, the other paid out",
-               [](const ClampForces& f) { return f.skyline_out != f.mainline_out; }},
+    Directions{.words = "ropes hauled in",
+               .has = [](const ClampForces& f) { return !f.skyline_out && !f.mainline_out; }},
+    Directions{.words = "ropes paid out", .has = [](const ClampForces& f) { return f.skyline_out && f.mainline_out; }},
+    Directions{.words = "one rope hauled in, the other paid out",
+               .has = [](const ClampForces& f) { return f.skyline_out != f.mainline_out; }},
 };
 
 /// "carriage at 10 m, ropes paid out".

@@ -10,7 +10,6 @@
 namespace taut_test::transient_drums_test {
 namespace {
 
-using taut::solve::DrumResult;
 using taut::solve::Start;
 using taut::solve::TransientFrame;
 using taut::solve::TransientOptions;

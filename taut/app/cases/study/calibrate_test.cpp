@@ -43,10 +43,11 @@ class Line : public testing::Test {
   void SetUp() override {
     const auto read = read_cases({.text = deck_of(), .name = path("deck.yaml"), .set = {}, .progress = {}});
     ASSERT_TRUE(read.has_value()) << to_text(read.error().errors);
-    const auto model = read->cases({.inputs = {{"machine.reevings.sky.length", ""},
-                                               {"machine.ropes.sky.stiffness", ""},
-                                               {"machine.loads[0].mass", ""}},
-                                    .outputs = {{"equilibrium.sky.T_start", ""}, {"equilibrium.sky.T_end", ""}}});
+    const auto model = read->cases({.inputs = {{.name = "machine.reevings.sky.length", .place = ""},
+                                               {.name = "machine.ropes.sky.stiffness", .place = ""},
+                                               {.name = "machine.loads[0].mass", .place = ""}},
+                                    .outputs = {{.name = "equilibrium.sky.T_start", .place = ""},
+                                                {.name = "equilibrium.sky.T_end", .place = ""}}});
     ASSERT_TRUE(model.has_value());
     for (const double mass : masses) {
       const CaseAnswer a = model->answer(std::vector<double>{true_length, true_stiffness, mass});

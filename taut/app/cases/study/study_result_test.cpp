@@ -119,7 +119,8 @@ TEST(StudyResult, ALimitOfTheStudyTakesThePlaceOfTheDecksOwn) {
   study.limits = {{.output = 0, .limit = {.bound = chance::Bound::at_least, .value = 2}, .allowed = 0.1}};
   StudyData data;
   data.outputs = {std::vector<double>(100, 2.5)};
-  data.flawed = {{3, {.kind = CaseFlaw::Kind::fails, .check = "sky.safety_factor", .words = "below 3"}}};
+  data.flawed = {
+      {.index = 3, .flaw = {.kind = CaseFlaw::Kind::fails, .check = "sky.safety_factor", .words = "below 3"}}};
   EXPECT_TRUE(study_result(study, data, {}).unmade.empty());
   data.flawed[0].flaw.check = "mainline.safety_factor";
   EXPECT_EQ(study_result(study, data, {}).unmade.size(), 1U) << "of another rope";
