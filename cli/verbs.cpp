@@ -145,8 +145,7 @@ int export_as(const std::string& format, const RunOptions& options) {
   }
   if (written->empty()) {
     say("taut: no analysis of the deck has a state in space that this format takes: add an 'equilibrium', a "
-        "'transient' "
-        "or a slow 'pretension'\n");
+        "'transient' or a slow 'pretension'\n");
     return usage_or_deck;
   }
   if (!options.quiet) say("{} files, open {}\n", written->size(), written->back());

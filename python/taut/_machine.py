@@ -165,7 +165,7 @@ class Machine(Analyses, Parts):
         more = tuple(assignment(path, value) for path, value in (set or {}).items())
         job = self.job()
         blocks = ("design", "study", "calibrate")  # they may speak of the analyses that are left out
-        without = tuple(f"{block}=null" for block in blocks if re.search(rf"(?m)^{block}\s*:", job.text))
+        without = tuple(f"{block}=null" for block in blocks if re.search(rf"(?m)^({block}|include)\s*:", job.text))
         return run_job(job._replace(set=job.set + without + (asked,) + more), progress)
 
     def _run_study(

@@ -8,6 +8,7 @@
 
 #include "taut/calc/method.hpp"
 #include "taut/calc/verdict.hpp"
+#include "taut/units/any_quantity.hpp"
 
 namespace taut {
 namespace {
@@ -141,10 +142,11 @@ Check make_check(std::string name, double value, const Unit& unit, Bound bound) 
   c.limit = bound.limit;
   c.unit = unit;
   c.sense = bound.sense;
-  const bool has_zero = unit.dimension != si::K.dimension;  // a share of kelvins says nothing
-  const double over = c.sense == Sense::at_most ? c.limit : value;
-  c.utilisation = has_zero && over > 0 && c.limit > 0 ? (c.sense == Sense::at_most ? value / c.limit : c.limit / value)
-                                                      : std::numeric_limits<double>::quiet_NaN();
+  // a share of kelvins says nothing: 20 degC of 100 degC are 0.2
+  const double zero = unit.dimension == si::K.dimension ? zero_celsius : 0;
+  const double is = value - zero, may = c.limit - zero, over = c.sense == Sense::at_most ? may : is;
+  c.utilisation = over > 0 && may > 0 ? (c.sense == Sense::at_most ? is / may : may / is)
+                                      : std::numeric_limits<double>::quiet_NaN();
   c.passes = c.sense == Sense::at_most ? value <= c.limit : value >= c.limit;
   c.rule = std::move(bound.rule);
   c.trust = std::move(bound.trust);

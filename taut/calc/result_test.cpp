@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "taut/calc/verdict.hpp"
+
 namespace taut::result_test {
 
 struct Part {
@@ -51,6 +53,21 @@ TEST(Check, PassesUpToTheLimitIncluded) {
   EXPECT_TRUE(c.passes);
   EXPECT_DOUBLE_EQ(c.utilisation, 20.0 / 22.0);
   EXPECT_FALSE(make_check("c", std::nan(""), si::one, {Sense::at_most, 2, "r", "t"}).passes);
+}
+
+/// A share of kelvins would be 0.79 for every rope in a room, and none would be far from its limit.
+TEST(Check, TemperaturesCountFromZeroDegC) {
+  const auto at = [](double celsius) {
+    return make_check("t", 273.15 + celsius, si::K.in("degC"),
+                      {Sense::at_most, 373.15, "by core", "UNVERIFIED: recalled"});
+  };
+  EXPECT_NEAR(at(20).utilisation, 0.2, 1e-12);
+  EXPECT_FALSE(decides(at(20)));
+  EXPECT_TRUE(decides(at(90))) << "an unverified limit that is near is told";
+  EXPECT_TRUE(at(-30).passes);
+  EXPECT_FALSE(decides(at(-30)));
+  EXPECT_GT(at(101).utilisation, 1);
+  EXPECT_FALSE(at(101).passes);
 }
 
 TEST(Result, ValuesLeaveOutWhatWasNotComputed) {

@@ -24,27 +24,43 @@ std::string listed(const std::vector<std::string>& names) {
   return text;
 }
 
-/// Value and limit, with more digits where they would read the same.
-std::pair<std::string, std::string> value_and_limit(const Check& c, const Result& r) {
-  const Display display(r.display);
-  if (std::isnan(c.value)) return {"no number", display.brief(c.limit, c.unit)};
+}  // namespace
+
+std::string against_limit(const Check& c, const Display& display) {
   std::pair text{display.brief(c.value, c.unit), display.brief(c.limit, c.unit)};
-  if (text.first == text.second) text = {display.quantity(c.value, c.unit), display.quantity(c.limit, c.unit)};
-  return text;
+  if (std::isnan(c.value)) {
+    text.first = "no number";
+  } else if (text.first == text.second) {
+    text = {display.quantity(c.value, c.unit), display.quantity(c.limit, c.unit)};
+  }
+  return fmt::format("{}, limit {} {}{}: {}", text.first, c.sense == Sense::at_most ? "at most" : "at least",
+                     text.second, c.where.empty() ? "" : fmt::format(" ({})", c.where), c.rule);
 }
 
-/// "skyline.T_max 790.7 kN, limit at most 279.1 kN (sweep, loads[0].mass = 40 t): minimum breaking force of the rope".
-std::string sentence(const Check& c, const Result& r) {
-  const auto [value, limit] = value_and_limit(c, r);
-  std::string text =
-      fmt::format("{} {}, limit {} {}", c.name, value, c.sense == Sense::at_most ? "at most" : "at least", limit);
-  if (!c.where.empty()) text += fmt::format(" ({})", c.where);
-  return text + ": " + c.rule;
+std::vector<std::string> unsafe_of(const Result& r) {
+  std::vector<std::string> all = r.unsafe;
+  std::vector<std::string> doubted;
+  for (const Check& c : r.checks) {
+    if (decides(c)) doubted.push_back(c.name);
+  }
+  if (!doubted.empty()) {
+    all.push_back(fmt::format("{} on an unverified limit that decides: {}",
+                              doubted.size() == 1 ? "1 check rests" : fmt::format("{} checks rest", doubted.size()),
+                              listed(doubted)));
+  }
+  for (const Comparison& c : r.comparisons) {
+    if (c.printed_unsafe && !c.corrected_decides) {
+      all.push_back(fmt::format("the published value of '{}' is unsafe and decides here", c.quantity));
+    }
+  }
+  return all;
 }
+
+namespace {
 
 Verdict failing(const Result& r, std::vector<const Check*> failed) {
   std::stable_sort(failed.begin(), failed.end(), [](auto* a, auto* b) { return severity(*a) > severity(*b); });
-  std::string reason = sentence(*failed.front(), r);
+  std::string reason = failed.front()->name + " " + against_limit(*failed.front(), Display(r.display));
   std::vector<std::string> others;
   for (const Check* c : failed) {
     if (c != failed.front()) others.push_back(c->name);
@@ -91,26 +107,6 @@ std::optional<Verdict> not_judged(const Result& r) {
     return Verdict{
         .kind = VerdictKind::not_judged, .verdict_class = "unasked", .reason = "nothing is checked against a limit"};
   return std::nullopt;
-}
-
-/// What keeps an answer that passes from passing without warnings.
-std::vector<std::string> unsafe_of(const Result& r) {
-  std::vector<std::string> all = r.unsafe;
-  std::vector<std::string> doubted;
-  for (const Check& c : r.checks) {
-    if (decides(c)) doubted.push_back(c.name);
-  }
-  if (!doubted.empty()) {
-    all.push_back(fmt::format("{} on an unverified limit that decides: {}",
-                              doubted.size() == 1 ? "1 check rests" : fmt::format("{} checks rest", doubted.size()),
-                              listed(doubted)));
-  }
-  for (const Comparison& c : r.comparisons) {
-    if (c.printed_unsafe && !c.corrected_decides) {
-      all.push_back(fmt::format("the published value of '{}' is unsafe and decides here", c.quantity));
-    }
-  }
-  return all;
 }
 
 /// The check nearest to its limit, of all that have a utilisation: what can fail, as D/d does, is a limit here too.

@@ -2,8 +2,10 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "taut/calc/result.hpp"
+#include "taut/units/display.hpp"
 
 namespace taut {
 
@@ -35,6 +37,13 @@ std::string_view headline(VerdictKind kind);
 
 /// True when the limit's trust says that nobody has compared it with its source.
 bool is_unverified(std::string_view trust);
+
+/// "790.7 kN, limit at most 279.1 kN (sweep, loads[0].mass = 40 t): minimum breaking force of the rope". Value and
+/// limit have more digits where they would read the same.
+std::string against_limit(const Check& c, const Display& display);
+
+/// What keeps a result that passes from passing without warnings, each one sentence; empty: nothing.
+std::vector<std::string> unsafe_of(const Result& r);
 
 /// An unverified limit that decides: its utilisation is 0.5 or more.
 bool decides(const Check& c);

@@ -130,6 +130,32 @@ analyses: [{equilibrium: {}}]
   EXPECT_NEAR(taut_test::check_of(against, "other.last_layer_pull").value, 3 * 9806.65, 0.1);
 }
 
+/// A load of 20 kN that comes 0.5 s after the start and stays. Beside it lies a rope with both ends on the drum, one
+/// wound as the rope of the load: 1 t g + 20 kN + 1 t g/2.
+TEST(DriveUses, TheWinchPullsAllRopesForAsLongAsTheyLast) {
+  const Result r = run_text(R"(taut: 1
+machine:
+  ropes:
+    line: {mass: 0 kg/m, stiffness: 12 MN, breaking_force: 300 kN, diameter: 16 mm, damping_ratio: 0.3}
+    both: {mass: 0 kg/m, stiffness: 12 MN, breaking_force: 300 kN, diameter: 16 mm, damping_ratio: 0.3}
+  signals: {more: {ramp: {to: 20 kN, start: 0.5 s, duration: 0.5 s}}}
+  bodies:
+    weight: {mass: 1 t, at: [0.4 m, 0 m, -20 m], free: [z]}
+    block: {mass: 1 t, at: [0 m, 0 m, -20 m], free: [z]}
+  sheaves: {pulley: {body: block, at: [0 m, 0 m, 0 m], diameter: 800 mm}}
+  loads: [{at: weight, force: [0 N, 0 N, -1 N], signal: more}]
+  drums: {winch: {at: [0 m, 0 m, 0 m], core_diameter: 784 mm, face_width: 160 mm, length_on_drum: 12 m, layers: auto}}
+  reevings:
+    - {rope: line, path: [{drum: winch}, {anchor: weight}], length: 20 m}
+    - {rope: both, path: [{drum: winch}, {over: pulley}, {drum: winch}], length: 41.3 m}
+checks: {ropes: {line: {running: stands, rated_pull: 90 kN}, both: {running: stands, rated_pull: 90 kN}}}
+analyses: [{transient: {duration: 8 s}}]
+)");
+  ASSERT_TRUE(verdict_of(r)) << to_text(r.errors);
+  for (const char* name : {"line.last_layer_pull", "both.last_layer_pull"})
+    EXPECT_NEAR(taut_test::check_of(r, name).value, 1.5 * 9806.65 + 20e3, 50) << name;
+}
+
 /// 120 m of rope reach layer 5 of the drum, whether two copies, two ropes or one rope bring them there.
 TEST(DriveUses, TheTorqueIsThatOfTheLayerThatAllRopesReach) {
   const auto lift = [](const std::string& on_drum, const std::string& reevings, const std::string& analysis) {

@@ -59,16 +59,6 @@ double torsion_of_box(const HollowSizes& s) {
   return cube(t) * line.length / 3 + 2 * line.K(t) * line.enclosed;
 }
 
-HollowSizes sizes_of(const SectionRow& row) {
-  return {.shape = row.shape,
-          .forming = row.forming,
-          .height = row.height,
-          .width = row.width,
-          .wall = row.thickness,
-          .outer_radius = row.outer_radius,
-          .inner_radius = row.inner_radius};
-}
-
 void fill_box(const HollowSizes& s, SectionRow& row) {
   row.outer_radius = s.outer_radius;
   row.inner_radius = s.inner_radius;
@@ -93,6 +83,16 @@ void fill_ring(const HollowSizes& s, SectionRow& row) {
 }
 
 }  // namespace
+
+HollowSizes sizes_of(const SectionRow& row) {
+  return {.shape = row.shape,
+          .forming = row.forming,
+          .height = row.height,
+          .width = row.width,
+          .wall = row.thickness,
+          .outer_radius = row.outer_radius,
+          .inner_radius = row.inner_radius};
+}
 
 SectionRow hollow_section(const HollowSizes& s) {
   expects(s.wall > 0 && s.width > 2 * s.wall && s.height >= s.width, "a hollow section encloses something");

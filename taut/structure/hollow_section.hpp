@@ -15,6 +15,9 @@ struct HollowSizes {
   double inner_radius = 0;  ///< r_i; r_o - r_i need not be t: EN 10210-2 computes with r_o = 1.5 t, r_i = 1.0 t
 };
 
+/// Those of a section of the catalogue.
+HollowSizes sizes_of(const catalogue::SectionRow& row);
+
 /// Properties by the formulas of EN 10210-2 and EN 10219-2, annex B (the ring's for a circular section): A, I, W_el,
 /// W_pl, i, I_t (SI), mass with 7850 kg/m3. The name is "CHS 508x16" of the sizes in mm; no standard; trust derived.
 /// Sizes that enclose nothing are a ContractViolation.

@@ -11,16 +11,6 @@ namespace taut::structure::hollow_section_test {
 
 using catalogue::SectionRow;
 
-HollowSizes sizes_of(const SectionRow& r) {
-  return {.shape = r.shape,
-          .forming = r.forming,
-          .height = r.height,
-          .width = r.width,
-          .wall = r.thickness,
-          .outer_radius = r.outer_radius,
-          .inner_radius = r.inner_radius};
-}
-
 // The catalogue's rows were computed elsewhere, and 410 of them compared with a printed table.
 TEST(HollowSection, AgreesWithEveryRowOfTheCatalogue) {
   for (const SectionRow& r : catalogue::sections()) {

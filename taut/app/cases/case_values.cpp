@@ -68,24 +68,6 @@ void take(CaseInput input, const CaseName& name, CaseModel& made, NoCases& wrong
   made.inputs.push_back(std::move(input));
 }
 
-/// "11.8 kN, limit at most 10 kN (load path, x = 12 m): minimum breaking force of the rope".
-std::string words_of(const Check& c, const Display& display) {
-  const std::string value = std::isnan(c.value) ? "no number" : display.brief(c.value, c.unit);
-  return fmt::format("{}, limit {} {}{}: {}", value, c.sense == Sense::at_most ? "at most" : "at least",
-                     display.brief(c.limit, c.unit), c.where.empty() ? "" : fmt::format(" ({})", c.where), c.rule);
-}
-
-/// The first thing that makes an answer unsafe; empty: nothing does.
-std::string unsafe_in(const Result& r) {
-  if (!r.unsafe.empty()) return r.unsafe.front();
-  const auto doubted = std::find_if(r.checks.begin(), r.checks.end(), decides);
-  if (doubted != r.checks.end()) return doubted->name + " rests on an unverified limit that decides";
-  const auto published = std::find_if(r.comparisons.begin(), r.comparisons.end(),
-                                      [](const Comparison& c) { return c.printed_unsafe && !c.corrected_decides; });
-  if (published == r.comparisons.end()) return {};
-  return fmt::format("the published value of '{}' is unsafe and decides", published->quantity);
-}
-
 /// The first thing that was asked for and is not judged; empty: all is.
 std::string unmade_in(const Result& r) {
   if (!r.unmade.empty()) return r.unmade.front();
@@ -170,13 +152,14 @@ std::vector<CaseFlaw> flaws_of(const Result& r, const Display& display) {
   std::vector<CaseFlaw> flaws;
   for (const Check& c : r.checks) {
     if (c.passes || c.refused) continue;
-    flaws.push_back({.kind = CaseFlaw::Kind::fails, .check = c.name, .words = words_of(c, display), .fact = !c.limits});
+    flaws.push_back(
+        {.kind = CaseFlaw::Kind::fails, .check = c.name, .words = against_limit(c, display), .fact = !c.limits});
   }
   if (std::string words = unmade_in(r); !words.empty()) {
     flaws.push_back({.kind = CaseFlaw::Kind::unmade, .check = {}, .words = std::move(words)});
   }
-  if (std::string words = unsafe_in(r); !words.empty()) {
-    flaws.push_back({.kind = CaseFlaw::Kind::unsafe, .check = {}, .words = std::move(words)});
+  if (std::vector<std::string> unsafe = unsafe_of(r); !unsafe.empty()) {
+    flaws.push_back({.kind = CaseFlaw::Kind::unsafe, .check = {}, .words = std::move(unsafe.front())});
   }
   return flaws;
 }

@@ -34,10 +34,16 @@ std::string place_words(const LoadedMast& m, const MastPlace& at) {
 }
 
 /// A limit of the strength of what the mast covers.
-void limit_strength(const MastReport& report, const std::string& name, double value, const Unit& unit, Bound bound,
+void limit_strength(const MastReport& report, const char* name, double value, const Unit& unit, Bound bound,
                     Result& r) {
   add_part_check(report.name, name, value, unit, std::move(bound), r);
   r.checks.back().covers = report.covers;
+}
+
+/// The use of a strength: passes at 1.
+void limit_use(const MastReport& report, const char* name, double use, std::string rule, const char* trust, Result& r) {
+  limit_strength(report, name, use, si::one,
+                 {.sense = Sense::at_most, .limit = 1, .rule = std::move(rule), .trust = trust}, r);
 }
 
 void add_wall_check(const MastReport& report, const MastUse& u, Result& r) {
@@ -60,30 +66,20 @@ void add_section_checks(const MastReport& report, const MastUse& u, Result& r) {
   const auto& steel = m.mast.parts[u.section.at.part].member.steel;
   const int section_class =
       structure::section_class(steel.section, steel.yield, station_at(m, u.section.at).design).value;
-  limit_strength(
-      report, "section", u.section.value, si::one,
-      {.sense = Sense::at_most,
-       .limit = 1,
-       .rule = fmt::format("{} in one section ({}, class {}, f_y = {:.4g} MPa), EN 1993-1-1, {}; {}",
-                           counts_torsion(u) ? "N, M, V and torsion" : "N, M and V", steel.section.name, section_class,
-                           steel.yield / 1e6, section_class < 3 ? "6.2.9.1" : "(6.42)", place_words(m, u.section.at)),
-       .trust = recalled_section},
-      r);
-  limit_strength(report, "shear", u.shear.value, si::one,
-                 {.sense = Sense::at_most,
-                  .limit = 1,
-                  .rule = fmt::format("V over V_pl,T, EN 1993-1-1, (6.18), (6.28); {}", place_words(m, u.shear.at)),
-                  .trust = "UNVERIFIED: shear areas as recalled"},
-                 r);
+  limit_use(report, "section", u.section.value,
+            fmt::format("{} in one section ({}, class {}, f_y = {:.4g} MPa), EN 1993-1-1, {}; {}",
+                        counts_torsion(u) ? "N, M, V and torsion" : "N, M and V", steel.section.name, section_class,
+                        steel.yield / 1e6, section_class < 3 ? "6.2.9.1" : "(6.42)", place_words(m, u.section.at)),
+            recalled_section, r);
+  limit_use(report, "shear", u.shear.value,
+            fmt::format("V over V_pl,T, EN 1993-1-1, (6.18), (6.28); {}", place_words(m, u.shear.at)),
+            "UNVERIFIED: shear areas as recalled", r);
   if (!counts_torsion(u)) return;
   const auto& twisted = m.mast.parts[u.torsion.at.part].member.steel;
-  limit_strength(report, "torsion", u.torsion.value, si::one,
-                 {.sense = Sense::at_most,
-                  .limit = 1,
-                  .rule = fmt::format("T over T_Rd = W_t f_y/(sqrt(3) gamma_M0) of {}, EN 1993-1-1, (6.23); {}",
-                                      twisted.section.name, place_words(m, u.torsion.at)),
-                  .trust = "derived"},
-                 r);
+  limit_use(report, "torsion", u.torsion.value,
+            fmt::format("T over T_Rd = W_t f_y/(sqrt(3) gamma_M0) of {}, EN 1993-1-1, (6.23); {}", twisted.section.name,
+                        place_words(m, u.torsion.at)),
+            "derived", r);
 }
 
 bool asks_for_members(const LoadedMast& m) {
@@ -97,21 +93,15 @@ void add_member_checks(const MastReport& report, const MastUse& u, Result& r) {
     const auto& member = m.mast.parts[at.part].member;
     return to_text(member.curve.value_or(structure::curve_of(member.steel.section, member.steel.yield)));
   };
-  limit_strength(report, "buckling", u.flexural.value, si::one,
-                 {.sense = Sense::at_most,
-                  .limit = 1,
-                  .rule = fmt::format("N over chi A f_y/gamma_M1, curve {}, EN 1993-1-1, (6.46); {}",
-                                      curve(u.flexural.at), case_at(m, u.flexural.at).words),
-                  .trust = recalled_curve},
-                 r);
+  limit_use(report, "buckling", u.flexural.value,
+            fmt::format("N over chi A f_y/gamma_M1, curve {}, EN 1993-1-1, (6.46); {}", curve(u.flexural.at),
+                        case_at(m, u.flexural.at).words),
+            recalled_curve, r);
   if (!asks_for_members(m)) return;
-  limit_strength(report, "member", u.member.value, si::one,
-                 {.sense = Sense::at_most,
-                  .limit = 1,
-                  .rule = fmt::format("N and M of the member, curve {}, EN 1993-1-1, (6.61), (6.62) by annex B; {}",
-                                      curve(u.member.at), case_at(m, u.member.at).words),
-                  .trust = recalled_curve},
-                 r);
+  limit_use(report, "member", u.member.value,
+            fmt::format("N and M of the member, curve {}, EN 1993-1-1, (6.61), (6.62) by annex B; {}",
+                        curve(u.member.at), case_at(m, u.member.at).words),
+            recalled_curve, r);
 }
 
 /// [sigma] of the deck, or as good as the yield stress that it is a share of.
@@ -339,8 +329,7 @@ void add_mast_report(const MastCheckRequest& request, const MastReport& report, 
                     report.name));
   }
   if (!report.refused.empty()) {
-    limit_strength(report, "section", std::nan(""), si::one,
-                   {.sense = Sense::at_most, .limit = 1, .rule = report.refused, .trust = "derived"}, r);
+    limit_use(report, "section", std::nan(""), report.refused, "derived", r);
     r.warnings.push_back(fmt::format("{}: {}", report.name, report.refused));
     add_mast_choice(request, report, r);
     return;

@@ -52,6 +52,17 @@ double fleet_angle_of(const machine::State& state, const machine::Node& drum, co
   return largest;
 }
 
+/// Tension of one copy at its drum, N: at rest the largest within the band of friction.
+double largest_at(const solve::EquilibriumResult& state, const solve::DrumResult& d) {
+  const auto own = [&](const solve::BranchResult& s) { return s.reeving == d.reeving; };
+  if (d.at_end) {
+    const auto last = std::find_if(state.branches.rbegin(), state.branches.rend(), own);
+    return std::max(last->T_to, last->T_to_max);
+  }
+  const auto first = std::find_if(state.branches.begin(), state.branches.end(), own);
+  return std::max(first->T_from, first->T_from_max);
+}
+
 /// What all ropes of a drum pull that are wound on it as this one, N, at its radius.
 double haul_of(const Array<solve::DrumResult>& ends, const solve::DrumResult& own) {
   double torque = 0;
@@ -147,8 +158,9 @@ void RopeUses::add_end(std::size_t reeving, const machine::Model& model, bool at
 
 void RopeUses::take(const machine::Model& model, const solve::EquilibriumResult& state, const std::string& words) {
   take_forces(model, state, words);
-  const Array<solve::DrumResult> ends = solve::drums(model, state);
+  Array<solve::DrumResult> ends = solve::drums(model, state);
   take_drums(model, state.state, ends);
+  for (solve::DrumResult& d : ends) d.torque = model.reevings[d.reeving].copies * d.radius * largest_at(state, d);
   for (const solve::DrumResult& d : ends) {
     rope::DrumEnd& known = drum_end(model, d);
     known.haul = std::max(known.haul, haul_of(ends, d));
@@ -285,7 +297,7 @@ void RopeUses::take_moment(const machine::Model& model, const solve::TransientFr
   take_drums(model, places_of(frame), ends);
   for (const solve::DrumResult& d : ends) {
     const double haul = haul_of(ends, d);
-    LastingTension& lasting = lasting_hauls_[{d.reeving, d.drum}];
+    LastingTension& lasting = lasting_hauls_[{d.reeving, d.at_end}];
     lasting.take(frame.t, haul, steps);
     rope::DrumEnd& known = drum_end(model, d);
     known.haul = std::max({known.haul, lasting.largest(), at_rest ? haul : 0});

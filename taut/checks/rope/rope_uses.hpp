@@ -48,10 +48,10 @@ class RopeUses {
   rope::DrumEnd& drum_end(const machine::Model& model, const solve::DrumResult& d);
   void take_drum(const machine::Model& model, const machine::State& state, const solve::DrumResult& d);
 
-  Array<rope::RopeUse> uses_;                                    // without bends
-  Array<LastingTension> lasting_;                                // of motions
-  std::map<std::pair<int, int>, LastingTension> lasting_hauls_;  // [reeving, drum]
-  Array<std::map<std::string, Met>> bends_;                      // [reeving], by name and occurrence
+  Array<rope::RopeUse> uses_;                                     // without bends
+  Array<LastingTension> lasting_;                                 // of motions
+  std::map<std::pair<int, bool>, LastingTension> lasting_hauls_;  // [reeving, its end]
+  Array<std::map<std::string, Met>> bends_;                       // [reeving], by name and occurrence
   std::vector<std::string> growing_;
   Array<Vector3> axes_;  // of the first round of each rope: the senses of the others follow from it
 };

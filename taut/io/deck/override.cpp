@@ -55,8 +55,11 @@ class Override {
       return wrong(0, equals, "the files of 'include' are read before '--set': write it in the deck");
     }
     if (says_nothing(text.substr(equals + 1))) {
-      if (steps->size() > 1) return wrong(0, text.size(), "'null' takes a whole block out, as in 'design=null'");
-      return take_out(steps->front().key, document);
+      const std::string& block = steps->front().key;
+      if (steps->size() > 1 || std::find(deck_keys_.begin(), deck_keys_.end(), block) == deck_keys_.end()) {
+        return wrong(0, text.size(), "'null' takes a whole block out, as in 'design=null'");
+      }
+      return take_out(block, document);
     }
     auto value = parse(std::string(equals + 1, ' ') + text.substr(equals + 1), source_);
     for (Diagnostic& d : value ? value->mistakes : value.error()) add(mistakes_, std::move(d));

@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "test/support/machine_decks.hpp"
 
 /// The analysis `pretension` and slow motions from decks: results, and mistakes at their places.
@@ -66,6 +68,20 @@ TEST(PretensionAnalysis, PullsUntilSomethingSlides) {
     EXPECT_NEAR(difference, (i == 1 ? 1 : -1) * 0.3 * 5000, 3);
   }
   EXPECT_NEAR(value_of(r, "out_1_slow"), cell(t, 1, "out"), 0);
+}
+
+/// Friction holds the ring, so that the ropes are pulled slowly: their tensions are checked as those of other states.
+TEST(PretensionAnalysis, SlowPullsAreChecked) {
+  std::string deck = ring_deck("  - pretension: {pull: [{rope: left, until: out, moves: 0.01 mm}]}", true);
+  deck += "checks: {ropes: {wire: {running: stands, safety_factor: 50, breaking_force: 100 kN}}}\n";
+  const Result r = run_text(deck);
+  ASSERT_EQ(r.status, Status::ok) << r.message << to_text(r.errors);
+  const auto& t = table_of(r, "tensioning");
+  for (const std::string rope : {"left", "right"}) {
+    const double largest = std::max(cell(t, 0, rope + ".T_start"), cell(t, 1, rope + ".T_start"));
+    EXPECT_NEAR(check_of(r, rope + ".safety_factor").value, 100e3 / largest, 1e-3 * 100e3 / largest) << rope;
+    EXPECT_FALSE(check_of(r, rope + ".safety_factor").passes);
+  }
 }
 
 TEST(PretensionAnalysis, LengthsThatKeepRopesTautUnderAllLoads) {
