@@ -255,6 +255,16 @@ Array<DrumResult> drums(const machine::Model& model, const EquilibriumResult& re
   return all;
 }
 
+double largest_at_end(const machine::Model& model, const EquilibriumResult& result, int reeving, bool at_end) {
+  double T = 0;
+  for (const BranchResult& s : result.branches) {
+    if (s.reeving != reeving) continue;
+    T = at_end ? std::max(s.T_to, s.T_to_max) : std::max(s.T_from, s.T_from_max);
+    if (!at_end) break;
+  }
+  return model.reevings[reeving].copies * T;
+}
+
 std::optional<double> length_on_drums(const machine::Model& model, int reeving) {
   const machine::Reeving& rope = model.reevings[reeving];
   double wound = 0;

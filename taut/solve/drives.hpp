@@ -59,6 +59,9 @@ struct DrumResult {
 /// where an answer has another free length, the rest is on the drum.
 Array<DrumResult> drums(const machine::Model& model, const EquilibriumResult& result);
 
+/// The largest tension at an end of a rope, the band of friction at rest counted, of all its copies, N.
+double largest_at_end(const machine::Model& model, const EquilibriumResult& result, int reeving, bool at_end);
+
 /// What lies on the drums at the ends of a rope with its given length, unstretched, m: 0 without drums, none where the
 /// `length_on_drum` of one is not given.
 std::optional<double> length_on_drums(const machine::Model& model, int reeving);

@@ -15,17 +15,6 @@ namespace {
 /// Heights by the size of what they are measured against, so that one tolerance serves all limits.
 double length_margin(double left, double height) { return left / std::max(1.0, std::abs(height)); }
 
-/// The largest tension at an end of a rope, the band at rest counted, of all its copies, N.
-double largest_at(const machine::Model& model, const solve::EquilibriumResult& r, int reeving, bool at_end) {
-  double T = 0;
-  for (const solve::BranchResult& s : r.branches) {
-    if (s.reeving != reeving) continue;
-    T = at_end ? s.T_to_max : s.T_from_max;
-    if (!at_end) break;
-  }
-  return model.reevings[reeving].copies * T;
-}
-
 /// The pull of the winch at an end of a rope. Ropes that are wound the other way relieve it; that does not count.
 LimitState pull_at(const machine::Model& model, const solve::EquilibriumResult& r,
                    const Array<solve::DrumResult>& drums, const EndLimit& end) {
@@ -33,13 +22,13 @@ LimitState pull_at(const machine::Model& model, const solve::EquilibriumResult& 
   LimitState state{.kind = LimitKind::pull,
                    .reeving = end.reeving,
                    .node = end.at_end ? last : 0,
-                   .value = largest_at(model, r, end.reeving, end.at_end),
+                   .value = solve::largest_at_end(model, r, end.reeving, end.at_end),
                    .limit = end.pull};
   const auto is_own = [&](const solve::DrumResult& d) { return d.reeving == end.reeving && d.at_end == end.at_end; };
   const auto own = std::find_if(drums.begin(), drums.end(), is_own);
   for (const solve::DrumResult& d : drums) {
     if (own == drums.end() || is_own(d) || d.drum != own->drum || d.sense != own->sense) continue;
-    state.value += largest_at(model, r, d.reeving, d.at_end);
+    state.value += solve::largest_at_end(model, r, d.reeving, d.at_end);
   }
   state.margin = 1 - state.value / end.pull;
   return state;

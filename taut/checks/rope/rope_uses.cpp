@@ -52,17 +52,6 @@ double fleet_angle_of(const machine::State& state, const machine::Node& drum, co
   return largest;
 }
 
-/// Tension of one copy at its drum, N: at rest the largest within the band of friction.
-double largest_at(const solve::EquilibriumResult& state, const solve::DrumResult& d) {
-  const auto own = [&](const solve::BranchResult& s) { return s.reeving == d.reeving; };
-  if (d.at_end) {
-    const auto last = std::find_if(state.branches.rbegin(), state.branches.rend(), own);
-    return std::max(last->T_to, last->T_to_max);
-  }
-  const auto first = std::find_if(state.branches.begin(), state.branches.end(), own);
-  return std::max(first->T_from, first->T_from_max);
-}
-
 /// What all ropes of a drum pull that are wound on it as this one, N, at its radius.
 double haul_of(const Array<solve::DrumResult>& ends, const solve::DrumResult& own) {
   double torque = 0;
@@ -160,7 +149,7 @@ void RopeUses::take(const machine::Model& model, const solve::EquilibriumResult&
   take_forces(model, state, words);
   Array<solve::DrumResult> ends = solve::drums(model, state);
   take_drums(model, state.state, ends);
-  for (solve::DrumResult& d : ends) d.torque = model.reevings[d.reeving].copies * d.radius * largest_at(state, d);
+  for (solve::DrumResult& d : ends) d.torque = d.radius * solve::largest_at_end(model, state, d.reeving, d.at_end);
   for (const solve::DrumResult& d : ends) {
     rope::DrumEnd& known = drum_end(model, d);
     known.haul = std::max(known.haul, haul_of(ends, d));
