@@ -133,6 +133,7 @@ void Judge::take_beams(const solve::EquilibriumResult& e, const std::string& wor
     worst.M.take(b.points[b.most_bent].M, words);
     worst.N.take(std::abs(b.points[b.most_pressed].N), words);
     worst.stress.take(b.points[b.most_stressed].stress, words);
+    worst.stress_in_corner.take(b.stress_in_corner, words);
     worst.torsion_left_out.take(b.torsion_left_out > 0 ? b.torsion_left_out : none, words);
     worst.top_displacement.take(b.top_displacement, words);
     worst.N_cr.take(buckles && b.compression > 0 ? b.critical_factor * b.compression : none, words, true);

@@ -30,6 +30,7 @@ struct WorstOf {
 /// What a beam bears over all states that are judged.
 struct BeamWorst {
   WorstOf M, N, stress;      ///< largest, N m, N, Pa
+  WorstOf stress_in_corner;  ///< largest, with the corner of a box that stands anyhow, Pa
   WorstOf torsion_left_out;  ///< largest that the stresses don't contain, N m; NaN: they contain all
   WorstOf top_displacement;  ///< m
   WorstOf N_cr, alpha_cr;    ///< least, N, 1

@@ -82,17 +82,17 @@ void write_stress(Sheet<Num>& s, const structure::BeamSection& section, const so
                                                                   .bends_to_x = p.bends_to_x,
                                                                   .bends_to_y = p.bends_to_y,
                                                                   .torsion = p.torsion});
-  const bool sheared = at.equivalent() > at.sigma;
+  const bool sheared = at.equivalent() > at.sigma, one_way = section.outline != structure::Outline::box;
   const Num A = s.named("A", si::m2, section.area);
   Num sigma;
-  if (section.round && !sheared) {
+  if (one_way && !sheared) {
     sigma = s.eq("", "sigma", si::Pa, N / A + M / s.named("W", si::m3, section.W_x),
                  "largest fibre stress, EN 1993-1-1, 6.2.1 (5)");
   } else {
     const Num sigma_M = s.named("sigma_M", si::Pa, at.sigma - std::abs(p.N) / section.area);
     sigma = s.eq("", "sigma", si::Pa, N / A + sigma_M,
-                 section.round ? "sigma_M: M/W of the most stressed point; EN 1993-1-1, 6.2.1 (5)"
-                               : "|M_x|/W_x + |M_y|/W_y is sigma_M; EN 1993-1-1, 6.2.1 (5)");
+                 one_way ? "sigma_M: M/W of the most stressed point; EN 1993-1-1, 6.2.1 (5)"
+                         : "|M_x|/W_x + |M_y|/W_y is sigma_M; EN 1993-1-1, 6.2.1 (5)");
   }
   if (!sheared) return;
   const Num tau = s.named("tau", si::Pa, at.tau);

@@ -56,8 +56,24 @@ void tell_left_out(const machine::description::Beam& given, const checks::WorstO
   r.warnings.push_back(words);
 }
 
-void check_stress(const machine::description::Beam& given, const checks::WorstOf& stress, Result& r) {
-  if (!given.steel || std::isnan(stress.value)) return;
+/// A stress that is known only between that of a round section and that in the corner of a box: `yield` of its steel,
+/// Pa; NaN: it has no limit here.
+void tell_corner(const machine::description::Beam& given, const checks::BeamWorst& worst, double yield, Result& r) {
+  const checks::WorstOf& corner = worst.stress_in_corner;
+  constexpr double told = 1 + 1e-6;  // of two numbers that are printed
+  if (!(corner.value > worst.stress.value * told) || corner.value <= yield || worst.stress.value > yield) return;
+  const std::string words = fmt::format(
+      "{}: the stress of {:.4g} MPa is that of a round section; in the corner of a box it is up to {:.4g} MPa ({}): "
+      "give 'round: true', or where its walls are by 'strong'",
+      given.name, worst.stress.value / 1e6, corner.value / 1e6, corner.when);
+  if (given.steel) r.unmade.push_back(words);
+  r.warnings.push_back(words);
+}
+
+void check_stress(const machine::description::Beam& given, const checks::BeamWorst& worst, Result& r) {
+  const checks::WorstOf& stress = worst.stress;
+  if (std::isnan(stress.value)) return;
+  if (!given.steel) return tell_corner(given, worst, std::nan(""), r);
   const auto steel = catalogue::find_steel(*given.steel);
   if (!steel) return;
   double yield = catalogue::yield(*steel);
@@ -70,6 +86,7 @@ void check_stress(const machine::description::Beam& given, const checks::WorstOf
       where = fmt::format("t = {:.4g} mm", row->thickness * 1e3);
     }
   }
+  tell_corner(given, worst, yield, r);
   const bool unverified = steel->trust == catalogue::Trust::unverified;
   const std::string trust =
       unverified ? fmt::format("UNVERIFIED: {}", steel->trust_text) : std::string(to_text(steel->trust));
@@ -126,7 +143,7 @@ void add_worst(const machine::description::Beam& given, const checks::BeamWorst&
   add("top_displacement", worst.top_displacement);
   add("N_cr", worst.N_cr);
   add("alpha_cr", worst.alpha_cr);
-  check_stress(given, worst.stress, r);
+  check_stress(given, worst, r);
   tell_left_out(given, worst.torsion_left_out, r);
   check_buckling(given, given.order == machine::description::Order::first ? worst.together : worst.alpha_cr, r);
 }

@@ -42,6 +42,7 @@ struct BeamResult {
   /// with the others as they are.
   double critical_together = std::numeric_limits<double>::infinity();
   double compression = 0;       ///< largest compression, N; 0: none
+  double stress_in_corner = 0;  ///< largest, see largest_stress_in_corner, Pa
   double torsion_left_out = 0;  ///< the largest that its stresses don't contain because W_t is not known, N m
 };
 

@@ -71,8 +71,12 @@ void fill_points(const mechanics::System& s, const mechanics::Configuration& c, 
       BeamPoint& p = r.points.emplace_back(
           point_of(piece.rod, all[i], all_built[i], piece.rod.from + static_cast<double>(i) * step));
       p.listed = i % as_size(piece.section_every) == 0;
-      if (piece.rod.section.W_x > 0 && leaves_out_torsion(piece.rod.section, section_forces(all[i]))) {
-        r.torsion_left_out = std::max(r.torsion_left_out, std::abs(p.torsion));
+      if (piece.rod.section.W_x > 0) {
+        const structure::SectionForces f = section_forces(all[i]);
+        r.stress_in_corner = std::max(r.stress_in_corner, largest_stress_in_corner(piece.rod.section, f));
+        if (leaves_out_torsion(piece.rod.section, f)) {
+          r.torsion_left_out = std::max(r.torsion_left_out, std::abs(p.torsion));
+        }
       }
       const double turn =
           angle_between(first, direction(piece.rod, all[i])) - angle_between(first_built, all_built[i].axes.col(2));

@@ -148,7 +148,7 @@ machine::Model slewed(double angle, bool mirrored, double stiffer = 1) {
   machine::StraightBeam b = mast(12, structure::tube_section(0.2191, 0.008));
   b.section.EI_y *= 0.5;
   b.section.W_y *= 0.6;
-  b.section.round = false;
+  b.section.outline = structure::Outline::box;
   b.section.EI_x *= stiffer, b.section.EI_y *= stiffer, b.section.GJ *= stiffer, b.section.EA *= stiffer;
   b.section.weight = 500;
   b.base = machine::BeamHold::hinged;

@@ -87,7 +87,7 @@ BeamSection beam_section(const catalogue::SectionRow& row, const Elasticity& ste
           .shear_x = round ? round_shear(row.area) : box_shear(row, row.I_y, row.W_pl_y),
           .shear_y = round ? round_shear(row.area) : box_shear(row, row.I_z, row.W_pl_z),
           .weight = 0,
-          .round = round};
+          .outline = round ? Outline::tube : Outline::box};
 }
 
 BeamSection tube_section(double diameter, double wall, const Elasticity& steel) {
@@ -106,7 +106,7 @@ BeamSection tube_section(double diameter, double wall, const Elasticity& steel) 
           .shear_x = round_shear(area),
           .shear_y = round_shear(area),
           .weight = 0,
-          .round = true};
+          .outline = Outline::tube};
 }
 
 WallShear round_shear(double area) { return {.corner = 0, .middle = 2 / area}; }
@@ -116,7 +116,7 @@ double PointStress::equivalent() const { return std::hypot(sigma, by_shear * tau
 PointStress most_stressed_point(const BeamSection& section, const SectionForces& f) {
   const double twist = section.W_t > 0 ? std::abs(f.torsion) / section.W_t : 0;
   const StressPair all(std::abs(f.axial) / section.area, by_shear * twist);
-  if (section.round) return stress_of(worst_of_tube(section, f, all));
+  if (section.outline != Outline::box) return stress_of(worst_of_tube(section, f, all));
   const Way x{.sigma = std::abs(f.bends_to_x) / section.W_x, .V = std::abs(f.shear_x), .shear = section.shear_x};
   const Way y{.sigma = std::abs(f.bends_to_y) / section.W_y, .V = std::abs(f.shear_y), .shear = section.shear_y};
   const StressPair along_x = worst_of_wall(x, y, all), along_y = worst_of_wall(y, x, all);
@@ -125,6 +125,15 @@ PointStress most_stressed_point(const BeamSection& section, const SectionForces&
 
 double largest_stress(const BeamSection& section, const SectionForces& f) {
   return most_stressed_point(section, f).equivalent();
+}
+
+double largest_stress_in_corner(const BeamSection& section, const SectionForces& f) {
+  if (section.outline != Outline::unsaid) return largest_stress(section, f);
+  BeamSection box = section;
+  box.outline = Outline::box;
+  SectionForces over_corner = f;
+  over_corner.bends_to_x = over_corner.bends_to_y = std::hypot(f.bends_to_x, f.bends_to_y) / std::numbers::sqrt2;
+  return largest_stress(box, over_corner);
 }
 
 bool leaves_out_torsion(const BeamSection& section, const SectionForces& f) {

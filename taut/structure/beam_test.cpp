@@ -84,6 +84,23 @@ TEST(Beam, ShearOfABox) {
   EXPECT_LT(largest_stress(b, {.shear_x = V / 50, .bends_to_x = 40e3}), 1.001 * sigma);
 }
 
+// One modulus, axes not said: a moment of any direction has one stress, and sqrt(2) of it in the worst corner.
+TEST(Beam, OutlineNotSaid) {
+  BeamSection b = tube_section(0.2, 0.01);
+  b.outline = Outline::unsaid;
+  b.shear_x = b.shear_y = {};
+  const double M = 30e3, N = 1e5 / b.area;
+  for (const double at : {0.0, 0.3, 0.7, 2.0}) {
+    const SectionForces f{.axial = -1e5, .bends_to_x = M * std::cos(at), .bends_to_y = M * std::sin(at)};
+    EXPECT_NEAR(largest_stress(b, f) / (N + M / b.W_x), 1, 1e-12);
+    EXPECT_NEAR(largest_stress_in_corner(b, f) / (N + std::sqrt(2) * M / b.W_x), 1, 1e-12);
+    BeamSection box = b;
+    box.outline = Outline::box;
+    EXPECT_LE(largest_stress(box, f), largest_stress_in_corner(b, f) * (1 + 1e-12));
+    EXPECT_EQ(largest_stress_in_corner(box, f), largest_stress(box, f));
+  }
+}
+
 TEST(Beam, TorsionWithoutAModulusIsSaidToBeLeftOut) {
   BeamSection b = tube_section(0.2, 0.01);
   EXPECT_FALSE(leaves_out_torsion(b, {.axial = 1e5, .torsion = 1e4}));

@@ -152,6 +152,15 @@ double compression_at(const ColumnMast& m, const std::vector<Slice>& slices, con
   return N;
 }
 
+/// About the straight axis: the foot holds what turns the mast above.
+double torsion_at(const MastCombination& c, double height, bool factored) {
+  double T = 0;
+  for (std::size_t i = 0; i < c.loads.size(); ++i) {
+    if (c.loads[i].height > height) T += c.loads[i].torsion * (factored ? c.factors[i] : 1);
+  }
+  return T;
+}
+
 /// The largest compression with factors, N (0: pulled everywhere), and the lowest slice that has it. In a slice the
 /// lower end has most: only its weight adds to it.
 struct MostPressed {
@@ -280,8 +289,10 @@ class Combination {
       const std::size_t slice = i / of_slice;
       // just above a slice's lower end, just below its upper one
       const double inside = i % of_slice == 0 ? 1e-6 * height() : -1e-6 * height();
-      const double N = compression_at(m_, slices_, c_, y[i].x + inside, true);
-      const double plain = compression_at(m_, slices_, c_, y[i].x + inside, false);
+      const double at = y[i].x + inside;
+      const double N = compression_at(m_, slices_, c_, at, true);
+      const double plain = compression_at(m_, slices_, c_, at, false);
+      const double torsion = torsion_at(c_, at, true);
       one.stations.push_back(
           {y[i].x,
            slice,
@@ -290,9 +301,14 @@ class Combination {
             .V_z = plain_y[i].V,
             .M_y = plain_y[i].M,
             .M_z = plain_z[i].M,
-            .torsion = 0},
-           {.N = y[i].N, .V_y = z[i].V, .V_z = y[i].V, .M_y = y[i].M, .M_z = z[i].M, .torsion = 0},
-           {.N = N, .V_y = first_z[i].V, .V_z = first_y[i].V, .M_y = first_y[i].M, .M_z = first_z[i].M, .torsion = 0}});
+            .torsion = torsion_at(c_, at, false)},
+           {.N = y[i].N, .V_y = z[i].V, .V_z = y[i].V, .M_y = y[i].M, .M_z = z[i].M, .torsion = torsion},
+           {.N = N,
+            .V_y = first_z[i].V,
+            .V_z = first_y[i].V,
+            .M_y = first_y[i].M,
+            .M_z = first_z[i].M,
+            .torsion = torsion}});
     }
     if (std::isfinite(critical_)) {
       for (const Slice& s : slices_) {

@@ -27,6 +27,7 @@ struct MastLoad {
   double down = 0;                    ///< N
   double across_y = 0, across_z = 0;  ///< bending about y (along the sections' height), about z, N
   double moment_y = 0, moment_z = 0;  ///< bending as across_y, across_z do, N m
+  double torsion = 0;                 ///< about the mast's axis, upwards positive, N m
 };
 
 /// Loads that come together, each set times its factor.
@@ -54,8 +55,9 @@ struct ColumnMast {
 
 /// The mast and its cases: sections under forces in the bent shape with the imperfections, in the direction that is
 /// worse for each plane, members under those of first order, both with factors; stresses under those of first order
-/// without. A tapered piece becomes 8 parts, each with the section of its weaker end. Buckling lengths of stepped masts
-/// from the column's own critical load. `refused`: a combination under which the column buckles.
+/// without. Its foot holds the torsion; what forces beside the bent axis add to it is left out. A tapered piece becomes
+/// 8 parts, each with the section of its weaker end. Buckling lengths of stepped masts from the column's own critical
+/// load. `refused`: a combination under which the column buckles.
 struct ColumnMastResult {
   Mast mast;
   std::vector<MastCase> cases;

@@ -32,7 +32,7 @@ double height_of_pieces(const MastCheckRequest& request) {
   return h;
 }
 
-/// A force at a place of the machine as loads of the mast: beside its axis it bends the mast, too.
+/// A force at a place of the machine as a load of the mast: beside its axis it also bends and turns the mast.
 void add_pull(const MastCheckRequest& request, const Vector3& place, const Vector3& F, CarriedState& all) {
   const Vector3 from_foot = place - Vector3(request.foot[0], request.foot[1], request.foot[2]);
   if (from_foot.z() <= 0) return;  // goes into the ground
@@ -47,12 +47,13 @@ void add_pull(const MastCheckRequest& request, const Vector3& place, const Vecto
   load.sideways = F.dot(weak);
   load.moment = load.down * from_foot.dot(strong) + load.across * above;
   load.sideways_moment = load.down * from_foot.dot(weak) + load.sideways * above;
+  load.torsion = load.sideways * from_foot.dot(strong) - load.across * from_foot.dot(weak);
   all.loads.push_back(std::move(load));
 }
 
 /// What a section at a height has to bear of a state, to first order.
 struct Borne {
-  double N = 0, M_y = 0, M_z = 0;
+  double N = 0, M_y = 0, M_z = 0, torsion = 0;
 };
 Borne borne_at(const CarriedState& state, double height) {
   Borne b;
@@ -62,12 +63,13 @@ Borne borne_at(const CarriedState& state, double height) {
     b.N += l.down;
     b.M_y += l.across * arm + l.moment;
     b.M_z += l.sideways * arm + l.sideways_moment;
+    b.torsion += l.torsion;
   }
   return b;
 }
 
-/// The states of one analysis that are looked at: all of them; of very many (a motion) those that press a piece's foot
-/// most or bend it most, as a cantilever, in any of several directions.
+/// The states of one analysis that are looked at: all of them; of very many (a motion) those that press or turn a
+/// piece's foot most, or bend it most, as a cantilever, in any of several directions.
 std::vector<const CarriedState*> looked_at(const MastCheckRequest& request,
                                            const std::vector<const CarriedState*>& states) {
   constexpr std::size_t most = 500;
@@ -84,6 +86,7 @@ std::vector<const CarriedState*> looked_at(const MastCheckRequest& request,
   if (feet.size() > 1) feet.pop_back();
   for (const double height : feet) {
     keep([&](const CarriedState& s) { return borne_at(s, height).N; });
+    keep([&](const CarriedState& s) { return std::abs(borne_at(s, height).torsion); });
     for (int k = 0; k < directions; ++k) {
       const double angle = 2 * std::numbers::pi * k / directions;
       keep([&](const CarriedState& s) {
@@ -246,9 +249,7 @@ MastReport carrying_mast(const MastCheckRequest& request, const std::vector<Carr
   }
   report.words.push_back(fmt::format(
       "{}: under the ropes over and at {}, in the deck's {} states, of more than 500 of an analysis in those that "
-      "press "
-      "or bend it most; motions without the dynamic factor; no torsion by what pulls beside its axis; its own weight "
-      "{}.",
+      "press, bend or turn it most; motions without the dynamic factor; its own weight {}.",
       request.name, fmt::join(request.carries, ", "), states.size(), request.own_weight ? "counted" : "left out"));
   return report;
 }

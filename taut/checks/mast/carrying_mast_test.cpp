@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -47,6 +48,28 @@ TEST(CarryingMast, forces_of_its_ropes) {
   const Result aside = run_text(
       derrick(std::string("    mast: {") + tube + ", carries: [head], foot: [0 m, -0.3 m, 0 m], towards: [0, 1]}\n"));
   EXPECT_GT(check_of(aside, "mast.section").value, check_of(r, "mast.section").value);
+}
+
+// The sheave stands 0.3 m aside of the axis: what pulls it towards the winch turns the mast by T cos(slope) 0.3 m. On
+// the other side it turns the other way. The load of the deck that turns it back leaves nothing.
+TEST(CarryingMast, a_pull_beside_its_axis_turns_it) {
+  const double slope = std::atan2(10, 10) + std::asin(0.2 / std::hypot(10, 10));
+  const double turns = 2000 * 9.80665 * std::cos(slope) * 0.3;
+  const double T_Rd = 2 * std::acos(-1.0) / 4 * std::pow(0.2111, 2) * 8e-3 * 355e6 / std::sqrt(3.0);
+  const auto with = [&](const std::string& foot, const std::string& more) {
+    return run_text(derrick(std::string("    mast: {") + tube + ", carries: [head], foot: " + foot + more + "}\n"));
+  };
+  for (const char* foot : {"[0 m, -0.3 m, 0 m]", "[0 m, 0.3 m, 0 m]"}) {
+    EXPECT_NEAR(check_of(with(foot, ""), "mast.torsion").value / (1.35 * turns / T_Rd), 1, 1e-4) << foot;
+    EXPECT_NEAR(check_of(with(foot, ", towards: [1, 2]"), "mast.torsion").value / (1.35 * turns / T_Rd), 1, 1e-4);
+  }
+  const Result straight = with("[0 m, 0 m, 0 m]", "");
+  EXPECT_EQ(std::find_if(straight.checks.begin(), straight.checks.end(),
+                         [](const Check& c) { return c.name == "mast.torsion"; }),
+            straight.checks.end());
+  // the head pulls by -x at y = 0.3 m from the foot: upwards positive
+  const std::string back = fmt::format(", loads: [{{torsion: {:.4g} N m}}]", -turns);
+  EXPECT_LT(check_of(with("[0 m, -0.3 m, 0 m]", back), "mast.torsion").value, 1e-4);
 }
 
 // Dropped from its natural length: twice the force at rest (and a bit, as the rope between has no mass), at its moment.

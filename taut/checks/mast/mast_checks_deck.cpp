@@ -38,6 +38,9 @@ const Description& MastLoadRequest::describe() {
           .at_most(1e9)
           .field(&R::sideways_moment, "sideways_moment", "", si::N_m, "bends as 'sideways' does")
           .at_least(-1e9)
+          .at_most(1e9)
+          .field(&R::torsion, "torsion", "T", si::N_m, "turns the mast about its axis; its foot holds it")
+          .at_least(-1e9)
           .at_most(1e9);
   return d;
 }

@@ -27,6 +27,7 @@ struct MastLoadRequest {
   double across = 0;                       ///< N, bends about the strong axis
   double sideways = 0;                     ///< N, about the weak one
   double moment = 0, sideways_moment = 0;  ///< N m
+  double torsion = 0;                      ///< N m, about its axis
   static const Description& describe();
 };
 

@@ -45,7 +45,7 @@ MastCombination combination(const MastCheckRequest& request, const std::vector<M
   for (const MastTerm& term : terms) {
     for (const MastLoadRequest& l : loads) {
       if (l.load_case != term.name) continue;
-      c.loads.push_back({l.at.value_or(height), l.down, l.across, l.sideways, l.moment, l.sideways_moment});
+      c.loads.push_back({l.at.value_or(height), l.down, l.across, l.sideways, l.moment, l.sideways_moment, l.torsion});
       c.factors.push_back(term.factor * request.dynamic_factor);
     }
   }

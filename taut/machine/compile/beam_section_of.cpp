@@ -8,6 +8,9 @@
 #include "taut/machine/links/beam_links.hpp"
 
 namespace taut::machine {
+
+using structure::Outline;
+
 namespace {
 
 constexpr double steel_density = 7850;  // kg/m3, EN 1991-1-1
@@ -84,7 +87,8 @@ structure::BeamSection section_of(const description::Beam& given, double gravity
   b.W_x = given.W.value_or(0);
   b.W_y = given.W_weak.value_or(b.W_x);
   b.weight = given.mass.value_or(b.area * steel_density) * gravity;
-  b.round = given.round;
+  const bool stands = given.strong || given.I_weak || given.W_weak;
+  b.outline = given.round ? Outline::tube : stands ? Outline::box : Outline::unsaid;
   b.W_t = given.round ? 2 * b.W_x : given.W_t.value_or(0);
   if (given.round) b.shear_x = b.shear_y = structure::round_shear(b.area);
   return b;

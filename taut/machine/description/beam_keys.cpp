@@ -46,10 +46,10 @@ const Description& Beam::describe() {
                  "known, of a round section 2 W")
           .above(0)
           .at_most(100)
-          .field(
-              &Beam::round, "round",
-              "true: a section by figures that is round, so that both bending moments add as vectors; default: their "
-              "stresses add, as in a corner")
+          .field(&Beam::round, "round",
+                 "true: a section by figures that is round, so that both bending moments add as vectors; default: of a "
+                 "box "
+                 "where 'strong', 'I_weak' or 'W_weak' is given, else not known")
           .field(&Beam::W, "W", "W", si::m3.in("cm^3"), "elastic section modulus, for the stress")
           .above(0)
           .at_most(100)

@@ -29,7 +29,7 @@ struct Beam {
   std::optional<double> I_weak;        ///< m4; default: I
   std::optional<double> J;             ///< torsion, m4; default: I + I_weak
   std::optional<double> W_t;           ///< m3; default: not known, of a round one 2 W
-  bool round = false;                  ///< the section by figures
+  bool round = false;                  ///< the section by figures; false: not said, a box if its axes are
   std::optional<double> W;             ///< m3
   std::optional<double> W_weak;        ///< m3; default: W
   double E = 210e9;                    ///< Pa
