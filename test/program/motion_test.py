@@ -210,6 +210,26 @@ analyses:
             at = next(row[0] for row in events if row[1] == "drive")
         self.goes_on(deck.replace("output_step: 10 ms", f"output_step: {at / 50:.17g} s"), "1 ms", 2 * at, (at,))
 
+    def test_the_dynamic_factor_of_the_second_part_is_of_the_tension_at_rest(self):
+        deck = HOIST.replace("duration: 2 s", "duration: 1 s, hoist_factor: {rope: hoist, class: HC1, speed: 0.5 m/s}")
+        with tempfile.TemporaryDirectory() as folder:
+            first = self.run_to(folder, "analyses[0].transient.save=state.json", "analyses[0].transient.duration=0.55 s", deck=deck)
+            state = pathlib.Path(folder) / "state.json"
+            go_on = f"analyses[0].transient.restart={state}"
+            second = self.run_to(folder + "/second", go_on, deck=deck, expected=4)
+            self.assertFalse(next(check for check in second["checks"] if "phi2" in check["name"])["passes"])
+            at_rest = [run["tables"]["dynamic"]["rows"][0][1] for run in (first, second)]
+            self.assertEqual(*at_rest)
+            self.assertAlmostEqual(at_rest[0] / (2000 * 9.80665), 1, places=3)
+            # a state that does not say it: not judged
+            older = json.loads(state.read_text())
+            for rope in older["ropes"]:
+                del rope["T_static"]
+            state.write_text(json.dumps(older))
+            blind = self.run_to(folder + "/blind", go_on, deck=deck, expected=4)
+            self.assertEqual(blind["verdict"], "not_judged")
+            self.assertFalse([check for check in blind["checks"] if "phi2" in check["name"]])
+
     def test_a_state_of_another_machine_is_refused(self):
         with tempfile.TemporaryDirectory() as folder:
             self.run_to(folder, "analyses[0].transient.save=state.json", "analyses[0].transient.duration=0.1 s")

@@ -190,7 +190,7 @@ void take_motion(const CheckState& begins, const solve::TransientResult& motion,
   const solve::RopeExtreme& rope = motion.ropes[guy.reeving];
   const solve::Extreme& T = rope.T;
   const auto raise = [&](double tension, double factor, const std::string& where) {
-    if (tension * factor <= guy.T_max) return;
+    if (!(tension * factor > guy.T_max)) return;  // nor one that is not known
     guy.T_max = tension * factor;
     guy.where_max = with_factor(where, factor);
   };

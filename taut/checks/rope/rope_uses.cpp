@@ -197,7 +197,7 @@ void RopeUses::take_motion(int reeving, const solve::RopeExtreme& extreme, bool 
   const solve::Extreme& T = extreme.T;
   const std::string peak_words = fmt::format("{}, t = {:.4g} s", words, T.t_max);
   const auto at_rest = [&](double tension, const std::string& where) {
-    if (tension <= use.tension) return;
+    if (!(tension > use.tension)) return;  // nor one that is not known
     use.tension = tension;
     use.where = where;
   };

@@ -168,7 +168,8 @@ Json ropes(const solve::DynamicState& state) {
                     {"leaves", vectors(r.leaves)},
                     {"arrives", vectors(r.arrives)},
                     {"on_rounds", numbers(r.on_rounds)},
-                    {"lumped", numbers(r.lumped)}});
+                    {"lumped", numbers(r.lumped)},
+                    {"T_static", json_number(r.T_static)}});
   }
   return list;
 }
@@ -201,6 +202,7 @@ solve::DynamicState state_in(const Json& j) {
     if (r.contains("arrives")) rope.arrives = vectors_in(r.at("arrives"));
     if (r.contains("on_rounds")) rope.on_rounds = numbers_in(r.at("on_rounds"));
     if (r.contains("lumped")) rope.lumped = numbers_in(r.at("lumped"));
+    if (r.contains("T_static")) rope.T_static = number_in(r.at("T_static"));
     s.ropes.push_back(std::move(rope));
   }
   for (const Json& d : j.at("on_drums"))

@@ -184,6 +184,12 @@ void check_hoist_factor(const study::TransientRun& run, Result& r) {
                                  [&](const machine::Reeving& one) { return one.name == asked.rope; });
   if (rope == run.model.reevings.end()) return;
   const solve::RopeExtreme& e = run.result.ropes[rope - run.model.reevings.begin()];
+  if (std::isnan(e.T_static)) {
+    r.unmade.push_back(
+        fmt::format("{}.phi2{}: the saved state does not say the tension at rest: calculate the first part anew",
+                    asked.rope, run.ending));
+    return;
+  }
   const std::string id = fmt::format("hoist.HC{}", static_cast<int>(asked.hoisting_class) + 1);
   const auto phi2_min = catalogue::find_rule(id + ".phi2_min");
   const auto beta2 = catalogue::find_rule(id + ".beta2");

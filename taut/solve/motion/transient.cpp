@@ -161,7 +161,7 @@ bool dynamics::open_run(Run& run) {
   prepare(run, options.from ? *options.from : settles ? near_equilibrium(model) : assembled(model));
   run.result.observed.resize(model.observed.size());
   run.reference.assign(model.observed.size(), std::numeric_limits<double>::quiet_NaN());
-  run.means.resize(model.observed.size());
+  run.measured.resize(model.observed.size());
   run.result.extremes.resize(model.observed.size());
   run.result.ropes.resize(model.reevings.size());
   run.result.mass_lumped.assign(model.reevings.size(), options.rope_mass);
@@ -199,6 +199,9 @@ TransientResult finished(Run& run) {
   run.result.state = state_of(run.m, run.before, run.origin);
   run.result.state.happened.assign(run.happened.begin(), run.happened.end());
   run.result.state.memory = memory_of(run);
+  for (std::size_t r = 0; r < run.result.ropes.size(); ++r) {
+    run.result.state.ropes[r].T_static = run.result.ropes[r].T_static;
+  }
   return std::move(run.result);
 }
 

@@ -62,6 +62,8 @@ struct DynamicState {
     Array<Vector3> leaves, arrives;  ///< by branch: directions of one that sags; 0: straight, or not known
     Array<double> on_rounds;         ///< by the same, two each: on the rounds at its ends, what stretches with it, m
     Array<double> lumped;            ///< by branch or segment: length whose mass was shared out, m; empty: `length`
+    /// RopeExtreme::T_static of the motion that led here, N; NaN: not known
+    double T_static = std::numeric_limits<double>::quiet_NaN();
   };
   /// The end of a rope that lies on a drum.
   struct OnDrum {
@@ -221,7 +223,7 @@ struct Extreme {
 struct RopeExtreme {
   Extreme T;            ///< largest tension of the rope at a time, N
   int branch = 0;       ///< where max was
-  double T_static = 0;  ///< largest tension at the start, N
+  double T_static = 0;  ///< largest tension at the start, of the first part of a motion in parts, N; NaN: not known
 };
 
 /// Ways over the whole run, at every step of the integrator, m: of the rope against a contact's rim, and of the rim.

@@ -131,6 +131,21 @@ TEST(TransientRestart, NoRopeSlipsWhileNoTimePasses) {
   for (std::size_t k = 0; k < was.contacts.size(); ++k) EXPECT_NEAR(is.contacts[k].slip, was.contacts[k].slip, 1e-6);
 }
 
+/// The tension at rest is that of the first part, with the integrator's memory and without; a state that does not say
+/// it leaves it open.
+TEST(TransientRestart, KeepsTheTensionAtRest) {
+  const machine::Model m = slipping(0);
+  const TransientResult first = run_to_end(m, by_steps(0.5, 1e-3, TimeMethod::implicit));
+  ASSERT_GT(std::abs(first.ropes[0].T.end / first.ropes[0].T_static - 1), 0.02);
+  TransientOptions options = by_steps(0.1, 1e-3, TimeMethod::implicit);
+  options.from = first.state;
+  EXPECT_EQ(run_to_end(m, options).ropes[0].T_static, first.ropes[0].T_static);
+  options.from->memory.clear();
+  EXPECT_EQ(run_to_end(m, options).ropes[0].T_static, first.ropes[0].T_static);
+  options.from->ropes[0].T_static = std::nan("");
+  EXPECT_TRUE(std::isnan(run_to_end(m, options).ropes[0].T_static));
+}
+
 /// Beyond what dampers can hold the rope does slip at once: a drum whose pull jumps to more than twice the tension.
 TEST(TransientRestart, WhatDampersCantHoldSlipsAtOnce) {
   machine::Model m;

@@ -44,7 +44,8 @@ void push_face(const machine::FaceContact& law, const Matrix3& R, bool at_rest, 
   const double size = is.pull.norm();
   is.sticks = size <= is.limit;
   is.friction = is.sticks ? Vector3(-is.pull) : Vector3(-is.limit / size * is.pull);
-  if (!is.sticks) is.bristle = R.transpose() * (-is.friction - ct * is.slide) / law.tangential_stiffness;
+  // the damper gives way with the contact: what slides is not strained by it
+  if (!is.sticks) is.bristle = R.transpose() * -is.friction / law.tangential_stiffness;
 }
 
 /// How the velocity of the point seen from the face's body follows a freedom's place.

@@ -108,6 +108,36 @@ machine::Model mass_on_floor(double mass, double end) {
   return m;
 }
 
+/// A belt slides 2 m under a mass on a soft, strongly damped contact, fast and to rest within 1 s: the friction is mu N
+/// against the sliding all the while, whatever its damper, and takes mu N times the way; the bristle keeps next to
+/// nothing.
+TEST(TransientFace, TheDamperOfAContactThatSlidesGivesWayWithIt) {
+  machine::Model m = mass_on_floor(100, 10);
+  m.bodies[0] = body("mass", origin, 100, "z");
+  machine::Body belt = body("belt", origin, 0, "");
+  belt.driven = {{Vector3::UnitX(), origin, smooth_move(0, 2, 0, 1)}};
+  m.bodies.push_back(belt);
+  m.faces[0].body = 1;
+  m.faces[0].from = {-5, 0, 0};
+  machine::FaceContact& law = m.contacts[0];
+  law.stiffness = 2e6, law.damping = 1e5;
+  law.tangential_stiffness = 1e6, law.tangential_damping = 5e4;
+  law.static_friction = law.kinetic_friction = 0.3;
+  m.bodies[0].position.z() = -100 * g / law.stiffness;
+  const TransientResult r = run_to_end(m, lasting(1.2, 1e-6, 240));
+  const double limit = 0.3 * 100 * g;
+  for (const auto& frame : r.frames) {
+    if (frame.faces[0].speed < -0.02) {
+      EXPECT_NEAR(frame.faces[0].F, limit, 1e-3 * limit) << frame.t;
+    }
+  }
+  EXPECT_TRUE(r.frames.back().faces[0].sticks);
+  const double kept = limit * limit / 1e6 / 2, pressed = std::pow(100 * g, 2) / 2e6 / 2;
+  EXPECT_NEAR(r.frames.back().energy.contacts, limit * 2, 2 * kept);
+  EXPECT_LT(r.frames[120].energy.elastic, pressed + 2 * kept);
+  EXPECT_LT(std::abs(r.frames.back().energy.residual), 1e-5 * r.frames.back().energy.turnover);
+}
+
 /// m x'' = -m g - k x - c x', x <= 0, from the touch at speed v down: the largest speed up, and the peak.
 struct Bounce {
   double up = 0, peak = 0;

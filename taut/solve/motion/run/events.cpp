@@ -390,6 +390,15 @@ Array<double> extremes_of(const machine::Model& model, double from, double to) {
   for_each_signal(model, [&](const machine::Signal& signal) {
     for (const double t : machine::extremes(signal, from, to)) all.push_back(t);
   });
+  const auto add = [&](double t) {
+    if (t > from && t < to) all.push_back(t);
+  };
+  for (const machine::Observable& what : model.observed) {
+    add(what.since);
+    if (!what.has_mean || what.mean_of) continue;
+    add(what.mean_from);
+    add(what.mean_to);
+  }
   std::sort(all.begin(), all.end());
   all.erase(std::unique(all.begin(), all.end()), all.end());
   return all;

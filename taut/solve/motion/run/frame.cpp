@@ -360,21 +360,9 @@ void record_frame(Run& run, const Values& v) {
   for (Array<double>& values : result.observed) values.erase(values.begin() + 1);
 }
 
-void extend_observed(Run& run, const Values& v) {
-  const bool first = run.result.steps == 0;
-  take_references(run, v);
-  for (std::size_t i = 0; i < run.model.observed.size(); ++i) {
-    const machine::Observable& what = run.model.observed[i];
-    const double value = observe(run, v, what);
-    extend(run.result.extremes[i], value, v.t, first || (v.t >= what.since && run.last_time < what.since));
-    add_to_mean(run, v, i, value);
-  }
-  run.last_time = v.t;
-}
-
 void record_extremes(Run& run, const Values& v) {
   const bool first = run.result.steps == 0;
-  extend_observed(run, v);
+  measure(run, v);
   for (std::size_t r = 0; r < run.model.reevings.size(); ++r) {
     RopeExtreme& of = run.result.ropes[r];
     int branch = 0;
@@ -382,7 +370,7 @@ void record_extremes(Run& run, const Values& v) {
     if (first || T > of.T.max) of.branch = branch;
     run.T_last[r] = first ? T : of.T.end;
     extend(of.T, T, v.t, first);
-    if (first) of.T_static = T;
+    if (first) of.T_static = run.options.from ? run.options.from->ropes[r].T_static : T;
     run.T_largest[r] = std::max(run.T_largest[r], T);
   }
 }

@@ -367,10 +367,11 @@ StepEnd look_round(Run& run, bool jump, bool& stop) {
 /// differ by their rounding alone (0.01 s * 610 and 6.1 s) are one: between them there is no step.
 double next_limit(const Run& run, double output, std::size_t next) {
   constexpr double rounding = 1e-13;
+  const auto same_as = [&](double t) { return t + rounding * std::max(std::abs(t), run.options.duration); };
   double limit = next < run.stops.size() ? std::min(output, run.stops[next]) : output;
-  const auto extreme = std::upper_bound(run.extremes.begin(), run.extremes.end(), run.before.t);
+  const auto extreme = std::upper_bound(run.extremes.begin(), run.extremes.end(), same_as(run.before.t));
   if (extreme != run.extremes.end()) limit = std::min(limit, *extreme);
-  const double same = limit + rounding * std::max(std::abs(limit), run.options.duration);
+  const double same = same_as(limit);
   if (output <= same) limit = output;
   for (; next < run.stops.size() && run.stops[next] <= same; ++next) limit = std::max(limit, run.stops[next]);
   return limit;

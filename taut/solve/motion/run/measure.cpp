@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "taut/solve/motion/run/run.hpp"
 
@@ -12,15 +13,8 @@ double scaled(const Run& run, const Values& v, const machine::Observable& what) 
   return what.factor * observe_as_it_is(run, v, what);
 }
 
-bool in_window(const Run& run, const Values& v, const machine::Observable& what) {
-  const double x = what.mean_of ? observe(run, v, run.model.mean_windows[*what.mean_of]) : v.t;
-  return x >= what.mean_from && x <= what.mean_to;
-}
-
-}  // namespace
-
-double observe(const Run& run, const Values& v, const machine::Observable& what) {
-  const double value = scaled(run, v, what);
+/// A value as its measure wants it.
+double as_seen(const Run& run, const machine::Observable& what, double value) {
   if (what.relative == Relative::none || !what.slot) return value + what.offset;
   const double reference = run.reference[*what.slot];
   if (what.relative == Relative::difference) {
@@ -29,28 +23,66 @@ double observe(const Run& run, const Values& v, const machine::Observable& what)
   return (std::isnan(reference) || reference == 0 ? 1 : value / reference) + what.offset;
 }
 
-void take_references(Run& run, const Values& v) {
-  for (std::size_t i = 0; i < run.model.observed.size(); ++i) {
-    const machine::Observable& what = run.model.observed[i];
-    if (what.relative == Relative::none || !std::isnan(run.reference[i]) || v.t < what.since) continue;
-    run.reference[i] = scaled(run, v, what);
-  }
+/// A part of a step, in shares of it.
+struct Part {
+  double from = 0, to = 1;
+};
+
+/// The part of a step in which a quantity lies between two bounds, straight from `was` to `is`.
+Part within(double was, double is, double least, double most) {
+  if (was == is) return {0, was >= least && was <= most ? 1.0 : 0.0};
+  const double a = (least - was) / (is - was), b = (most - was) / (is - was);
+  return {std::max(0.0, std::min(a, b)), std::min(1.0, std::max(a, b))};
 }
 
-void add_to_mean(Run& run, const Values& v, std::size_t observed, double value) {
-  const machine::Observable& what = run.model.observed[observed];
-  if (!what.has_mean) return;
-  Run::Mean& mean = run.means[observed];
-  const bool inside = v.t >= what.since && in_window(run, v, what);
-  // a step across the edge of the window does not count: steps are short against it
-  if (inside && mean.inside) {
-    mean.integral += (v.t - mean.last_t) * (value + mean.last_value) / 2;
-    mean.duration += v.t - mean.last_t;
+double between(double was, double is, double share) { return was + share * (is - was); }
+
+/// The value where `since` lies in the step that has ended; else that at its end.
+double at_since(const Run::Measured& all, const machine::Observable& what, double t) {
+  if (!(all.t < what.since)) return all.now;
+  return between(all.value, all.now, (what.since - all.t) / (t - all.t));
+}
+
+void add_to_mean(const Run& run, const machine::Observable& what, double t, double window, Run::Measured& all) {
+  if (!what.has_mean || !(t > all.t)) return;
+  const Part inside = within(all.window, window, what.mean_from, what.mean_to);
+  const Part later = within(all.t, t, what.since, std::numeric_limits<double>::infinity());
+  const double from = std::max(inside.from, later.from), to = std::min(inside.to, later.to);
+  if (!(to > from)) return;
+  const double duration = (to - from) * (t - all.t);
+  all.integral += duration * as_seen(run, what, between(all.value, all.now, (from + to) / 2));
+  all.duration += duration;
+}
+
+}  // namespace
+
+double observe(const Run& run, const Values& v, const machine::Observable& what) {
+  return as_seen(run, what, scaled(run, v, what));
+}
+
+void measure(Run& run, const Values& v) {
+  const bool first = run.result.steps == 0;
+  const auto& observed = run.model.observed;
+  for (std::size_t i = 0; i < observed.size(); ++i) {
+    const machine::Observable& what = observed[i];
+    run.measured[i].now = scaled(run, v, what);
+    if (what.relative == Relative::none || !std::isnan(run.reference[i]) || v.t < what.since) continue;
+    run.reference[i] = at_since(run.measured[i], what, v.t);
   }
-  mean.inside = inside;
-  mean.last_t = v.t;
-  mean.last_value = value;
-  if (mean.duration > 0) run.result.extremes[observed].mean = mean.integral / mean.duration;
+  for (std::size_t i = 0; i < observed.size(); ++i) {
+    const machine::Observable& what = observed[i];
+    Run::Measured& all = run.measured[i];
+    Extreme& e = run.result.extremes[i];
+    const bool begins = all.t < what.since && v.t >= what.since;
+    if (begins) extend(e, as_seen(run, what, at_since(all, what, v.t)), what.since, true);
+    extend(e, as_seen(run, what, all.now), v.t, first && !begins);
+    const double window = what.mean_of ? observe(run, v, run.model.mean_windows[*what.mean_of]) : v.t;
+    add_to_mean(run, what, v.t, window, all);
+    if (all.duration > 0) e.mean = all.integral / all.duration;
+    all.t = v.t;
+    all.value = all.now;
+    all.window = window;
+  }
 }
 
 void extend(Extreme& e, double value, double t, bool first) {

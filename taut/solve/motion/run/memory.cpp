@@ -139,7 +139,7 @@ void walk_run(W& w, Run& run) {
   for (ChainLoad& load : run.m.chain_loads) w.number(load.more);
 }
 
-constexpr double layout = 4;  ///< of the list: another one is not understood
+constexpr double layout = 5;  ///< of the list: another one is not understood
 
 /// What the numbers belong to: how many they are, the method, its damping, the kinds of steps, the rope on rounds.
 Array<double> head_of(Run& run) {
@@ -170,9 +170,9 @@ double mark_of(const std::string& name) {
 void keep_measures(const Run& run, Array<double>& memory) {
   memory.push_back(static_cast<double>(run.model.observed.size()));
   for (std::size_t i = 0; i < run.model.observed.size(); ++i) {
-    const Run::Mean& mean = run.means[i];
-    memory.insert(memory.end(), {mark_of(run.model.observed[i].name), run.reference[i], mean.integral, mean.duration,
-                                 mean.last_t, mean.last_value, mean.inside ? 1.0 : 0.0});
+    const Run::Measured& all = run.measured[i];
+    memory.insert(memory.end(), {mark_of(run.model.observed[i].name), run.reference[i], all.integral, all.duration,
+                                 all.t, all.value, all.window});
   }
 }
 
@@ -182,7 +182,7 @@ void take_measures(Run& run, const Array<double>& memory, std::size_t first, std
     for (std::size_t k = first; k < first + kept * per_measure; k += per_measure) {
       if (memory[k] != mark) continue;
       run.reference[i] = memory[k + 1];
-      run.means[i] = {memory[k + 2], memory[k + 3], memory[k + 4], memory[k + 5], memory[k + 6] != 0};
+      run.measured[i] = {memory[k + 2], memory[k + 3], memory[k + 4], memory[k + 5], memory[k + 6], memory[k + 5]};
     }
   }
 }

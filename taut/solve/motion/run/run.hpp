@@ -1,4 +1,6 @@
 #pragma once
+#include <limits>
+
 #include "taut/base/array.hpp"
 #include "taut/solve/motion/parts/build.hpp"
 #include "taut/solve/motion/run/ledger.hpp"
@@ -54,14 +56,15 @@ struct Run {
   Array<double> T_error{};     ///< by reeving: largest error of its tensions, N
   Array<double> T_expected{};  ///< by reeving: largest tension in an earlier, coarser run, N; empty: there is none
   // of measures
-  struct Mean {
-    double integral = 0, duration = 0;  ///< of the value over time, s
-    double last_t = 0, last_value = 0;
-    bool inside = false;  ///< at the step before
+  struct Measured {
+    double integral = 0, duration = 0;                    ///< of its mean: of the value over time, s
+    double t = std::numeric_limits<double>::quiet_NaN();  ///< of the step before, s; NaN: there is none
+    double value = 0;                                     ///< then, not yet relative to its reference
+    double window = 0;                                    ///< then: what bounds its mean
+    double now = 0;                                       ///< as `value`, at the end of the step
   };
-  double last_time = -1;      ///< of the step before, s
   Array<double> reference{};  ///< by what is observed; NaN: none yet
-  Array<Mean> means{};
+  Array<Measured> measured{};
 };
 
 /// The machine with the sides that its sheaves without a given side have where it comes to rest; as described where the
@@ -75,10 +78,9 @@ bool open_run(Run& run);
 /// The value of an observable now; of a measure as its deck wants it seen.
 double observe(const Run& run, const Values& v, const machine::Observable& what);
 double observe_as_it_is(const Run& run, const Values& v, const machine::Observable& what);
-/// What relative measures relate to, from their `since` on; before the extremes of a step.
-void take_references(Run& run, const Values& v);
-/// Adds the step to the mean of what is observed.
-void add_to_mean(Run& run, const Values& v, std::size_t observed, double value);
+/// Adds the step that ends with `v` to the extremes and means of what is observed. Where a window or `since` begins or
+/// ends within the step, values run straight from its start to its end.
+void measure(Run& run, const Values& v);
 void extend(Extreme& e, double value, double t, bool first);
 
 /// Writes down one output step; extremes at every step.
@@ -88,8 +90,6 @@ void record_extremes(Run& run, const Values& v);
 void add_ways(Run& run);
 /// Shows a moment between output steps: the start of the last step, where a rope had a peak there, or its end.
 void show_moment(Run& run, const Values& before, const Values& now);
-/// Of the observed quantities alone.
-void extend_observed(Run& run, const Values& v);
 TransientFrame frame_of(const Mechanism& m, const Values& v);
 
 /// Notes what has changed in a step: slack and taut, stick and slip, lift-off.
@@ -112,7 +112,8 @@ bool lay_out_joints(Run& run, Values& v);
 bool run_out(Run& run);
 /// Times of events and breakpoints of signals, without those before `from`.
 Array<double> stops_of(const Run& run, double from, double to);
-/// Where signals by a formula may have an extreme: what peaks within a step leaves no trace at its end.
+/// Where signals by a formula may have an extreme, as what peaks within a step leaves no trace at its end; and where
+/// measures begin or end.
 Array<double> extremes_of(const machine::Model& model, double from, double to);
 /// Whether an event is due at t or a signal jumps there.
 bool jumps_at(const Run& run, double t);

@@ -338,12 +338,12 @@ void step_points(Run& run, Points& p, double limit, long most) {
     hurry(p, h / 2);
     if (s == steps) break;
     scatter(run, p, t);
-    extend_observed(run, run.before);
+    measure(run, run.before);
     hurry(p, h / 2);
     drift(p, h);
   }
   scatter(run, p, start + static_cast<double>(steps) * h);
-  if (observed) extend_observed(run, run.before);
+  if (observed) measure(run, run.before);
   for (std::size_t i = 0; i < run.m.lines.size(); ++i) {
     double& largest = run.T_error[run.m.lines[i].reeving];
     largest = std::max(largest, p.error[p.link[i]]);
