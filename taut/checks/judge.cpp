@@ -481,10 +481,12 @@ void Judge::add_scope(Result& r) const {
   const bool payload = std::any_of(deck_->analyses.begin(), deck_->analyses.end(),
                                    [](const auto& one) { return one.payload.has_value(); });
   if (payload) pass_on_own_limit(r.checks);
+  // what is slack at rest may be loaded by a motion
+  const auto most = [](const RopeWorst& rope) { return std::max(rope.T, rope.peak); };
   double largest = 0;
-  for (const auto& [name, rope] : ropes_) largest = std::max(largest, rope.T);
+  for (const auto& [name, rope] : ropes_) largest = std::max(largest, most(rope));
   for (const auto& [name, rope] : ropes_) {
-    if (!rope.carries || (rope.seen && rope.T <= of_largest * largest)) continue;
+    if (!rope.carries || most(rope) <= of_largest * largest) continue;
     add_scope_of(name, r, r.unjudged);
   }
   for (const machine::Beam& beam : model_->beams) add_scope_of(beam.name, r, r.unjudged);

@@ -150,6 +150,32 @@ TEST(Judge, TheWorstUpliftOfAMotionIsTold) {
   EXPECT_GT(pull(longer), 1.5 * pull(once));
 }
 
+// A winch lowers 2 t onto a second rope, which hangs loose at rest: it needs a limit as one that is tight.
+TEST(Judge, ARopeThatIsSlackAtRestNeedsALimitWhereAMotionLoadsIt) {
+  const auto lowered = [](const std::string& to, const std::string& limit) {
+    return run_text(R"(taut: 1
+machine:
+  signals: {lowering: {ramp: {to: -0.5 m/s, start: 0.5 s, duration: 0.5 s, smooth: true}}}
+  points: {above: [0 m, 0 m, 10 m]}
+  ropes:
+    hoist: {mass: 0 kg/m, stiffness: 5 MN, breaking_force: 200 kN, damping_ratio: 0.05}
+    catch: {mass: 0 kg/m, stiffness: 5 MN, damping_ratio: 0.05, breaking_force: 200 kN}
+  bodies: {load: {mass: 2 t, at: [0 m, 0 m, 4 m], free: [x, z]}}
+  drums: {winch: {at: [0.1 m, 0 m, 10 m], core_diameter: 200 mm, drive: {speed: lowering}}}
+  reevings:
+    - {rope: hoist, path: [{drum: winch}, {anchor: load}], length: 6 m, may_slack: true}
+    - {rope: catch, path: [{anchor: above}, {anchor: load}], length: 7 m, may_slack: true}
+analyses: [{equilibrium: {}}, {transient: {output_step: 20 ms, tolerance: 1e-4, duration: )" +
+                    to + "}}]\nchecks: {ropes: {hoist: {safety_factor: 4, dynamic_safety_factor: 3}" + limit + "}}\n");
+  };
+  const Result loaded = lowered("6 s", "");
+  ASSERT_EQ(loaded.status, Status::ok) << loaded.message << to_text(loaded.errors);
+  EXPECT_EQ(verdict_of(loaded)->kind, VerdictKind::not_judged) << verdict_of(loaded)->reason;
+  EXPECT_THAT(loaded.unjudged, ElementsAre("catch"));
+  EXPECT_THAT(lowered("6 s", ", catch: {safety_factor: 4, dynamic_safety_factor: 3}").unjudged, IsEmpty());
+  EXPECT_THAT(lowered("2 s", "").unjudged, IsEmpty()) << "slack until 2.75 s";
+}
+
 /// A crane of 2 t on two feet that are 2 m apart, with a load at its side.
 std::string crane(const std::string& load) {
   return R"(taut: 1
