@@ -80,16 +80,8 @@ bool stands_by_brake(const machine::Drum& drum) {
   return drum.brake && drum.drive.kind != machine::DriveKind::torque && drum.drive.kind != machine::DriveKind::pull;
 }
 
-/// Whether a motion has the brake set, from its start or by an event: then it shows whether it holds.
-bool is_braked(const machine::Model& m, int drum) {
-  return m.drums[drum].drive.brake || std::any_of(m.events.begin(), m.events.end(), [&](const machine::Event& event) {
-           return event.kind == machine::EventKind::brake && event.brake_set && event.index == drum;
-         });
-}
-
 /// It has to hold the pull of its rope.
-void check_brake(const machine::Drum& drum, const DrumLoad& d, std::vector<Check>& made) {
-  if (!stands_by_brake(drum) || !d.stands) return;
+void add_brake_check(const machine::Drum& drum, const DrumLoad& d, std::vector<Check>& made) {
   made.push_back(make_check(
       drum.name + ".brake_torque", d.torque, si::N_m,
       {.sense = Sense::at_most, .limit = drum.brake->torque, .rule = "what its brake holds", .trust = "user"}));
@@ -172,8 +164,12 @@ void DriveUses::take(const machine::Model& m, const solve::EquilibriumResult& st
   const Array<solve::DrumResult> ends = solve::drums(m, state);
   for (const auto& [drum, load] : loads_of(ends, state.flow)) {
     check_torque(m.drums[drum], load, made);
-    check_brake(m.drums[drum], load, made);
-    if (stands_by_brake(m.drums[drum]) && !load.stands) unloaded_brakes_.try_emplace(m.drums[drum].name, words);
+    if (!stands_by_brake(m.drums[drum])) continue;
+    if (load.stands) {
+      add_brake_check(m.drums[drum], load, made);
+    } else {
+      unloaded_brakes_.try_emplace(m.drums[drum].name, words);
+    }
   }
   check_capacities(m, ends, made);
   for (const auto& d : ends) {
@@ -192,9 +188,11 @@ void DriveUses::take_moment(const machine::Model& m, const solve::TransientFrame
   std::vector<Check> made;
   check_capacities(m, drums, made);
   for (const auto& [drum, load] : loads_of(drums, {})) {
-    // a motion lets a drum without a drive stand whatever it takes
-    if (m.drums[drum].drive.kind == machine::DriveKind::held && !is_braked(m, drum))
-      check_brake(m.drums[drum], load, made);
+    // a motion lets a drum stand whatever that takes, but in a brake that is set
+    if (!m.drums[drum].brake || !frame.drums[drum].held) continue;
+    // one that is driven at other times stands without a load before it takes one: that shows nothing
+    if (m.drums[drum].drive.kind == machine::DriveKind::held || load.torque > 0)
+      add_brake_check(m.drums[drum], load, made);
   }
   for (const auto& d : drums) {
     keep_turns(m, d, when);
@@ -203,17 +201,27 @@ void DriveUses::take_moment(const machine::Model& m, const solve::TransientFrame
   keep(std::move(made), when);
 }
 
+/// Of a motion without a step, which is a place of rest: no brake can slip there.
+void DriveUses::take_set_brakes(const machine::Model& m, const solve::TransientFrame& rest, const std::string& words) {
+  std::vector<Check> made;
+  for (const auto& [drum, load] : loads_of(solve::drums(m, rest), {})) {
+    if (stands_by_brake(m.drums[drum]) && m.drums[drum].drive.brake) add_brake_check(m.drums[drum], load, made);
+  }
+  keep(std::move(made), words);
+}
+
 void DriveUses::take(const machine::Model& m, const solve::TransientResult& motion, const std::string& words) {
   for (std::size_t d = 0; d < m.drums.size(); ++d) {
     const machine::Drum& drum = m.drums[d];
     if (!stands_by_brake(drum)) continue;
-    if (is_braked(m, static_cast<int>(d))) {
+    if (d < motion.brake_ways.size() && motion.brake_ways[d].acted) {
       braked_.insert(drum.name);
-    } else if (drum.drive.kind != machine::DriveKind::held) {
+    } else {
       unloaded_brakes_.try_emplace(drum.name, words);
     }
   }
   const solve::TransientFrame& first = motion.frames.front();
+  if (motion.brake_ways.empty()) take_set_brakes(m, first, words);
   for (std::size_t c = 0; c < motion.ways.size(); ++c) {
     const machine::Node& node = m.reevings[first.contacts[c].reeving].nodes[first.contacts[c].node];
     const auto [slipped, rim] = motion.ways[c];
@@ -226,6 +234,14 @@ void DriveUses::take(const machine::Model& m, const solve::TransientResult& moti
   }
   for (std::size_t d = 0; d < motion.brake_ways.size(); ++d) {
     const solve::BrakeWay& slips = motion.brake_ways[d];
+    if (slips.let_go) {
+      unbraked_.try_emplace(
+          m.drums[d].name,
+          fmt::format(
+              "{}, t = {:.4g} s: the brake of '{}' is released, or set anew, before it has stopped the drum: its "
+              "rope runs at {:.3g} m/s then; it does not hold, or is set for too short a time",
+              words, *slips.let_go, m.drums[d].name, slips.speed));
+    }
     if (slips.way < least_slip * 2 * std::numbers::pi * m.drums[d].core_radius) continue;
     unbraked_.try_emplace(m.drums[d].name,
                           fmt::format("{}, t = {:.4g} s: '{}' slips in its brake, which is set and had stopped it, by "
@@ -252,8 +268,8 @@ void DriveUses::add_checks(Result& r) const {
   for (const auto& [drum, words] : unloaded_brakes_) {
     if (braked_.contains(drum) || worst_.contains(drum + ".brake_torque")) continue;
     r.unmade.push_back(
-        fmt::format("{}.brake_torque is not checked: the drum turns in every state ({}); add an analysis "
-                    "at rest",
+        fmt::format("{}.brake_torque is not checked: the drum turns, or bears nothing, in every state ({}); add "
+                    "an analysis at rest",
                     drum, words));
     r.warnings.push_back(r.unmade.back());
   }

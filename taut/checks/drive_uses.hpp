@@ -17,7 +17,8 @@ class DriveUses {
  public:
   /// `words`: which state it is, "sweep, drive.friction = 0.2".
   void take(const machine::Model& model, const solve::EquilibriumResult& state, const std::string& words);
-  /// A moment of a motion: what lies on its drums, cylinders at their limits.
+  /// A moment of a motion: what lies on its drums, what their brakes have to hold where they stand without a brake that
+  /// is set, cylinders at their limits.
   void take_moment(const machine::Model& model, const solve::TransientFrame& frame, const std::string& words);
   /// A motion as a whole, with at least one frame: how far the rope slips on each contact, whether brakes hold and have
   /// stopped their drums.
@@ -29,6 +30,7 @@ class DriveUses {
 
  private:
   void keep(std::vector<Check> made, const std::string& words);
+  void take_set_brakes(const machine::Model& model, const solve::TransientFrame& rest, const std::string& words);
   void keep_turns(const machine::Model& model, const solve::DrumResult& drum, const std::string& words);
   void keep_layer(const machine::Model& m, const solve::DrumResult& d, const std::string& words);
 
@@ -38,11 +40,11 @@ class DriveUses {
     std::string words;
   };
   std::map<std::string, Slip> slips_;                   // the largest of each sheave
-  std::map<std::string, std::string> unbraked_;         // drums whose brake slips, or that turn on when a motion ends
+  std::map<std::string, std::string> unbraked_;         // drums whose brake slips, or has not stopped them
   std::map<std::string, std::string> unloaded_brakes_;  // drums that no state shows by their brake: where
-  std::set<std::string> braked_;                        // drums whose brake a motion sets: it judges them by their slip
-  std::map<std::string, std::string> layers_;           // drums with more layers than they are calculated with
-  std::map<std::string, std::string> yielding_;         // cylinders at their force limit
+  std::set<std::string> braked_;                 // drums whose brake acts in full in a motion: their slip judges it
+  std::map<std::string, std::string> layers_;    // drums with more layers than they are calculated with
+  std::map<std::string, std::string> yielding_;  // cylinders at their force limit
   struct Turns {
     double left = 0;
     std::string words;

@@ -3,6 +3,9 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <string>
+
 #include "taut/calc/verdict.hpp"
 #include "test/support/machine_decks.hpp"
 
@@ -443,6 +446,118 @@ checks: {ropes: {w: {safety_factor: 3}}}
   EXPECT_NE(first.unsafe[0].find("reaches layer 3"), std::string::npos) << first.unsafe[0];
   EXPECT_TRUE(run(", layers: auto").unsafe.empty());
   EXPECT_EQ(to_text(verdict_of(run(", layers: auto"))->kind), "fails");  // 39.2 kN x 0.25 m over 9 kN m
+}
+
+/// A winch whose rope lies at 0.207 m; `drum`: how it is driven and braked, `more`: signals and events.
+Result braked_winch(const std::string& mass, const std::string& drum, const std::string& more,
+                    const std::string& duration) {
+  return run_text(R"(taut: 1
+machine:
+  gravity: 9.81 m/s^2
+  ropes: {hoist: {mass: 0 kg/m, stiffness: 5 MN, breaking_force: 600 kN, damping_ratio: 0.1, diameter: 14 mm}}
+  bodies: {load: {mass: )" +
+                  mass + R"(, at: [0.2 m, 0 m, 4 m], free: [z]}}
+  drums: {winch: {at: [0 m, 0 m, 30 m], core_diameter: 400 mm, inertia: 50 kg m^2, )" +
+                  drum + R"(}}
+  reevings: [{rope: hoist, path: [{drum: winch}, {anchor: load}], length: 26 m}]
+)" + more + R"(
+checks: {ropes: {hoist: {safety_factor: 4, dynamic_safety_factor: 1.5, diameter_ratio: [10, 10]}}}
+analyses: [{transient: {output_step: 10 ms, tolerance: 1e-4, duration: )" +
+                  duration + "}}]\n");
+}
+
+// 0.5 t and for a while 20 kN more: (4.9 + 20) 0.207 = 5.16 kN m and a little by the swing. A brake that is set later,
+// or never, holds nothing before.
+TEST(DriveUses, ABrakeHoldsNothingBeforeItIsSet) {
+  const std::string pull = R"(
+  signals:
+    f: {sequence: [{at: 0.5 s, to: 20 kN, over: 0.5 s, smooth: true}, {at: 3 s, to: 1 kN, over: 0.5 s, smooth: true}]}
+  loads: [{at: load, force: [0 kN, 0 kN, -1 kN], signal: f}])";
+  const std::string drum = "brake_torque: 2 kN m";
+  for (const char* events :
+       {"", "\n  events: [{at: 5 s, brake: winch}]", "\n  events: [{when: \"load.z > 20 m\", brake: winch}]"}) {
+    const Result r = braked_winch("0.5 t", drum, pull + events, "6 s");
+    ASSERT_EQ(r.status, Status::ok) << r.message << to_text(r.errors);
+    EXPECT_EQ(to_text(verdict_of(r)->kind), "fails") << events << verdict_of(r)->reason;
+    EXPECT_NEAR(taut_test::check_of(r, "winch.brake_torque").value, 5.4e3, 0.2e3) << events;
+  }
+  // one that is set before the pull is judged by its slip
+  const Result set = braked_winch("0.5 t", drum, pull + "\n  events: [{at: 0.1 s, brake: winch}]", "6 s");
+  EXPECT_TRUE(taut_test::check_of(set, "winch.brake_torque").passes);
+  ASSERT_FALSE(set.unsafe.empty());
+  EXPECT_NE(set.unsafe[0].find("slips in its brake"), std::string::npos) << set.unsafe[0];
+}
+
+// 1.5 t at 0.207 m are 3.05 kN m: more than the brake of 2.5 kN m, in which the rope runs faster and faster.
+TEST(DriveUses, ABrakeThatIsReleasedBeforeItHasStoppedTheDrumIsUnsafe) {
+  const auto braked = [](const std::string& torque, const std::string& release) {
+    return braked_winch("1.5 t", "drive: {speed: lowering}, brake_torque: " + torque, R"(
+  signals: {lowering: {ramp: {to: -0.8 m/s, start: 0.2 s, duration: 0.8 s}}}
+  events: [{at: 2 s, brake: winch}, {at: )" + release + ", brake: winch, mode: open}]",
+                        "6 s");
+  };
+  const auto told = [](const Result& one, const char* what) {
+    return std::any_of(one.unsafe.begin(), one.unsafe.end(),
+                       [&](const std::string& text) { return text.find(what) != std::string::npos; });
+  };
+  const Result r = braked("2.5 kN m", "4 s");
+  ASSERT_EQ(r.status, Status::ok) << r.message << to_text(r.errors);
+  EXPECT_TRUE(told(r, "t = 4 s: the brake of 'winch' is released, or set anew, before it has stopped the drum"));
+  EXPECT_NEAR(taut_test::check_of(r, "winch.brake_torque").value, 1.5e3 * 9.81 * 0.207, 5)
+      << "at the start, where it stands";
+  // (4.5 - 3.05)/0.207 over 1500 kg + 50/0.207^2 stop 0.8 m/s in 0.31 s
+  EXPECT_TRUE(braked("4.5 kN m", "4 s").unsafe.empty());
+  EXPECT_EQ(to_text(verdict_of(braked("4.5 kN m", "4 s"))->kind), "passes");
+  EXPECT_TRUE(told(braked("4.5 kN m", "2.2 s"), "t = 2.2 s: the brake of 'winch' is released"));
+}
+
+// A drum that hoists 26 m and stands: 1 t on its third layer of 0.25 m are 2.45 kN m, on its first 1.96 (and 2.06 with
+// half a rope).
+TEST(DriveUses, ABrakeHoldsWhereTheMotionHasLeftTheDrum) {
+  const auto hoist_to = [](const std::string& end, const std::string& analyses) {
+    return run_text(R"(taut: 1
+machine:
+  gravity: 9.81 m/s^2
+  signals: {v: {sequence: [{at: 0 s, to: 2 m/s, over: 1 s, smooth: true}, {at: )" +
+                    end + R"(, to: 0 m/s, over: 1 s, smooth: true}]}}
+  ropes: {r: {mass: 0 kg/m, stiffness: 40 MN, breaking_force: 380 kN, damping_time: 3 ms, diameter: 20 mm}}
+  bodies: {m: {mass: 1 t, at: [0.21 m, 0 m, 5 m], free: [x, z]}}
+  drums:
+    w: {at: [0 m, 0 m, 40 m], core_diameter: 400 mm, inertia: 10 kg m^2, drive: {speed: v}, layers: auto,
+        length_on_drum: 10 m, face_width: 200 mm, flange_diameter: 900 mm, brake_torque: 2.15 kN m}
+  reevings: [{name: a, rope: r, path: [{drum: w}, {anchor: m}], length: 35 m}]
+checks: {ropes: {r: {dynamic_safety_factor: 3, safety_factor: 3, diameter_ratio: [10, 10]}}}
+analyses: [)" + analyses +
+                    "{transient: {duration: 20 s, output_step: 100 ms, tolerance: 1e-5}}]\n");
+  };
+  for (const char* analyses : {"", "{equilibrium: {}}, "}) {
+    const Result r = hoist_to("14 s", analyses);
+    ASSERT_EQ(r.status, Status::ok) << r.message << to_text(r.errors);
+    EXPECT_EQ(to_text(verdict_of(r)->kind), "fails") << verdict_of(r)->reason;
+    EXPECT_NEAR(taut_test::check_of(r, "w.brake_torque").value, 1e3 * 9.81 * 0.25, 0.02e3);
+  }
+  EXPECT_TRUE(taut_test::check_of(hoist_to("1.2 s", ""), "w.brake_torque").passes);
+}
+
+// A place of rest about which a machine vibrates has no brake that slips: 1 t at 0.2 m.
+TEST(DriveUses, ABrakeThatIsSetHasToHoldWhereAMachineVibrates) {
+  const auto modes = [](const std::string& torque) {
+    return run_text(R"(taut: 1
+machine:
+  ropes: {line: {mass: 0 kg/m, stiffness: 5 MN, breaking_force: 100 kN, damping_ratio: 0.05}}
+  bodies: {load: {mass: 1 t, at: [0.2 m, 0 m, 0 m], free: [z]}}
+  drums: {winch: {at: [0 m, 0 m, 10 m], core_diameter: 400 mm, inertia: 20 kg m^2, drive: {brake: set}, brake_torque: )" +
+                    torque + R"(}}
+  reevings: [{rope: line, path: [{drum: winch, side: left}, {anchor: load}], length: 10 m}]
+checks: {ropes: {line: {safety_factor: 4}}}
+analyses: [{modes: {}}]
+)");
+  };
+  const Result weak = modes("1.5 kN m");
+  ASSERT_EQ(weak.status, Status::ok) << weak.message << to_text(weak.errors);
+  EXPECT_NEAR(taut_test::check_of(weak, "winch.brake_torque").value, 1e3 * 9.80665 * 0.2, 4);
+  EXPECT_EQ(to_text(verdict_of(weak)->kind), "fails");
+  EXPECT_EQ(to_text(verdict_of(modes("3 kN m"))->kind), "passes");
 }
 
 }  // namespace taut::drive_uses_test

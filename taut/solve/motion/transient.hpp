@@ -172,6 +172,7 @@ struct TransientFrame {
   struct Drum {
     double T = 0, speed = 0;       ///< N, largest of its ropes; taken in of the first one, m/s
     double torque = 0, power = 0;  ///< of its drive, N m, W
+    bool held = false;             ///< stands by a drive that does not turn it, or by none; no brake is set
   };
   /// The end of a rope that lies on a drum.
   struct OnDrum {
@@ -231,10 +232,15 @@ struct ContactWays {
   double slipped = 0, rim = 0;
 };
 
-/// What a drum has let through its brake, which acts in full, after it had stood in it.
+/// What a drum does in its brake while that acts in full.
 struct BrakeWay {
-  bool stood = false;
-  double way = 0, since = 0;  ///< of the rope, m; when it began, s
+  bool acted = false;         ///< in some step
+  bool acts = false;          ///< in the last step
+  bool stood = false;         ///< since it acts
+  double way = 0, since = 0;  ///< of the rope after the drum had stood, m; when it began to slip, s
+  /// The first time that it acted no more while the drum had not stood in it, s, and how fast the rope ran then, m/s.
+  std::optional<double> let_go;
+  double speed = 0;
 };
 
 /// `outcome` not ok: the frames up to `t_end` are a result, the message says what happened there.

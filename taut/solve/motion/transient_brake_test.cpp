@@ -112,6 +112,28 @@ TEST(TransientBrake, ABrakeThatGrowsIsWorkedOutByItsSlope) {
   EXPECT_NEAR(speed(r), -v, 3e-3);
 }
 
+TEST(TransientBrake, TellsWhereADrumIsLetGoBeforeItHasStood) {
+  machine::Model m = winch(lowering(1));
+  m.events = {brake_at(1.5), brake_at(2)};
+  m.events[1].brake_set = false;
+  TransientOptions options = lasting(2.5, 1e-6);
+  options.start = taut::solve::Start::settled;
+  const auto braked = [&](double share) {
+    m.drums[0].brake = machine::Brake{.torque = share * mass * g * radius};
+    return run(m, options);
+  };
+  const TransientResult slips = braked(0.8);
+  ASSERT_TRUE(slips.brake_ways.at(0).let_go);
+  EXPECT_DOUBLE_EQ(*slips.brake_ways[0].let_go, 2);
+  EXPECT_NEAR(slips.brake_ways[0].speed, 1 + 0.2 * mass * g * radius / moved * 0.5, 1e-2);
+  EXPECT_EQ(slips.brake_ways[0].way, 0);
+  EXPECT_TRUE(slips.frames.front().drums[0].held);
+  EXPECT_FALSE(slips.frames.back().drums[0].held);
+  const TransientResult stops = braked(3);
+  EXPECT_TRUE(stops.brake_ways.at(0).acted);
+  EXPECT_FALSE(stops.brake_ways[0].let_go);
+}
+
 TEST(TransientBrake, DragLeadsToASteadySpeed) {
   machine::Drive free;
   free.kind = machine::DriveKind::free;

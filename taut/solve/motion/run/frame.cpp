@@ -65,6 +65,8 @@ TransientFrame::Drum turning_of(const Mechanism& m, const Values& v, std::size_t
   }
   const Contact& first = m.contacts[of.contacts.front().first];
   const double radius = working_radius(m, first, v);
+  const std::optional<Turning> turning = prescribed(m, of, v, v.when);
+  d.held = turning && turning->omega == 0 && turning->alpha == 0 && v.drive(of).kind != machine::DriveKind::pull;
   d.speed = v.spins[spin].omega * radius;
   if (given_tension(m, first, v, v.when)) {
     const ContactValues& contact = v.contacts[of.contacts.front().first];
@@ -385,16 +387,23 @@ void add_brake_ways(Run& run) {
     BrakeWay& of = run.result.brake_ways[spin.drum];
     const machine::Drive& drive = run.now.drum_drive[spin.drum];
     const auto& brake = run.model.drums[spin.drum].brake;
+    const auto speed = [&](const Values& v) {
+      return std::abs(v.spins[i].omega) * working_radius(run.m, run.m.contacts[spin.contacts.front().first], v);
+    };
     if (!drive.brake || !brake || run.before.t < drive.brake_since + brake->delay + brake->rise) {
-      of.stood = false;
+      if (of.acts && !of.stood && !of.let_go) {
+        of.let_go = run.before.t;
+        of.speed = speed(run.before);
+      }
+      of.acts = of.stood = false;
       continue;
     }
-    const SpinValues& is = run.now.spins[i];
-    of.stood = of.stood || is.turns == 0;
-    if (!of.stood || is.turns == 0) continue;
+    of.acted = of.acts = true;
+    const bool sticks = run.now.spins[i].turns == 0;
+    of.stood = of.stood || sticks;
+    if (!of.stood || sticks) continue;
     if (of.way == 0) of.since = run.before.t;
-    of.way +=
-        run.scheme.h * std::abs(is.omega) * working_radius(run.m, run.m.contacts[spin.contacts.front().first], run.now);
+    of.way += run.scheme.h * speed(run.now);
   }
 }
 
