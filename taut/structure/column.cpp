@@ -226,6 +226,12 @@ bool stays(const Column& c, double factor) {
   return positive(std::move(K));
 }
 
+/// Whether the factor is below the critical one. K - factor K_N that is positive at 0 and at a factor is so between.
+bool is_held(const Column& c, double factor) {
+  if (!c.clamped_base && c.top_stiffness == 0) return false;
+  return largest_compression(c) * factor <= 0 || stays(c, factor);
+}
+
 }  // namespace
 
 double Column::height() const {
@@ -236,7 +242,7 @@ double Column::height() const {
 
 std::optional<std::vector<ColumnPoint>> bent_shape(const Column& c, double factor) {
   expect_column(c);
-  if (factor >= critical_factor(c)) return std::nullopt;
+  if (!is_held(c, factor)) return std::nullopt;
   const double h = c.height(), EI = c.pieces.front().EI;
   const Shot shot = shoot(c, factor);
   const std::array<double, 2> open = left_open(c, March(c, factor, true)(base(c, 0, 0)));

@@ -16,6 +16,7 @@ using catalogue::SectionRow;
 
 constexpr int parts_of_taper = 8;
 constexpr double least_slice = 1e-3;       // of the height
+constexpr double rounding = 1e-12;         // of a critical factor; nearer to 1 a shape need not exist
 constexpr std::size_t section_every = 12;  // of the 96 steps of a column's piece
 
 enum class Plane { y, z };
@@ -223,7 +224,7 @@ class Combination {
 
   void add() {
     r_.critical_factor = std::min(r_.critical_factor, critical_);
-    if (critical_ <= 1) {
+    if (critical_ <= 1 + rounding) {
       if (r_.refused.empty()) {
         r_.refused = m_.clamped_base || m_.top_stiffness > 0
                          ? fmt::format(

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 
 #include "taut/base/suggest.hpp"
 #include "taut/checks/mast/mast_checks.hpp"
@@ -14,7 +13,6 @@ namespace {
 
 constexpr double on_top = 1e-6;  // m
 constexpr double places_on_mast = 200;
-constexpr int directions = 16;  // in which the most bent state is looked for
 
 bool carries(const MastCheckRequest& request, const std::string& name) {
   return std::find(request.carries.begin(), request.carries.end(), name) != request.carries.end();
@@ -49,53 +47,6 @@ void add_pull(const MastCheckRequest& request, const Vector3& place, const Vecto
   load.sideways_moment = load.down * from_foot.dot(weak) + load.sideways * above;
   load.torsion = load.sideways * from_foot.dot(strong) - load.across * from_foot.dot(weak);
   all.loads.push_back(std::move(load));
-}
-
-/// What a section at a height has to bear of a state, to first order.
-struct Borne {
-  double N = 0, M_y = 0, M_z = 0, torsion = 0;
-};
-Borne borne_at(const CarriedState& state, double height) {
-  Borne b;
-  for (const MastLoadRequest& l : state.loads) {
-    const double arm = *l.at - height;
-    if (arm < 0) continue;
-    b.N += l.down;
-    b.M_y += l.across * arm + l.moment;
-    b.M_z += l.sideways * arm + l.sideways_moment;
-    b.torsion += l.torsion;
-  }
-  return b;
-}
-
-/// The states of one analysis that are looked at: all of them; of very many (a motion) those that press or turn a
-/// piece's foot most, or bend it most, as a cantilever, in any of several directions.
-std::vector<const CarriedState*> looked_at(const MastCheckRequest& request,
-                                           const std::vector<const CarriedState*>& states) {
-  constexpr std::size_t most = 500;
-  if (states.size() <= most) return states;
-  std::vector<const CarriedState*> kept;
-  const auto keep = [&](const auto& measure) {
-    const auto* most = *std::max_element(states.begin(), states.end(),
-                                         [&](const auto* a, const auto* b) { return measure(*a) < measure(*b); });
-    if (std::find(kept.begin(), kept.end(), most) == kept.end()) kept.push_back(most);
-  };
-  double foot = 0;
-  std::vector<double> feet = {foot};
-  for (const MastPieceRequest& p : request.pieces) feet.push_back(foot += p.length);
-  if (feet.size() > 1) feet.pop_back();
-  for (const double height : feet) {
-    keep([&](const CarriedState& s) { return borne_at(s, height).N; });
-    keep([&](const CarriedState& s) { return std::abs(borne_at(s, height).torsion); });
-    for (int k = 0; k < directions; ++k) {
-      const double angle = 2 * std::numbers::pi * k / directions;
-      keep([&](const CarriedState& s) {
-        const Borne b = borne_at(s, height);
-        return std::cos(angle) * b.M_y + std::sin(angle) * b.M_z;
-      });
-    }
-  }
-  return kept;
 }
 
 /// Each state as a combination of its own: with the deck's own loads by their factors.
@@ -148,21 +99,17 @@ class Combinations {
   }
 
   void add_states(const std::string& before, const std::vector<MastTerm>& own, const MastTerm& term) {
-    std::vector<const CarriedState*> states;
     for (const CarriedState& s : states_) {
-      if (s.analysis == term.name) states.push_back(&s);
-    }
-    if (states.empty()) return;
-    for (const CarriedState* s : looked_at(request_, states)) {
+      if (s.analysis != term.name) continue;
       const std::string key = fmt::format("state {}", own_.combinations.size());
-      for (MastLoadRequest load : s->loads) {
+      for (MastLoadRequest load : s.loads) {
         load.load_case = key;
         own_.loads.push_back(std::move(load));
       }
       std::vector<MastTerm> terms = own;
       // a motion has its dynamics in it
-      terms.push_back({key, s->moves ? term.factor / request_.dynamic_factor : term.factor});
-      own_.combinations.push_back({before + s->words, std::move(terms)});
+      terms.push_back({key, s.moves ? term.factor / request_.dynamic_factor : term.factor});
+      own_.combinations.push_back({before + s.words, std::move(terms)});
     }
   }
 
@@ -248,8 +195,8 @@ MastReport carrying_mast(const MastCheckRequest& request, const std::vector<Carr
     if (!asked.empty() && std::none_of(asked.begin(), asked.end(), named)) report.left_out.insert(s.analysis);
   }
   report.words.push_back(fmt::format(
-      "{}: under the ropes over and at {}, in the deck's {} states, of more than 500 of an analysis in those that "
-      "press, bend or turn it most; motions without the dynamic factor; its own weight {}.",
+      "{}: under the ropes over and at {}, in the deck's {} states; motions without the dynamic factor; its own weight "
+      "{}.",
       request.name, fmt::join(request.carries, ", "), states.size(), request.own_weight ? "counted" : "left out"));
   return report;
 }

@@ -145,4 +145,91 @@ checks:
   EXPECT_GT(path, 1.05);
 }
 
+/// A mast of 10 m whose head and middle are pulled by masses on guides: across at both places, and down at its head.
+/// Each pull is a list of steps of a signal.
+Result pulled(const std::string& head, const std::string& middle, const std::string& down, const std::string& mast,
+              const std::string& analyses) {
+  const auto signal = [](const std::string& steps) { return "{sequence: [" + steps + "]}"; };
+  return run_text(R"(taut: 1
+machine:
+  gravity: 9.81 m/s^2
+  signals:
+    across: )" + signal(head) +
+                  "\n    beside: " + signal(middle) + "\n    down: " + signal(down) + R"(
+  points: {head: [0 m, 0 m, 10 m], middle: [0 m, 0 m, 5 m]}
+  ropes: {r: {mass: 0 kg/m, stiffness: 100 MN, breaking_force: 6 MN, damping_ratio: 0.2}}
+  bodies:
+    a: {mass: 500 kg, at: [10 m, 0 m, 10 m], guide: [1, 0, 0]}
+    b: {mass: 500 kg, at: [10 m, 0 m, 5 m], guide: [1, 0, 0]}
+    c: {mass: 200 kg, at: [0 m, 0 m, 2 m], guide: [0, 0, 1]}
+  reevings:
+    - {name: ra, rope: r, path: [{anchor: head}, {anchor: a}], length: 9.99 m}
+    - {name: rb, rope: r, path: [{anchor: middle}, {anchor: b}], length: 9.99 m}
+    - {name: rc, rope: r, path: [{anchor: head}, {anchor: c}], length: 8 m}
+  loads:
+    - {at: a, force: [0.5 kN, 0 kN, 0 kN], signal: across}
+    - {at: b, force: [0.5 kN, 0 kN, 0 kN], signal: beside}
+    - {at: c, force: [0 kN, 0 kN, -0.5 kN], signal: down}
+checks:
+  ropes: {r: {safety_factor: 3}}
+  masts:
+    mast: {height: 10 m, foot: [0 m, 0 m, 0 m], steel: S355, towards: [1, 0], )" +
+                  mast + "}\nanalyses: [{transient: {tolerance: 1e-3, start: settled, " + analyses + "}}]\n");
+}
+std::string step(double at, const char* to) {
+  return fmt::format("{{at: {} s, to: {}, over: 0.8 s, smooth: true}}", at, to);
+}
+constexpr const char* little = "{at: 0 s, to: 0.5 kN, over: 0.1 s}";
+
+// Held at its head, which 40 kN pull first: that bends it nowhere. Then 60 kN in its middle, by hand
+// 1.35 P l/4 = 202.5 kN m over W_pl f_y = 357 cm^3 355 MPa. 700 moments.
+TEST(CarryingMast, every_moment_of_a_motion_counts_where_its_top_is_held) {
+  const std::string mast =
+      "section: CHS 219.1x8, base: hinge, top_stiffness: .inf, sway: 0, bow: 0, load_factor: 1.35, carries: [head, "
+      "middle]";
+  const std::string top = step(1, "40 kN") + ", " + step(2, "0.5 kN"), mid = step(4, "60 kN") + ", " + step(5, "1 kN");
+  const Result r = pulled(top, mid, little, mast, "duration: 7 s, output_step: 10 ms");
+  ASSERT_EQ(r.status, Status::ok) << r.message << to_text(r.errors);
+  EXPECT_NEAR(check_of(r, "mast.section").value, 1.35 * 60e3 * 10 / 4 / (357e-6 * 355e6), 0.02);
+  EXPECT_NE(check_of(r, "mast.section").rule.find("t = 4."), std::string::npos) << check_of(r, "mast.section").rule;
+  // the same motion in less moments
+  const Result few = pulled(top, mid, little, mast, "duration: 7 s, output_step: 50 ms");
+  EXPECT_NEAR(check_of(r, "mast.section").value, check_of(few, "mast.section").value, 1e-3);
+}
+
+// Pressed alone, bent alone, then a little less of both together, which is the worst.
+TEST(CarryingMast, force_and_moment_together_count_where_each_alone_is_larger) {
+  const std::string mast = "section: CHS 323.9x12.5, load_factor: 1.05, carries: [head]";
+  const std::string down = step(1, "400 kN") + ", " + step(2, "1 kN"),
+                    across = step(4, "34 kN") + ", " + step(5, "1 kN");
+  const auto run = [&](const char* N, const char* M, const std::string& more) {
+    return pulled(across + ", " + step(7, M), little, down + ", " + step(7, N), mast, more);
+  };
+  const Result apart = run("1 kN", "1 kN", "output_step: 12 ms, duration: 9 s");
+  ASSERT_EQ(apart.status, Status::ok) << apart.message << to_text(apart.errors);
+  EXPECT_LT(check_of(apart, "mast.section").value, 0.9);
+  EXPECT_LT(check_of(apart, "mast.member").value, 0.9);
+  const Result both = run("350 kN", "29 kN", "output_step: 12 ms, duration: 9 s");
+  EXPECT_NEAR(check_of(both, "mast.section").value, 1.32, 0.03);
+  EXPECT_NEAR(check_of(both, "mast.member").value, 1.44, 0.03);
+}
+
+// The lightest section that passes, passes in its own run too, by every moment.
+TEST(CarryingMast, a_chosen_section_passes_every_moment) {
+  const std::string down = step(1, "400 kN") + ", " + step(2, "1 kN") + ", " + step(7, "350 kN");
+  const std::string across = step(4, "34 kN") + ", " + step(5, "1 kN") + ", " + step(7, "29 kN");
+  const auto run = [&](const std::string& section) {
+    return pulled(across, little, down, "load_factor: 1.05, carries: [head], section: " + section,
+                  "output_step: 14 ms, duration: 8 s");
+  };
+  const Result r = run("CHS 323.9x12.5, choose: {shape: chs}");
+  ASSERT_EQ(r.status, Status::ok) << r.message << to_text(r.errors);
+  const auto table =
+      std::find_if(r.tables.begin(), r.tables.end(), [](const auto& t) { return t.name == "mast_sections"; });
+  ASSERT_NE(table, r.tables.end());
+  const std::string chosen = std::get<std::string>(table->rows.front()[1]);
+  const Result own = run(chosen);
+  for (const Check& c : own.checks) EXPECT_TRUE(c.passes) << chosen << ": " << c.name << " " << c.value;
+}
+
 }  // namespace taut::checks::carrying_mast_test

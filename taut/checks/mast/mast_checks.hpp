@@ -77,7 +77,8 @@ inline constexpr std::string_view weight_term = "own_weight";
 /// Partial factor of the own weight in a combination: that of its term `own_weight`, else the largest of its factors.
 double weight_factor(const std::vector<MastTerm>& terms);
 
-/// Such a mast, solved. `loads`: in place of those in the request; `gravity`: of its own weight, m/s2.
+/// Such a mast, solved. `loads`: in place of those in the request; `gravity`: of its own weight, m/s2. Of more than 500
+/// combinations, as a motion has them, the cases are those that decide a check or a number of the report.
 MastReport own_mast(const MastCheckRequest& request, const std::vector<MastLoadRequest>& loads,
                     double gravity = standard_gravity);
 
@@ -91,7 +92,7 @@ CarriedState carried_by(const MastCheckRequest& request, const CheckState& state
 void complain_of_carried(const MastCheckRequest& request, const std::string& path, const machine::Model& model,
                          const std::vector<std::string>& analyses, std::vector<Complaint>& complaints);
 /// Such a mast under each of the states, with the loads that the deck gives besides. Motions come without the dynamic
-/// factor. Of many states those count that bend or press some piece most, in any direction.
+/// factor.
 MastReport carrying_mast(const MastCheckRequest& request, const std::vector<CarriedState>& states, double gravity);
 
 /// The masts of a deck with a published method: those with loads, and of `mast_section` without loads the method's own

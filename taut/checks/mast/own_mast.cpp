@@ -1,8 +1,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <functional>
+#include <limits>
+#include <map>
 #include <set>
+#include <utility>
 
 #include "taut/base/suggest.hpp"
 #include "taut/catalogue/section_search.hpp"
@@ -34,17 +39,21 @@ std::vector<std::string> cases_of(const std::vector<MastLoadRequest>& loads) {
   return names;
 }
 
+using LoadsByCase = std::map<std::string, std::vector<const MastLoadRequest*>, std::less<>>;
+
 /// One combination: loads of its cases with their factors, its own weight with its own. The dynamic factor is of what
 /// moves: not of the weight.
-MastCombination combination(const MastCheckRequest& request, const std::vector<MastLoadRequest>& loads,
-                            const std::string& words, const std::vector<MastTerm>& terms) {
+MastCombination combination(const MastCheckRequest& request, const LoadsByCase& loads, const std::string& words,
+                            const std::vector<MastTerm>& terms) {
   MastCombination c;
   c.words = words;
   c.weight_factor = weight_factor(terms);
   const double height = height_of(request);
   for (const MastTerm& term : terms) {
-    for (const MastLoadRequest& l : loads) {
-      if (l.load_case != term.name) continue;
+    const auto own = loads.find(term.name);
+    if (own == loads.end()) continue;
+    for (const MastLoadRequest* load : own->second) {
+      const MastLoadRequest& l = *load;
       c.loads.push_back({l.at.value_or(height), l.down, l.across, l.sideways, l.moment, l.sideways_moment, l.torsion});
       c.factors.push_back(term.factor * request.dynamic_factor);
     }
@@ -54,14 +63,16 @@ MastCombination combination(const MastCheckRequest& request, const std::vector<M
 
 std::vector<MastCombination> combinations_of(const MastCheckRequest& request,
                                              const std::vector<MastLoadRequest>& loads) {
+  LoadsByCase by_case;
+  for (const MastLoadRequest& l : loads) by_case[l.load_case].push_back(&l);
   std::vector<MastCombination> all;
   all.reserve(request.combinations.size());
   for (const MastCombinationRequest& one : request.combinations) {
-    all.push_back(combination(request, loads, one.name, one.terms));
+    all.push_back(combination(request, by_case, one.name, one.terms));
   }
   if (!all.empty()) return all;
   for (const std::string& name : cases_of(loads)) {
-    all.push_back(combination(request, loads, name, {{.name = name, .factor = request.load_factor}}));
+    all.push_back(combination(request, by_case, name, {{.name = name, .factor = request.load_factor}}));
   }
   return all;
 }
@@ -123,6 +134,54 @@ void use_length(const MastCheckRequest& request, structure::LoadedMast& m) {
   if (!request.buckling_length) return;
   for (auto& part : m.mast.parts) part.member.y.length = part.member.z.length = request.buckling_length;
   for (auto& c : m.cases) c.critical_force.clear();
+}
+
+/// Empty where it buckles.
+std::optional<structure::LoadedMast> loaded_in(const MastCheckRequest& request, const ColumnMast& column) {
+  structure::ColumnMastResult found = column_mast(column);
+  if (!found.refused.empty()) return std::nullopt;
+  structure::LoadedMast loaded{.mast = std::move(found.mast), .cases = std::move(found.cases)};
+  use_length(request, loaded);
+  return loaded;
+}
+
+constexpr std::size_t shown_together = 500;  ///< combinations; a path with its steps has less, a motion may have more
+
+/// A number that is worse the larger it is, and the first combination that has the largest.
+struct Deciding {
+  double value = -std::numeric_limits<double>::infinity();
+  std::size_t combination = 0;
+};
+
+/// Of more than 500 combinations those that decide: each is the worst in one of the checks, or in one of the numbers of
+/// the report. Every combination is solved and checked by itself. A choice by its loads would not do, nor would their
+/// convex hull: the interaction (6.61) bounds a region of N and M that is not convex, and the critical load has its own
+/// places of N in each combination.
+std::vector<MastCombination> deciding(const MastCheckRequest& request, const ColumnMast& column) {
+  if (column.combinations.size() <= shown_together) return column.combinations;
+  ColumnMast one = column;
+  std::vector<Deciding> worst;
+  for (std::size_t i = 0; i < column.combinations.size(); ++i) {
+    one.combinations = {column.combinations[i]};
+    structure::ColumnMastResult solved = column_mast(one);
+    if (!solved.refused.empty()) return one.combinations;
+    structure::LoadedMast loaded{.mast = std::move(solved.mast), .cases = std::move(solved.cases)};
+    use_length(request, loaded);
+    const structure::MastUse u = mast_use(loaded.mast, loaded.cases);
+    const std::array numbers = {u.slenderness.value, u.section.value, u.shear.value,           u.torsion.value,
+                                u.flexural.value,    u.member.value,  u.stress.value,          u.stress_use.value,
+                                solved.bow,          solved.sway,     solved.top_displacement, -solved.critical_factor};
+    worst.resize(numbers.size());
+    for (std::size_t k = 0; k < numbers.size(); ++k) {
+      if (numbers.at(k) > worst[k].value) worst[k] = {.value = numbers.at(k), .combination = i};
+    }
+  }
+  std::set<std::size_t> kept;
+  for (const Deciding& d : worst) kept.insert(d.combination);
+  std::vector<MastCombination> all;
+  all.reserve(kept.size());
+  for (const std::size_t i : kept) all.push_back(column.combinations[i]);
+  return all;
 }
 
 /// A piece of a mast, and what its lower end is made of.
@@ -252,7 +311,9 @@ MastReport own_mast(const MastCheckRequest& request, const std::vector<MastLoadR
     column.pieces.push_back(std::move(found.piece));
   }
   report.relieved = relieved(column);
-  structure::ColumnMastResult solved = column_mast(column);
+  ColumnMast shown = column;
+  shown.combinations = deciding(request, column);
+  structure::ColumnMastResult solved = column_mast(shown);
   report.refused = solved.refused;
   report.loaded = {.mast = std::move(solved.mast), .cases = std::move(solved.cases)};
   use_length(request, report.loaded);
@@ -272,7 +333,8 @@ MastReport own_mast(const MastCheckRequest& request, const std::vector<MastLoadR
                           : std::string(", no bow needed by (5.8)"),
       top * 1e3, solved.critical_factor));
   if (request.pieces.empty()) {
-    report.in_section = [request, column](const catalogue::SectionRow& row) -> std::optional<structure::LoadedMast> {
+    report.in_section = [request, column, shown = shown.combinations](
+                            const catalogue::SectionRow& row) -> std::optional<structure::LoadedMast> {
       const auto m = mast_material(request, row, *request.steel);
       if (!m) return std::nullopt;
       ColumnMast other = column;
@@ -281,11 +343,14 @@ MastReport own_mast(const MastCheckRequest& request, const std::vector<MastLoadR
                        .top = {},
                        .yield = m->yield,
                        .allowable_stress = m->allowable_stress}};
-      structure::ColumnMastResult found = column_mast(other);
-      if (!found.refused.empty()) return std::nullopt;
-      structure::LoadedMast loaded{.mast = std::move(found.mast), .cases = std::move(found.cases)};
-      use_length(request, loaded);
-      return loaded;
+      // what decides for this section may be another combination than for the deck's; most fail by the same
+      other.combinations = shown;
+      std::optional<structure::LoadedMast> loaded = loaded_in(request, other);
+      if (!loaded || shown.size() == column.combinations.size()) return loaded;
+      if (mast_use(loaded->mast, loaded->cases).utilisation() > 1) return loaded;
+      other.combinations = column.combinations;
+      other.combinations = deciding(request, other);
+      return loaded_in(request, other);
     };
   }
   return report;
