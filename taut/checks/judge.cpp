@@ -64,6 +64,51 @@ bool carries_ropes(const machine::Model& m, int body) {
   });
 }
 
+bool holds_ropes(const machine::Model& m, int body) {
+  return std::any_of(m.reevings.begin(), m.reevings.end(), [&](const machine::Reeving& rope) {
+    return std::any_of(rope.nodes.begin(), rope.nodes.end(),
+                       [&](const machine::Node& node) { return node.at.body == body; });
+  });
+}
+
+bool is_fixed(const machine::Model& m, int body) {
+  return body == machine::ground || (m.bodies[body].free.empty() && m.bodies[body].driven.empty());
+}
+
+/// By a signal, out of the upright; or a point of a rope, or a section of a beam, which no deck turns.
+bool is_turned_by_deck(const machine::Body& body) {
+  return body.of_rope || body.beam ||
+         std::any_of(body.driven.begin(), body.driven.end(),
+                     [](const machine::DrivenWay& way) { return way.about.head<2>().norm() > 0; });
+}
+
+/// How a body is turned from where the deck has it.
+Matrix3 turned_to(const machine::Model& m, const solve::TransientFrame& moment, std::size_t body) {
+  return moment.bodies[body].orientation * m.bodies[body].orientation.transpose();
+}
+
+/// By which angle what was upright leans then, rad.
+double leans_by(const Matrix3& turned) { return std::acos(std::clamp(turned(2, 2), -1.0, 1.0)); }
+
+/// Bodies that a signal turns, and those that keep their attitude to one of them with which they are in contact by a
+/// face: the sections of a boom that luffs.
+std::vector<bool> turned_with_deck(const machine::Model& m, const solve::TransientFrame& moment) {
+  std::vector<bool> with;
+  for (const machine::Body& body : m.bodies) with.push_back(is_turned_by_deck(body));
+  for (bool more = true; more;) {
+    more = false;
+    for (const auto& contact : m.contacts) {
+      const int face = m.faces[contact.face].body;
+      if (contact.body == machine::ground || face == machine::ground) continue;
+      const std::size_t one = as_size(contact.body), other = as_size(face);
+      if (with[one] == with[other]) continue;
+      if (leans_by(turned_to(m, moment, one).transpose() * turned_to(m, moment, other)) > fallen_angle) continue;
+      with[one] = with[other] = more = true;
+    }
+  }
+  return with;
+}
+
 /// "sheaves a, b" of the names; nothing of none.
 std::string listed(const char* kind, const std::vector<std::string>& names) {
   return names.empty() ? std::string{} : fmt::format("{} {}", kind, fmt::join(names, ", "));
@@ -218,35 +263,42 @@ void Judge::take_places(const machine::Model& m, const solve::EquilibriumResult&
   take_spans(m, e.state, {}, words);
 }
 
-/// What carries ropes and stands on the ground by feet may not tip, nor lift one of them where all stand as the motion
-/// begins. A load may be picked up.
-void Judge::take_stand(const machine::Model& m, const solve::TransientFrame& first, const solve::TransientFrame& moment,
-                       const std::string& words) {
+/// What holds ropes may not fall over; what carries them and stands by feet may not lift one of those once all of them
+/// have stood. A load may be picked up.
+void Judge::take_stand(const machine::Model& m, const solve::TransientFrame& moment, const std::string& words) {
+  const std::vector<bool> with_deck = turned_with_deck(m, moment);
+  for (std::size_t b = 0; b < m.bodies.size(); ++b) {
+    if (!with_deck[b] && holds_ropes(m, static_cast<int>(b))) take_lean(m, moment, b, words);
+  }
   std::map<int, std::vector<std::size_t>> feet;
-  for (std::size_t i = 0; i < std::min(m.contacts.size(), first.faces.size()); ++i) {
-    if (m.contacts[i].body >= 0 && m.faces[m.contacts[i].face].body == machine::ground)
+  for (std::size_t i = 0; i < std::min(m.contacts.size(), moment.faces.size()); ++i) {
+    if (moment.faces[i].closed) stood_.insert(i);
+    if (!is_fixed(m, m.contacts[i].body) && is_fixed(m, m.faces[m.contacts[i].face].body))
       feet[m.contacts[i].body].push_back(i);
   }
   for (const auto& [body, all] : feet) {
-    const auto stood = [&](std::size_t foot) { return first.faces[foot].closed; };
-    if (all.size() < 2 || !carries_ropes(m, body)) continue;
-    const std::string& name = m.bodies[body].name;
-    const Matrix3 turned = moment.bodies[body].orientation * m.bodies[body].orientation.transpose();
-    const double tilt = std::acos(std::clamp(turned(2, 2), -1.0, 1.0));
-    if (tilt > fallen_angle) {
-      warn(name + " fallen",
-           fmt::format("{}: '{}' has tipped over: it leans {:.3g} deg from where the deck has it", words, name,
-                       tilt * 180 / std::numbers::pi),
-           true, tilt);
-    }
-    const bool all_stood = std::all_of(all.begin(), all.end(), stood);
+    const bool all_stood = std::all_of(all.begin(), all.end(), [&](std::size_t i) { return stood_.contains(i); });
+    if (all.size() < 2 || !all_stood || !carries_ropes(m, body)) continue;
     for (const std::size_t foot : all) {
-      if (!all_stood || moment.faces[foot].closed) continue;
+      if (moment.faces[foot].closed) continue;
       warn(m.contacts[foot].name + " lifted",
-           fmt::format("{}: '{}' lifts '{}' off the ground: it begins to tip", words, name, m.contacts[foot].name),
+           fmt::format("{}: '{}' lifts '{}' off the ground: it begins to tip", words, m.bodies[body].name,
+                       m.contacts[foot].name),
            true);
     }
   }
+}
+
+void Judge::take_lean(const machine::Model& m, const solve::TransientFrame& moment, std::size_t body,
+                      const std::string& words) {
+  const std::string& name = m.bodies[body].name;
+  const double lean = leans_by(turned_to(m, moment, body));
+  if (lean <= fallen_angle) return;
+  warn(name + " fallen",
+       fmt::format("{}: '{}' has tipped over, or begins far from where it works: it leans {:.3g} deg from where the "
+                   "deck has it",
+                   words, name, lean * 180 / std::numbers::pi),
+       true, lean);
 }
 
 void Judge::take_spans(const machine::Model& m, const machine::State& state, const std::set<std::string>& broken,
@@ -341,6 +393,7 @@ void Judge::take_moment(const machine::Model& m, const solve::TransientResult& s
   if (so_far.frames.size() == 1) {
     events_seen_ = 0;
     broken_.clear();
+    stood_.clear();
   }
   for (; events_seen_ < so_far.events.size(); ++events_seen_) {
     const solve::TransientEvent& event = so_far.events[events_seen_];
@@ -351,7 +404,7 @@ void Judge::take_moment(const machine::Model& m, const solve::TransientResult& s
   off_groove_.take(m, moment, broken_, when);
   two_blocked_.take(m, places, broken_, when);
   take_uplift(m, moment, when);
-  take_stand(m, so_far.frames.front(), moment, when);
+  take_stand(m, moment, when);
   take_spans(m, places, broken_, when);
   if (m.terrain.empty()) return;
   for (const machine::Carriage& car : m.carriages) {

@@ -143,8 +143,9 @@ class Judge {
   void warn_of_pulled(const machine::Model& model, const machine::Node& node, const Vector3& force,
                       const std::string& words);
   void take_uplift(const machine::Model& model, const solve::TransientFrame& moment, const std::string& words);
-  void take_stand(const machine::Model& model, const solve::TransientFrame& first, const solve::TransientFrame& moment,
-                  const std::string& words);
+  void take_stand(const machine::Model& model, const solve::TransientFrame& moment, const std::string& words);
+  void take_lean(const machine::Model& model, const solve::TransientFrame& moment, std::size_t body,
+                 const std::string& words);
   void take_spans(const machine::Model& model, const machine::State& state, const std::set<std::string>& broken,
                   const std::string& words);
   void take_slack(const machine::Model& model, const solve::EquilibriumResult& state, const std::string& words);
@@ -171,6 +172,7 @@ class Judge {
   std::string preface_;
   std::size_t events_seen_ = 0;   ///< of the motion that is shown now
   std::set<std::string> broken_;  ///< its ropes that the deck has broken so far
+  std::set<std::size_t> stood_;   ///< its contacts with faces that have been closed so far
 };
 
 }  // namespace taut::checks

@@ -208,6 +208,83 @@ TEST(Judge, ACraneThatTipsInMotionIsUnsafe) {
   EXPECT_THAT(tips.unsafe, Contains(HasSubstr("'crane' has tipped over")));
 }
 
+/// A mast on a hinge, held by one guy; a gust towards it.
+Result hinged_mast(const std::string& gust, const std::string& more = "") {
+  return run_text(R"(taut: 1
+machine:
+  signals: {gust: {sequence: [{at: 1 s, to: )" +
+                  gust + R"(, over: 0.5 s, smooth: true}, {at: 4 s, to: 0 kN, over: 0.5 s, smooth: true}]}}
+  points: {g: [10 m, 0 m, 0 m]}
+  ropes: {r: {mass: 0 kg/m, stiffness: 5 MN, breaking_force: 400 kN, damping_ratio: 0.1}}
+  bodies: {mast: {mass: 500 kg, at: [0 m, 0 m, 0 m], turned: {ry: -2 deg}, centre: [0 m, 0 m, 5 m], inertia: 4000 kg m^2, free: [ry]}}
+  markers: {head: {body: mast, at: [0 m, 0 m, 10 m]}}
+  reevings: [{name: guy, rope: r, path: [{anchor: g}, {anchor: head}], length: 14.38 m, may_slack: true}]
+  loads: [{at: head, force: [1 N, 0 kN, 0 kN], signal: gust}]
+checks: {ropes: {r: {safety_factor: 3, dynamic_safety_factor: 2}}}
+analyses: [{transient: {duration: 8 s, output_step: 20 ms, tolerance: 1e-3)" +
+                  more + "}}]\n");
+}
+
+// Its weight leans it back into its guy: 4.9 kN times 5 m times sin 2 deg are 0.86 kN m, 86 N at its head.
+TEST(Judge, AMastThatFallsInAMotionIsUnsafe) {
+  const Result stands = hinged_mast("50 N");
+  ASSERT_EQ(stands.status, Status::ok) << stands.message << to_text(stands.errors);
+  EXPECT_THAT(stands.unsafe, IsEmpty());
+  const Result falls = hinged_mast("300 N");
+  ASSERT_EQ(falls.status, Status::ok) << falls.message << to_text(falls.errors);
+  EXPECT_THAT(falls.unsafe, Contains(HasSubstr("'mast' has tipped over")));
+  EXPECT_NE(verdict_of(falls)->kind, VerdictKind::passes) << verdict_of(falls)->reason;
+}
+
+// The face of a slab that nothing moves is ground too.
+TEST(Judge, ACraneOnASlabTipsAsOnTheGround) {
+  std::string deck = crane("2.5 t");
+  deck.replace(deck.find("  bodies:\n"), 10, "  bodies:\n    slab: {at: [0 m, 0 m, 0 m]}\n");
+  deck.replace(deck.find("faces: {ground: {"), 17, "faces: {ground: {body: slab, ");
+  const Result tips = run_text(deck);
+  ASSERT_EQ(tips.status, Status::ok) << tips.message << to_text(tips.errors);
+  EXPECT_THAT(tips.unsafe, Contains(HasSubstr("'crane' lifts 'left' off the ground")));
+  EXPECT_THAT(tips.unsafe, Contains(HasSubstr("'crane' has tipped over")));
+}
+
+// A table that a signal turns by 70 deg takes a block along, unless it tips over: by its centre of mass 0.5 m above
+// feet 0.6 m apart from 31 deg on.
+TEST(Judge, WhatASignalTurnsHasNotFallen) {
+  const auto tilted = [](const std::string& height) {
+    return run_text(R"(taut: 1
+machine:
+  signals: {up: {ramp: {to: 70 deg, start: 0 s, duration: 2 s, smooth: true}}}
+  points: {above: [0 m, 0 m, 5 m], low: {body: block, at: [-0.3 m, 0 m, 0 m]}, high: {body: block, at: [0.3 m, 0 m, 0 m]}}
+  ropes: {line: {mass: 0 kg/m, stiffness: 10 kN, breaking_force: 200 kN, damping_ratio: 0.1}}
+  bodies:
+    plate: {at: [0 m, 0 m, 0 m], motion: {ry: up}}
+    block: {mass: 100 kg, inertia: 4 kg m^2, at: [0 m, 0 m, 0 m], centre: [0 m, 0 m, )" +
+                    height + R"(], free: [x, z, ry]}
+  faces: {table: {body: plate, from: [-2 m, 0 m, 0 m], to: [2 m, 0 m, 0 m], normal: [0, 0, 1]}}
+  contacts:
+    - {point: low, face: table, stiffness: 5 MN/m, damping: 20 kN s/m, static_friction: 5}
+    - {point: high, face: table, stiffness: 5 MN/m, damping: 20 kN s/m, static_friction: 5}
+  reevings: [{rope: line, path: [{anchor: above}, {anchor: block}], length: 4.99 m, may_slack: true}]
+  observe: [block.ry, block.x, plate.ry]
+checks: {ropes: {line: {dynamic_safety_factor: 2}}, confirmed: [elastic_limit]}
+analyses: [{transient: {duration: 3 s, output_step: 50 ms, tolerance: 1e-3, start: assembled}}]
+)");
+  };
+  const Result along = tilted("0.05 m");
+  ASSERT_EQ(along.status, Status::ok) << along.message << to_text(along.errors);
+  EXPECT_THAT(along.unsafe, IsEmpty());
+  EXPECT_THAT(tilted("0.5 m").unsafe, Contains(HasSubstr("'block' has tipped over")));
+}
+
+// As it is put together its feet only touch the ground; they stand an instant later.
+TEST(Judge, ACraneThatBeginsAssembledTipsToo) {
+  std::string deck = crane("1.8 t");
+  deck.replace(deck.find("start: settled"), 14, "start: assembled");
+  const Result tips = run_text(deck);
+  ASSERT_EQ(tips.status, Status::ok) << tips.message << to_text(tips.errors);
+  EXPECT_THAT(tips.unsafe, Contains(HasSubstr("'crane' lifts 'left' off the ground"))) << to_text(tips.errors);
+}
+
 // 20 kN on a carriage for 1 t, by a signal: the 5 kN beside it are of statics.
 TEST(Judge, ACarriageBearsWhatTheSignalOfItsLoadSays) {
   const Result r = run_text(R"(taut: 1
