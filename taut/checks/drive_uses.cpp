@@ -105,13 +105,13 @@ void check_capacities(const machine::Model& m, const Array<solve::DrumResult>& e
   }
 }
 
-/// A cylinder at its force limit no longer does what its speed asks of it.
+/// A cylinder at its force limit no longer does what its speed, force or law asks of it.
 void check_cylinders(const machine::Model& m, const solve::TransientFrame& frame, const std::string& when,
                      std::map<std::string, std::string>& told) {
   constexpr double rounding = 1e-9;
   for (std::size_t i = 0; i < frame.actuators.size(); ++i) {
     const machine::Actuator& law = m.actuators[i];
-    if (law.kind != machine::ActuatorKind::speed || !std::isfinite(law.force_limit)) continue;
+    if (!std::isfinite(law.force_limit)) continue;
     if (std::abs(std::abs(frame.actuators[i].F) - law.force_limit) > rounding * law.force_limit) continue;
     told.try_emplace(law.name, fmt::format("{}: '{}' is at its force limit of {:.4g} kN: it gives way to its load",
                                            when, law.name, law.force_limit / 1e3));

@@ -391,6 +391,31 @@ analyses: [{transient: {duration: 0.5 s, output_step: 0.1 s, start: assembled, t
   EXPECT_TRUE(boom("500 kN").unsafe.empty());
 }
 
+// 2 t rest on a cylinder of a given force or law: 19.6 kN.
+TEST(DriveUses, ACylinderAtItsLimitIsUnsafeWhateverDrivesIt) {
+  const auto lift = [](const std::string& law, const std::string& limit) {
+    return run_text(R"(taut: 1
+machine:
+  gravity: 9.81 m/s^2
+  signals: {v: {constant: 0 m/s}, F: {constant: 19.62 kN}}
+  points: {base: [0 m, 0 m, 0 m], q: [3 m, 0 m, 40 m]}
+  ropes: {r: {mass: 0 kg/m, stiffness: 2 MN, breaking_force: 180 kN, damping_time: 2 ms}}
+  bodies: {w: {mass: 100 kg, at: [3 m, 0 m, 30 m], free: [z]}, m: {mass: 2 t, at: [0 m, 0 m, 2 m], free: [z]}}
+  actuators: {cyl: {from: base, to: m, )" +
+                    law + ", force_limit: " + limit + R"(}}
+  reevings: [{name: s, rope: r, path: [{anchor: q}, {anchor: w}], length: 10 m}]
+checks: {ropes: {r: {safety_factor: 3}}}
+analyses: [{transient: {duration: 0.3 s, output_step: 10 ms, tolerance: 1e-3, start: assembled}}]
+)");
+  };
+  for (const char* law : {"law: {F0: 19.62 kN, gain: 2 MN s/m, reference: v}", "force: F"}) {
+    const Result weak = lift(law, "15 kN");
+    ASSERT_EQ(weak.unsafe.size(), 1U) << law << weak.message << to_text(weak.errors);
+    EXPECT_NE(weak.unsafe[0].find("'cyl' is at its force limit of 15 kN"), std::string::npos) << weak.unsafe[0];
+    EXPECT_TRUE(lift(law, "25 kN").unsafe.empty()) << law;
+  }
+}
+
 /// 12 m on a drum that takes 39.4 m: two copies of it need twice as much of that.
 TEST(DriveUses, ADrumTakesAllCopies) {
   const auto used = [](const std::string& copies) {

@@ -365,6 +365,7 @@ void Judge::take(const machine::Model& m, const solve::TransientResult& motion, 
     preface_ = fmt::format("The deck breaks {} at {:.4g} s", event.where, event.t);
   }
   take_peaks(m, motion, words);
+  take_stop(motion, words);
   // Before the machine has broken nothing is thrown about: a rope that goes slack, or leaves its support, is news.
   for (const solve::TransientEvent& event : motion.events) {
     const bool slack = event.what == "slack";
@@ -372,6 +373,19 @@ void Judge::take(const machine::Model& m, const solve::TransientResult& motion, 
     if (slack && event.reeving && may_slack(m.reevings[*event.reeving].name)) continue;
     warn(event.what + " " + event.where,
          fmt::format("{}: {} {} at t = {:.4g} s", words, event.where, slack ? "goes slack" : "lifts off", event.t),
+         true);
+  }
+}
+
+/// A motion that stops where it begins shows nothing.
+void Judge::take_stop(const solve::TransientResult& motion, const std::string& words) {
+  if (motion.frames.empty()) return;
+  const double begins = motion.frames.front().t;
+  for (const solve::TransientEvent& event : motion.events) {
+    if (event.what != "stop" || event.t > begins) continue;
+    warn(words + " stopped",
+         fmt::format("{}: the event '{}' ends it at t = {:.4g} s, where it begins: it shows nothing", words,
+                     event.where, begins),
          true);
   }
 }

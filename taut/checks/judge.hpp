@@ -146,6 +146,7 @@ class Judge {
   void take_stand(const machine::Model& model, const solve::TransientFrame& moment, const std::string& words);
   void take_lean(const machine::Model& model, const solve::TransientFrame& moment, std::size_t body,
                  const std::string& words);
+  void take_stop(const solve::TransientResult& motion, const std::string& words);
   void take_spans(const machine::Model& model, const machine::State& state, const std::set<std::string>& broken,
                   const std::string& words);
   void take_slack(const machine::Model& model, const solve::EquilibriumResult& state, const std::string& words);

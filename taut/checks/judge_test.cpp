@@ -285,6 +285,16 @@ TEST(Judge, ACraneThatBeginsAssembledTipsToo) {
   EXPECT_THAT(tips.unsafe, Contains(HasSubstr("'crane' lifts 'left' off the ground"))) << to_text(tips.errors);
 }
 
+TEST(Judge, AMotionThatStopsWhereItBeginsShowsNothing) {
+  std::string deck = crane("1 t");
+  deck.replace(deck.find("  contacts:"), 11, "  events: [{when: \"hook.z < 100 m\", stop: true}]\n  contacts:");
+  const Result stops = run_text(deck);
+  ASSERT_EQ(stops.status, Status::ok) << stops.message << to_text(stops.errors);
+  EXPECT_THAT(stops.unsafe, Contains(HasSubstr("ends it at t = 0 s, where it begins: it shows nothing")));
+  deck.replace(deck.find("< 100 m"), 7, "> 1.1 m");
+  EXPECT_THAT(run_text(deck).unsafe, IsEmpty());
+}
+
 // 20 kN on a carriage for 1 t, by a signal: the 5 kN beside it are of statics.
 TEST(Judge, ACarriageBearsWhatTheSignalOfItsLoadSays) {
   const Result r = run_text(R"(taut: 1
