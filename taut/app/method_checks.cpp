@@ -15,6 +15,7 @@
 #include "taut/checks/mast/mast_checks.hpp"
 #include "taut/checks/rope/rope_life.hpp"
 #include "taut/checks/rope/rope_rules.hpp"
+#include "taut/units/display.hpp"
 
 namespace taut::app {
 namespace {
@@ -111,39 +112,16 @@ std::vector<rope::RopeUse> ropes_of_drive(const friction_drive::Input& in, const
   return {use};
 }
 
-namespace {
-
-/// The tensions of the result are those at section 3. Where the boom slides, its rope runs off there over a sheave into
-/// the anchor branch of the extension rope, or out of that of the retraction rope; the tight side is 1/eta larger.
-void take_tight_branch(const boom_ropes::Sliding& q, std::size_t rope, rope::RopeUse& use) {
-  const bool extends = q.operation == boom_ropes::Operation::extend;
-  const double efficiency = rope == 0 ? q.sheave_efficiency_1 : q.sheave_efficiency_2;
-  if (extends != (rope == 0) || !(efficiency < 1)) return;
-  use.tension /= efficiency;
-  use.where += fmt::format(", over the efficiency {:g} of its sheave", efficiency);
-}
-
-}  // namespace
-
 std::vector<rope::RopeUse> ropes_of_boom(const boom_ropes::Input& in, const Result* r) {
   std::vector<rope::RopeUse> all = {named_use("extension"), named_use("retraction")};
   for (rope::RopeUse& use : all) use.unmeasured = {sheaves};
   if (r == nullptr) return all;
-  const char* const columns[] = {"S1", "S2"};
+  const boom_ropes::Rope ropes[] = {boom_ropes::Rope::extension, boom_ropes::Rope::retraction};
   for (std::size_t i = 0; i < all.size(); ++i) {
-    raise_to(all[i], *r, fmt::format("{}_max", columns[i]));
-    raise_to(all[i], *r, columns[i]);
-    if (in.sliding) take_tight_branch(*in.sliding, i, all[i]);
-    raise_to(all[i], *r, fmt::format("S{}0_set", i + 1));
-    if (const Table* t = r->find_table("cases")) {
-      for (std::size_t k = 0; k < t->rows.size(); ++k) {
-        // neither the printed stiffness nor the corrected one is the safe one for both ropes
-        const double printed = number_in(*t, k, columns[i]);
-        const double T = std::fmax(printed, number_in(*t, k, fmt::format("{}_corrected", columns[i])));
-        if (!(T > all[i].tension)) continue;
-        all[i].tension = T;
-        all[i].where = fmt::format("case {}{}", text_in(*t, k, "name"), T > printed ? ", corrected stiffness" : "");
-      }
+    boom_ropes::LargestTension most = boom_ropes::largest_tension(in, *r, ropes[i], Display());
+    if (!std::isnan(most.tension)) {
+      all[i].tension = most.tension;
+      all[i].where = std::move(most.where);
     }
     one_end(all[i]);
   }

@@ -70,8 +70,8 @@ struct Sliding {
   double sheave_efficiency_2 = 0.98;  ///< eta_2
   double extension_length = 16.5;     ///< half of the extension rope
   double retraction_length = 8.2;     ///< l_2
-  double S10 = 95.5e3;
-  double S20 = 187e3;
+  std::optional<double> S10;          ///< default: that of Input, else calibrated
+  std::optional<double> S20;
   double kinetic_friction = 0.15;        ///< f
   double static_friction = 0.155;        ///< f_0, for slip angles
   double extension_stiffness = 0.778e6;  ///< C_1
@@ -205,6 +205,18 @@ struct RopeTensions {
 RopeTensions tensions(const Output& out, double F);
 /// The same with the shares of the corrected stiffness, where there is one.
 std::optional<RopeTensions> corrected_tensions(const Output& out, double F);
+
+/// The largest tension of a rope and the state that has it; NaN without any.
+struct LargestTension {
+  double tension = unset;  ///< N, of one branch of the extension rope
+  std::string where;       ///< "case static test", in the display units
+};
+/// Of all states of a result of `in`: the pretension as set and as it settles, that of the sliding sections, each case
+/// by the printed and by the corrected stiffness (neither is the safe one for both ropes), and each position of the
+/// sliding grid. There the rope runs off section 3 over a sheave into the anchor branch (extension rope, boom
+/// extending) or out of it (retraction rope, boom retracting), whose tension is that at section 3 over the efficiency
+/// of the sheave.
+LargestTension largest_tension(const Input& in, const Result& r, Rope rope, const Display& display);
 
 /// Table 1: the tensioners are pulled alternately until section 3, held by `friction` = f0 G3, begins to slip:
 /// extension S1 := (S2 + friction)/2, retraction S2 := 2 S1 + friction.

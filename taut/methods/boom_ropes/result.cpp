@@ -77,6 +77,12 @@ void add_assumptions(const Input& in, const Output& out, Result& r) {
     r.assumptions.push_back(
         fmt::format("Sliding: falls not given, K = {} as in the paper for this operation.", falls_of(q)));
   }
+  if (!q.S10 && !in.S10) {
+    r.assumptions.push_back(fmt::format("Sliding: S10 not given, {:.4g} kN as calibrated.", calibrated_S10 / 1e3));
+  }
+  if (!q.S20 && !in.S20) {
+    r.assumptions.push_back(fmt::format("Sliding: S20 not given, {:.4g} kN as calibrated.", calibrated_S20 / 1e3));
+  }
   std::string left;
   for (const Given& g : r.given) {
     if (g.is_default && g.key.starts_with("sliding.") && g.key.find('[') == std::string::npos) {

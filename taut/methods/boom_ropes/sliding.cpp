@@ -125,10 +125,18 @@ struct Section3 {
   }
 };
 
+/// Both calculations speak of the same ropes: what the deck gives for one of them holds for the other.
+template <class T>
+T pretension(const std::optional<double>& own, const std::optional<double>& of_input, std::string_view symbol,
+             double calibrated, Sheet<T>& s) {
+  if (own) return s.given(*own);
+  return of_input ? s.given(*of_input) : s.named(symbol, si::N, calibrated);
+}
+
 template <class T>
 Section3<T> section_3(const Input& in, const Sliding& q, const Setting<T>& k, Sheet<T>& s) {
-  Section3<T> r{s.given(q.S10),
-                s.given(q.S20),
+  Section3<T> r{pretension(q.S10, in.S10, "S_10", calibrated_S10, s),
+                pretension(q.S20, in.S20, "S_20", calibrated_S20, s),
                 s.given(q.extension_stiffness),
                 s.given(q.retraction_stiffness),
                 T{},
@@ -267,6 +275,13 @@ Outcome slide_section_2(const Sliding& q, const Setting<T>& k, const Setting<dou
 }
 
 }  // namespace
+
+double sliding_pretension(const Input& in, const Sliding& q, Rope rope) {
+  const bool extension = rope == Rope::extension;
+  const std::optional<double>& own = extension ? q.S10 : q.S20;
+  const std::optional<double>& of_input = extension ? in.S10 : in.S20;
+  return own ? *own : of_input.value_or(extension ? calibrated_S10 : calibrated_S20);
+}
 
 int falls_of(const Sliding& q) {
   if (q.falls) return *q.falls;

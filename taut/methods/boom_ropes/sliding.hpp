@@ -12,6 +12,13 @@ namespace taut::boom_ropes {
 inline constexpr double equaliser_distance = 0.30;
 inline constexpr double shortest_branch = 0.05;
 
+/// The pretensions of the KS-55713-5K-1 (N), calibrated on Table 2: where the deck gives none.
+inline constexpr double calibrated_S10 = 95.5e3;
+inline constexpr double calibrated_S20 = 187e3;
+
+/// The pretension with which sections 2 and 3 slide, N: as `sliding` gives it, else as the input does, else calibrated.
+double sliding_pretension(const Input& in, const Sliding& q, Rope rope);
+
 /// One position of the grid; indices into the three lists of Sliding.
 struct Position {
   std::size_t weight = 0;

@@ -22,6 +22,8 @@ double number(int low, int high) { return *rc::gen::inRange(low, high); }
 Sliding anything() {
   const auto o = *rc::gen::element(Operation::lift, Operation::retract, Operation::extend);
   Sliding q = sliding_at(o, number(-10, 91), number(90, 211) / 10, number(0, 60000));
+  q.S10 = calibrated_S10;
+  q.S20 = calibrated_S20;
   if (*rc::gen::arbitrary<bool>()) {  // else the ropes pull through the axis, a path of its own
     q.offset_extension = number(-5, 6) / 100;
     q.offset_retraction = number(-5, 6) / 100;
@@ -82,8 +84,28 @@ RC_GTEST_PROP(BoomSliding, FreeSheavesKeepTheWeightedSum, ()) {
   const SlidingPoint p = slid(q);
   RC_PRE(p.ok() && p.S1 > 0 && p.S2 > 0);
   const double kappa = q.retraction_stiffness / q.extension_stiffness;
-  const double sum = kappa * q.S10 + q.S20;
+  const double sum = kappa * *q.S10 + *q.S20;
   RC_ASSERT(std::abs(kappa * p.S1 + p.S2 - sum) <= 1e-12 * sum);
+}
+
+// The rope that the cases are calculated with is the rope that slides.
+TEST(BoomSliding, ThePretensionIsThatOfTheInput) {
+  Input in = printed_boom();
+  Sliding q = sliding_at(Operation::extend, 52, 21, 32373);
+  q.sheave_efficiency_1 = q.sheave_efficiency_2 = 1;
+  const double kappa = q.retraction_stiffness / q.extension_stiffness;
+  const auto sum = [&] {
+    Sheet<double> s;
+    SlidingPoint p;
+    slide(in, q, {}, s, p);
+    return kappa * p.S1 + p.S2;
+  };
+  EXPECT_NEAR(sum(), kappa * 95.5e3 + 187e3, 1);  // of the KS-55713-5K-1: none given
+  in.S10 = 119e3;
+  in.S20 = 238e3;
+  EXPECT_NEAR(sum(), kappa * 119e3 + 238e3, 1);
+  q.S20 = 200e3;  // its own comes first
+  EXPECT_NEAR(sum(), kappa * 119e3 + 200e3, 1);
 }
 
 RC_GTEST_PROP(BoomSliding, WithoutLossesTheCylinderHoldsTwiceTheForce, ()) {
@@ -102,7 +124,7 @@ RC_GTEST_PROP(BoomSliding, ForcesScale, ()) {
   const SlidingPoint p = slid(q);
   Input in = printed_boom();
   in.section_weight *= 3;
-  for (double* x : {q.suspended_weight.data(), &q.section2_weight, &q.S10, &q.S20, &q.extension_stiffness,
+  for (double* x : {q.suspended_weight.data(), &q.section2_weight, &*q.S10, &*q.S20, &q.extension_stiffness,
                     &q.retraction_stiffness}) {
     *x *= 3;
   }

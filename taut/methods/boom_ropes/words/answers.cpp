@@ -36,10 +36,16 @@ std::vector<Answer> answers(const Input& in, const Result& r, const Display& dis
                     {fmt::format("pretension of the extension rope {}, of the retraction rope {}",
                                  shown("S10_min", Rounding::up), shown("S20_min", Rounding::up))});
   }
+  if (has("S1_max") || !in.cases.empty()) {
+    const auto up_to = [&](const char* words, Rope rope) {
+      const LargestTension most = largest_tension(in, r, rope, display);
+      return fmt::format("{} up to {} ({})", words, display.brief(most.tension, si::N), most.where);
+    };
+    add_answer_line(
+        lines, "Load",
+        {up_to("one branch of the extension rope", Rope::extension), up_to("retraction rope", Rope::retraction)});
+  }
   if (has("S1_max")) {
-    add_answer_line(lines, "Load",
-                    {fmt::format("extension rope up to {} (one branch)", shown("S1_max")),
-                     fmt::format("retraction rope up to {}", shown("S2_max"))});
     add_answer_line(lines, "Cylinder",
                     {fmt::format("force from {} to {}", shown("Fh_min"), shown("Fh_max")),
                      fmt::format("largest at {}, boom {} long, {} suspended", shown("governing_angle"),

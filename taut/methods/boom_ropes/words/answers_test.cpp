@@ -1,3 +1,5 @@
+#include "taut/calc/answers.hpp"
+
 #include <gtest/gtest.h>
 
 #include "taut/methods/boom_ropes/printed_boom_test.hpp"
@@ -27,6 +29,54 @@ TEST(BoomAnswers, NameThePretension) {
   const auto given = answers(in, run(in), Display());
   EXPECT_NE(line_of(given, "Given").find("90 kN"), std::string::npos) << line_of(given, "Given");
   EXPECT_TRUE(line_of(given, "Needs").empty());
+}
+
+/// The boom of the example: its cases and its sliding sections.
+Input sliding_boom() {
+  Input in = whole_boom();
+  in.sliding = sliding_at(Operation::extend, 52, 21, 32373);
+  in.sliding->S10 = 95.5e3;
+  in.sliding->S20 = 187e3;
+  return in;
+}
+
+// The static test pulls 209.3 kN, more than any position of the sliding sections (111 kN): the rope is built for it.
+TEST(BoomAnswers, TheLoadIsTheLargestOfAllStates) {
+  const Input in = sliding_boom();
+  const Result r = run(in);
+  ASSERT_EQ(r.status, Status::ok) << r.message;
+  const std::string load = line_of(answers(in, r, Display()), "Load");
+  EXPECT_NE(load.find("one branch of the extension rope up to 209.3 kN (case static test)"), std::string::npos) << load;
+  EXPECT_NE(load.find("retraction rope up to 187 kN (pretension of the sliding sections)"), std::string::npos) << load;
+}
+
+// Without sliding sections the cases alone are the load.
+TEST(BoomAnswers, CasesAloneHaveALoad) {
+  Input in = whole_boom();
+  in.S10 = 119e3;
+  in.S20 = 238e3;
+  const std::string load = line_of(answers(in, run(in), Display()), "Load");
+  EXPECT_NE(load.find("retraction rope up to 238.1 kN (case retract hook, corrected stiffness)"), std::string::npos)
+      << load;
+}
+
+TEST(LargestTension, IsNeverBelowAnyStateOfTheResult) {
+  for (const Operation operation : {Operation::extend, Operation::retract}) {
+    Input in = sliding_boom();
+    in.sliding->operation = operation;
+    in.sliding->luffing_angle = {0.3, 0.9, 1.3};
+    in.sliding->suspended_weight = {2943, 32373};
+    const Result r = run(in);
+    ASSERT_EQ(r.status, Status::ok) << r.message;
+    const LargestTension S1 = largest_tension(in, r, Rope::extension, Display());
+    const LargestTension S2 = largest_tension(in, r, Rope::retraction, Display());
+    for (const Table& t : r.tables) {
+      for (std::size_t k = 0; k < t.rows.size(); ++k) {
+        for (const char* column : {"S1", "S1_corrected"}) EXPECT_FALSE(number_in(t, k, column) > S1.tension) << t.name;
+        for (const char* column : {"S2", "S2_corrected"}) EXPECT_FALSE(number_in(t, k, column) > S2.tension) << t.name;
+      }
+    }
+  }
 }
 
 TEST(BoomAnswers, WithoutCasesTheSharesAreLeft) {

@@ -57,9 +57,11 @@ void describe_loads(Describe<Sliding>& t) {
       .above(0)
       .field(&S::retraction_length, "retraction_length", "l_2", si::m, "length of the retraction rope")
       .above(0)
-      .field(&S::S10, "S10", "S_10", si::N, "pretension of the extension rope, one branch")
+      .field(&S::S10, "S10", "S_10", si::N,
+             "pretension of the extension rope, one branch; default: 'S10' of the input, else 95.5 kN")
       .at_least(0)
-      .field(&S::S20, "S20", "S_20", si::N, "pretension of the retraction rope")
+      .field(&S::S20, "S20", "S_20", si::N,
+             "pretension of the retraction rope; default: 'S20' of the input, else 187 kN")
       .at_least(0)
       .field(&S::kinetic_friction, "kinetic_friction", "f", si::one, "kinetic friction of the pads")
       .at_least(0)
