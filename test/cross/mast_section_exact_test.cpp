@@ -1,5 +1,6 @@
 #include "taut/app/exact/mast_section_exact.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -10,6 +11,8 @@
 
 #include "taut/app/exact/mast_machine.hpp"
 #include "taut/app/job.hpp"
+#include "taut/calc/answers.hpp"
+#include "taut/units/display.hpp"
 #include "test/paths.hpp"
 
 // The method and the engine on the same mast: equal where the method's assumptions hold, apart where they do not.
@@ -120,6 +123,55 @@ TEST(MastSectionExact, LateralForceLeansTheMastToItsSideMirroredTheOther) {
   EXPECT_NEAR(number(s, "top_y_exact"), -number(r, "top_y_exact"), 1e-9);
   EXPECT_NEAR(number(s, "top_x_exact"), number(r, "top_x_exact"), 1e-9);
   EXPECT_NEAR(number(s, "sigma_exact"), number(r, "sigma_exact"), 1);
+}
+
+std::string foot_of(const Input& in, const Result& r) {
+  for (const Answer& a : answers(in, r, Display())) {
+    if (a.label == "Foot") return a.text;
+  }
+  return {};
+}
+
+// What page 1 says of the foot is of the mast with its guys, at the worst carriage position: not of the method's
+// cantilever, whose moment is many times that, and whose axial force lacks that of the guys.
+TEST(MastSectionExact, TheFootOfAGuyedMastIsThatOfTheEngine) {
+  Input in = mast();
+  in.branch_angle.reset();
+  in.span = Span{};
+  in.span->length = 350;
+  in.span->carriage_position = {20, 100, 330};
+  in.span->rope_weight = 18;
+  in.span->load = 25e3;
+  in.span->horizontal_tension = 120e3;
+  for (const double angle : {115.0, 160.0, 200.0, 245.0}) in.guys.push_back(guy_at(angle * degree));
+  const Result r = completed(in);
+  ASSERT_EQ(r.status, Status::ok) << r.message;
+  const Table* positions = r.find_table("positions_exact");
+  ASSERT_NE(positions, nullptr);
+  for (std::size_t k = 0; k < positions->rows.size(); ++k) {
+    EXPECT_GE(number(r, "N_worst_exact"), number_in(*positions, k, "N_exact"));
+    EXPECT_LE(number(r, "N_least_exact"), number_in(*positions, k, "N_exact"));
+    EXPECT_GE(number(r, "Q_worst_exact"), number_in(*positions, k, "Q_exact"));
+    EXPECT_GE(number(r, "M_worst_exact"), number_in(*positions, k, "M_exact"));
+  }
+  EXPECT_GT(number(r, "N_worst_exact"), number(r, "N_exact")) << "another position presses the foot more";
+  EXPECT_LT(number(r, "M_worst_exact"), number(r, "M") / 2) << "the guys hold the head";
+  const Display display;
+  EXPECT_EQ(foot_of(in, r), fmt::format("moment up to {}; axial force up to {}, shear up to {}; exact, worst of all "
+                                        "load cases",
+                                        display.brief(number(r, "M_worst_exact"), si::N_m),
+                                        display.brief(number(r, "N_worst_exact"), si::N),
+                                        display.brief(number(r, "Q_worst_exact"), si::N)));
+  in.base = Base::hinged;
+  const Result hinged = completed(in);
+  EXPECT_LT(number(hinged, "M_worst_exact"), 1e-3);
+  EXPECT_TRUE(foot_of(in, hinged).starts_with("hinged, no moment")) << foot_of(in, hinged);
+  EXPECT_TRUE(foot_of(in, mast_section::run(in)).empty()) << "the method alone does not know it";
+  in = mast();
+  const Result plain = completed(in);
+  EXPECT_TRUE(
+      foot_of(in, plain).starts_with("moment " + display.brief(number(plain, "M"), si::N_m) + ", ropes paid out"))
+      << foot_of(in, plain);
 }
 
 TEST(MastSectionExact, WeakBoxBendsAboutItsOwnAxes) {

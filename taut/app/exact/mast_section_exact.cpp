@@ -21,10 +21,6 @@ namespace {
 
 using namespace mast_section;
 
-bool asks_for_exact(const Input& in) {
-  return !in.guys.empty() || in.lateral_force.has_value() || in.base == Base::hinged;
-}
-
 /// The mast of a deck under one pair of block forces, solved.
 struct LoadedMast {
   machine::Model model;
@@ -129,15 +125,18 @@ double safety(const LoadedMast& at, std::size_t guy) {
   return breaking > 0 && largest > 0 ? breaking / largest : not_computed;
 }
 
+double foot_moment(const solve::BeamResult& mast) { return std::hypot(mast.base_moment.x(), mast.base_moment.y()); }
+double foot_shear(const solve::BeamResult& mast) { return std::hypot(mast.base_force.x(), mast.base_force.y()); }
+
 void take_position(const LoadedMast& at, MastSectionExact& out) {
   const solve::BeamResult& mast = at.mast();
   const solve::BeamPoint &bent = mast.points[mast.most_bent], &stressed = mast.points[mast.most_stressed];
   const Vector3& top = mast.points.back().deflection;
-  out.M_exact = std::hypot(mast.base_moment.x(), mast.base_moment.y());
+  out.M_exact = foot_moment(mast);
   out.M_max_exact = bent.M;
   out.M_max_height_exact = bent.s;
   out.N_exact = mast.base_force.z();
-  out.Q_exact = std::hypot(mast.base_force.x(), mast.base_force.y());
+  out.Q_exact = foot_shear(mast);
   out.top_displacement_exact = std::hypot(top.x(), top.y());
   out.top_x_exact = top.x();
   out.top_y_exact = top.y();
@@ -151,6 +150,10 @@ void take_position(const LoadedMast& at, MastSectionExact& out) {
 
 void take_worst(const LoadedMast& at, MastSectionExact& out) {
   const solve::BeamResult& mast = at.mast();
+  out.M_worst_exact = std::fmax(out.M_worst_exact, foot_moment(mast));
+  out.N_worst_exact = std::fmax(out.N_worst_exact, mast.base_force.z());
+  out.N_least_exact = std::fmin(out.N_least_exact, mast.base_force.z());
+  out.Q_worst_exact = std::fmax(out.Q_worst_exact, foot_shear(mast));
   out.sigma_worst_exact = std::fmax(out.sigma_worst_exact, mast.points[mast.most_stressed].stress);
   if (std::isfinite(mast.critical_factor))
     out.buckling_factor_exact = std::fmin(out.buckling_factor_exact, mast.critical_factor);
@@ -249,7 +252,7 @@ void add_comparisons(const Input& in, const Output& o, const Section& section, c
 /// known there: pressed alike, as that leaves a wall the least.
 structure::WallClass wall_of(const Input& in, const catalogue::SectionRow& section, double yield,
                              const ClampForces& f) {
-  return structure::section_class(section, yield, {.N = f.N, .M_y = asks_for_exact(in) ? 0 : f.M});
+  return structure::section_class(section, yield, {.N = f.N, .M_y = is_beyond_method(in) ? 0 : f.M});
 }
 
 /// A wall that buckles before it yields fails: the method's stress limit does not know of it.
@@ -355,7 +358,7 @@ double stress_of_all(const Solved& method, const Section& section, EngineMasts& 
 
 void add_checks(const Input& in, const Solved& method, const Section& section, EngineMasts& masts,
                 const MastSectionExact& e, Result& r) {
-  if (!asks_for_exact(in)) return;  // the method has checked it by second order
+  if (!is_beyond_method(in)) return;  // the method has checked it by second order
   std::string rule =
       "N/A + M/W <= [sigma] at every height, second order, at every carriage position, each rope hauled in and paid "
       "out";
@@ -396,7 +399,7 @@ void add_words(const Input& in, const Section& section, const MastSectionExact& 
 /// No equilibrium at one position.
 void refuse(const Input& in, const Position& p, const Outcome& outcome, Result& r) {
   const std::string at = in.span ? fmt::format("carriage at {:.4g} m: ", p.out.x) : std::string();
-  if (!asks_for_exact(in)) {
+  if (!is_beyond_method(in)) {
     r.warnings.push_back("second order: " + at + outcome.message);
   } else if (r.status == Status::ok) {
     r.status = outcome.status;
@@ -423,7 +426,7 @@ bool may_stand(const Input& in, const catalogue::SectionRow& section, double fac
 SecondOrder second_order_of(const Input& in, const std::shared_ptr<EngineMasts>& masts) {
   using catalogue::SectionRow;
   SecondOrder second;
-  second.decides_alone = asks_for_exact(in);
+  second.decides_alone = is_beyond_method(in);
   second.stress = [masts](const SectionRow& section, const ClampForces& forces) {
     return masts->stress(forces, EngineMasts::name_of(section), structure::beam_section(section));
   };
@@ -449,7 +452,7 @@ void take_other_cases(const Input& in, const Solved& method, const Section& sect
     const LoadedMast& at = masts.under(forces, section.full_name, section.beam);
     if (at.found.outcome.ok()) {
       take_worst(at, e);
-    } else if (asks_for_exact(in) && r.status == Status::ok) {
+    } else if (is_beyond_method(in) && r.status == Status::ok) {
       const Outcome outcome = with_share_held(at.model, at.found.outcome);
       r.status = outcome.status;
       r.message = fmt::format("{}: {}", direction_words(forces), outcome.message);

@@ -21,6 +21,10 @@ struct MastSectionExact {
   double sigma_exact = mast_section::not_computed;             ///< Pa, the largest along the mast
   double sigma_height_exact = mast_section::not_computed;      ///< m, where
   double sigma_worst_exact = mast_section::not_computed;       ///< Pa
+  double M_worst_exact = mast_section::not_computed;           ///< N m, at the foot, the largest of all load cases
+  double N_worst_exact = mast_section::not_computed;           ///< N, at the foot, the same
+  double N_least_exact = mast_section::not_computed;           ///< N, at the foot, the least; negative: it is pulled up
+  double Q_worst_exact = mast_section::not_computed;           ///< N, at the foot, the largest
   double guy_tension_max_exact = mast_section::not_computed;   ///< N, worst
   double guy_safety_min_exact = mast_section::not_computed;    ///< worst
   double buckling_factor_exact = mast_section::not_computed;   ///< worst

@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include "taut/app/exact/mast_section_exact.hpp"
 
 namespace taut::app {
@@ -24,6 +26,16 @@ void describe_position(Describe<Exact>& d) {
 void describe_worst(Describe<Exact>& d) {
   d.field(&Exact::sigma_worst_exact, "sigma_worst_exact", "sigma_worst", si::Pa,
           "largest stress along the mast at any carriage position");
+  const char* const all = "at any carriage position, each rope hauled in and paid out";
+  d.field(&Exact::M_worst_exact, "M_worst_exact", "M_worst", si::N_m,
+          fmt::format("largest moment at the foot {}", all));
+  d.field(&Exact::N_worst_exact, "N_worst_exact", "N_worst", si::N,
+          fmt::format("largest axial force at the foot {}", all));
+  d.field(&Exact::N_least_exact, "N_least_exact", "N_least", si::N,
+          fmt::format("least axial force at the foot {}; below 0 the foot is pulled up", all))
+      .detail();
+  d.field(&Exact::Q_worst_exact, "Q_worst_exact", "Q_worst", si::N,
+          fmt::format("largest horizontal force at the foot {}", all));
   d.field(&Exact::guy_tension_max_exact, "guy_tension_max_exact", "T_guy", si::N,
           "largest tension of any guy at any carriage position");
   d.field(&Exact::guy_safety_min_exact, "guy_safety_min_exact", "S_guy", si::one,

@@ -160,6 +160,10 @@ Outcome compute(const Input& in, Sheet<T>& s, Output& out);
 /// compute<double>: of one carriage position without allocation when [sigma] is given.
 Outcome solve(const Input& in, Output& out);
 
+/// Whether the mast is another than the method's clamped cantilever in one plane: it has guys, a side force or a hinge.
+/// The method's moment, shear and axial force at the foot are then not those of this mast.
+bool is_beyond_method(const Input& in);
+
 /// The result for a report: values, steps, tables of positions and of catalogue sections, checks, figures. A section
 /// is chosen and checked for ropes hauled in and paid out, by first order; run.hpp has the same by second order.
 Result run(const Input& in);

@@ -116,6 +116,10 @@ const char* direction_words(const ClampForces& f) {
   return f.mainline_out ? "skyline hauled in, mainline paid out" : "ropes hauled in";
 }
 
+bool is_beyond_method(const Input& in) {
+  return !in.guys.empty() || in.lateral_force.has_value() || in.base == Base::hinged;
+}
+
 std::vector<ClampForces> clamp_forces(const Input& in, const std::vector<Position>& positions) {
   std::vector<ClampForces> all;
   const auto add = [&all](const Input& one, const std::vector<Position>& solved) {

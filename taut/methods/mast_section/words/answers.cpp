@@ -39,6 +39,25 @@ const Check* worst_of_mast(const Result& r) {
   return worst;
 }
 
+/// What the foot has to hold. Of a mast that is not the method's cantilever only the engine's values are its own.
+std::vector<std::string> foot_words(const Input& in, const Result& r, const Display& display) {
+  const auto shown = [&](const char* value) {
+    const Value* v = r.find_value(value);
+    return v == nullptr ? std::string() : display.brief(v->value, v->unit);
+  };
+  if (!is_beyond_method(in)) {
+    return {fmt::format("moment {}, ropes paid out {}", shown("M"), shown("M_payout")),
+            fmt::format("axial force {}, shear {}", shown("N"), shown("Q"))};
+  }
+  if (r.find_value("N_worst_exact") == nullptr) return {};
+  const double least = number_of(r, "N_least_exact");
+  const std::string pull =
+      least < 0 ? fmt::format("pulled up with up to {}", display.brief(-least, si::N)) : std::string();
+  return {in.base == Base::hinged ? "hinged, no moment" : fmt::format("moment up to {}", shown("M_worst_exact")),
+          fmt::format("axial force up to {}, shear up to {}", shown("N_worst_exact"), shown("Q_worst_exact")), pull,
+          "exact, worst of all load cases"};
+}
+
 }  // namespace
 
 std::vector<Answer> answers(const Input& in, const Result& r, const Display& display) {
@@ -61,9 +80,7 @@ std::vector<Answer> answers(const Input& in, const Result& r, const Display& dis
                      display.brief(c->limit, c->unit)),
          c->name, c->where});
   }
-  add_answer_line(lines, "Foot",
-                  {fmt::format("moment {}, ropes paid out {}", shown("M"), shown("M_payout")),
-                   fmt::format("axial force {}, shear {}", shown("N"), shown("Q"))});
+  add_answer_line(lines, "Foot", foot_words(in, r, display));
   const double tube =
       std::fmax(std::fmax(number_of(r, "D_tube"), number_of(r, "D_tube_payout")), number_of(r, "D_tube_mixed"));
   if (std::isfinite(tube)) {
@@ -71,7 +88,8 @@ std::vector<Answer> answers(const Input& in, const Result& r, const Display& dis
     add_answer_line(lines, has_section ? std::string_view("Ideal tube") : needs_label,
                     {fmt::format("outer diameter {}, wall {}", display.brief(tube, mm, Rounding::up),
                                  display.brief(tube * (1 - in.tube_ratio) / 2, mm, Rounding::up)),
-                     fmt::format("by the paper's coefficients {}", shown("D_tube_printed"))});
+                     fmt::format("by the paper's coefficients {}", shown("D_tube_printed")),
+                     is_beyond_method(in) ? "for the method's mast alone: clamped, no guys, no side force" : ""});
   }
   if (r.find_value("guy_tension_max_exact") != nullptr) {
     std::vector<std::string> guys = {fmt::format("up to {}", shown("guy_tension_max_exact"))};
