@@ -8,6 +8,7 @@
 #include "taut/base/array.hpp"
 #include "taut/base/expects.hpp"
 #include "taut/base/suggest.hpp"
+#include "taut/calc/field_check.hpp"
 #include "taut/machine/compile/carriages.hpp"
 #include "taut/machine/compile/compile_motion.hpp"
 #include "taut/machine/compile/dragged.hpp"
@@ -391,6 +392,12 @@ class Compiler {
 }  // namespace
 
 tl::expected<Model, std::vector<Complaint>> compile(const Machine& machine, ModelFor use) {
+  // What a deck was refused for as it was read counts for machines made and changed in programs as well; what is made
+  // of such values would be a second mistake.
+  if (std::vector<Complaint> broken = broken_fields(Machine::describe(), &machine); !broken.empty()) {
+    for (Complaint& one : unknown_names(machine)) broken.push_back(std::move(one));
+    return tl::unexpected(broken);
+  }
   if (!has_places_over_ground(machine)) return Compiler(machine, use).run();
   Machine placed = machine;
   std::vector<Complaint> complaints;

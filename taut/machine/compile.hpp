@@ -13,7 +13,8 @@ namespace taut::machine {
 /// observed.
 enum class ModelFor { rest, motion };
 
-/// Resolves the names of a description and checks it. Returns a model, or every mistake, each with its place below
+/// Resolves the names of a description and checks it: every single value as a deck is checked when it is read
+/// (broken_fields), and what several of them say together. Returns a model, or every mistake, each with its place below
 /// `machine` ("reevings[1].path[0].anchor").
 /// Order of bodies: those of the description, one for each carriage, the sections of beams to which something is fixed.
 /// Order of reevings: those of the description, one for each guy. A guy put up by tension has this tension as its given

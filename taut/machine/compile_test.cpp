@@ -224,6 +224,9 @@ TEST(Compile, TellsEachMistakeAtItsPath) {
            [](Machine& m) {
              m.beams.emplace_back();
              m.beams.back().name = "skyline";
+             m.beams.back().from = "foot";
+             m.beams.back().to = "head";
+             m.beams.back().section = "CHS 168.3x6.3";
            },
        .expected = "beams.skyline: a rope is called so too"},
       {.spoil =

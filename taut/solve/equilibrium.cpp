@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "taut/base/array.hpp"
+#include "taut/base/expects.hpp"
 #include "taut/machine/compile/guides.hpp"
 #include "taut/machine/without_rope.hpp"
 #include "taut/math/index.hpp"
@@ -513,6 +514,40 @@ EquilibriumResult standing(const machine::Model& model, const EquilibriumOptions
   return result;
 }
 
+bool is_of_size(const Array<Array<int>>& flow, const Array<machine::Reeving>& reevings) {
+  if (flow.size() != reevings.size()) return false;
+  for (std::size_t r = 0; r < flow.size(); ++r) {
+    if (flow[r].size() != reevings[r].nodes.size()) return false;
+  }
+  return true;
+}
+
+bool is_of_size(const machine::State& state, const machine::Model& model) {
+  const std::size_t ropes = model.reevings.size();
+  if (state.bodies.size() != model.bodies.size() || state.branches.size() != ropes || state.touched.size() != ropes)
+    return false;
+  for (std::size_t r = 0; r < ropes; ++r) {
+    if (state.branches[r].size() != as_size(machine::branch_count(model.reevings[r]))) return false;
+    if (state.touched[r].size() != model.reevings[r].nodes.size()) return false;
+  }
+  if (state.beams.size() != model.beams.size()) return false;
+  for (std::size_t b = 0; b < model.beams.size(); ++b) {
+    if (state.beams[b].size() != model.beams[b].pieces.size()) return false;
+  }
+  return true;
+}
+
+/// What a caller promises of the arguments: beyond these sizes memory would be read that is not theirs.
+void expect_arguments(const machine::Model& model, const EquilibriumOptions& options,
+                      const std::optional<machine::State>& start) {
+  expects(!start || is_of_size(*start, model), "a start is a state of this model");
+  expects(options.flow.empty() || is_of_size(options.flow, model.reevings), "the flow is given at every node");
+  if (!options.prescribed) return;
+  const int carriage = options.prescribed->carriage;
+  expects(carriage >= 0 && as_size(carriage) < model.carriages.size(), "a prescribed carriage is one of the model");
+  expects(std::isfinite(options.prescribed->x), "a prescribed carriage stands somewhere");
+}
+
 }  // namespace
 
 Outcome stands_by_itself(const machine::Model& model, const EquilibriumOptions& options,
@@ -532,6 +567,7 @@ Outcome stands_by_itself(const machine::Model& model, const EquilibriumOptions& 
 
 EquilibriumResult equilibrium(const machine::Model& model, const EquilibriumOptions& options,
                               const std::optional<machine::State>& start) {
+  expect_arguments(model, options, start);
   EquilibriumResult result;
   if (const auto open = options.lengths_kept ? std::nullopt : undetermined_drive(model)) {
     result.outcome = taut::infeasible(*open);

@@ -121,7 +121,9 @@ struct EquilibriumResult {
 /// derivatives over the degrees of freedom of the bodies and the unstretched length of every branch. Where it fails
 /// from that start, loads and rope weights are increased in steps. Ropes with a speed flow as the motion says; their
 /// tensions contain the centrifugal tension m v^2, which no support feels. At rest, loads that depend on the motion act
-/// as if the ropes hauled in, in the band too. Returns infeasible or not_converged with a message in `outcome`.
+/// as if the ropes hauled in, in the band too. Returns infeasible or not_converged with a message in `outcome`. Throws
+/// ContractViolation when `start` is no state of this model, `options.flow` is neither empty nor given at every node,
+/// or the prescribed carriage is none of the model or stands at no finite x.
 /// docs/theory/equilibrium.md, docs/theory/drives.md.
 EquilibriumResult equilibrium(const machine::Model& model, const EquilibriumOptions& options = {},
                               const std::optional<machine::State>& start = std::nullopt);

@@ -7,6 +7,7 @@
 #include <limits>
 #include <numbers>
 
+#include "taut/base/expects.hpp"
 #include "taut/solve/condition.hpp"
 #include "test/support/machines.hpp"
 
@@ -227,6 +228,26 @@ TEST(Equilibrium, FreeCarriageRollsAgainstASupport) {
   const EquilibriumResult r = equilibrium(m);
   EXPECT_EQ(r.outcome.status, Status::infeasible);
   EXPECT_NE(r.outcome.message.find("runs against its neighbour"), std::string::npos) << r.outcome.message;
+}
+
+// What would read memory of other things, or solve another machine, is refused at the door.
+TEST(Equilibrium, RefusesArgumentsOfAnotherMachine) {
+  const machine::Model m = with_carriage(true, 0.1, 200);
+  const EquilibriumResult r = equilibrium(m);
+  EXPECT_THROW(equilibrium(m, {}, machine::State{}), taut::ContractViolation);
+  machine::State other = r.state;
+  other.branches[0].pop_back();
+  EXPECT_THROW(equilibrium(m, {}, other), taut::ContractViolation);
+  EquilibriumOptions options;
+  options.flow = {{1, 1, 1, 1, 1}, {1}, {2}};
+  EXPECT_THROW(equilibrium(m, options), taut::ContractViolation);
+  options.flow.clear();
+  for (const int carriage : {-1, 1}) {
+    options.prescribed = machine::Prescribed{.carriage = carriage, .x = 100};
+    EXPECT_THROW(equilibrium(m, options), taut::ContractViolation);
+  }
+  options.prescribed = machine::Prescribed{.carriage = 0, .x = std::numeric_limits<double>::quiet_NaN()};
+  EXPECT_THROW(equilibrium(m, options), taut::ContractViolation);
 }
 
 }  // namespace equilibrium_test

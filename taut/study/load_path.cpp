@@ -89,11 +89,18 @@ machine::Model standing_at(const machine::Model& model, const LoadPathOptions& o
   return same_span ? there : model;
 }
 
+const machine::Carriage& carriage_on_path(const machine::Model& model, const LoadPathOptions& options) {
+  expects(options.steps >= 1, "a load path has a step");
+  expects(options.carriage >= 0 && static_cast<std::size_t>(options.carriage) < model.carriages.size(),
+          "a carriage of the model moves");
+  expects(std::isfinite(options.from) && std::isfinite(options.to), "a load path begins and ends somewhere");
+  return model.carriages[options.carriage];
+}
+
 double Way::x(int i) const { return step_between(from, to, i, steps); }
 
 LoadPath load_path(const machine::Model& model, const LoadPathOptions& options) {
-  expects(options.steps >= 1, "a load path has a step");
-  const machine::Carriage& carriage = model.carriages.at(static_cast<std::size_t>(options.carriage));
+  const machine::Carriage& carriage = carriage_on_path(model, options);
   LoadPath path;
   machine::Model varied = options.condition ? model : machine::Model{};
   path.points.reserve(static_cast<std::size_t>(options.steps) + 1);

@@ -47,11 +47,15 @@ struct LoadPath {
   Array<LoadPathPoint> points;  ///< [position]; fewer where `go_on` ended it
 };
 
+/// The carriage that moves. Throws ContractViolation for steps < 1, a carriage that the model has not, and ends that
+/// are not finite.
+const machine::Carriage& carriage_on_path(const machine::Model& model, const LoadPathOptions& options);
+
 /// The model with the carriage of a load path put at x, where that is in the span of the model's path; else the model.
 machine::Model standing_at(const machine::Model& model, const LoadPathOptions& options, double x);
 
 /// The equilibria along a load path. Each search starts from an extrapolation of the positions before it. A position
-/// without equilibrium stays in the list with its outcome. Throws ContractViolation for steps < 1.
+/// without equilibrium stays in the list with its outcome. Throws ContractViolation where carriage_on_path does.
 LoadPath load_path(const machine::Model& model, const LoadPathOptions& options);
 
 /// Height of the ground at x, m, linear between the points of the terrain; NaN outside.

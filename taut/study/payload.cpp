@@ -216,11 +216,32 @@ void resolve_limits(const LimitsRequest& request, std::optional<int> carriage, c
 
 }  // namespace
 
+namespace {
+
+/// A limit that is negative or no number is never reached, so that nothing would limit the payload.
+void expect_limits(const machine::Model& model, const PayloadLimits& limits) {
+  const std::size_t ropes = model.reevings.size();
+  expects(limits.tension.empty() || limits.tension.size() == ropes, "a limit for every rope");
+  for (const double tension : limits.tension) expects(tension > 0, "a limit of a tension is above 0");
+  for (const EndLimit& end : limits.ends) {
+    expects(end.reeving >= 0 && as_size(end.reeving) < ropes, "a pull is that of a rope of the model");
+    expects(end.pull > 0, "a limit of a pull is above 0");
+  }
+  expects(limits.rope_clearance.empty() || limits.rope_clearance.size() == ropes, "a clearance for every rope");
+  for (const double clearance : limits.rope_clearance) expects(!std::isnan(clearance), "a clearance is a number");
+  for (const double one : {limits.clearance, limits.break_angle, limits.least_break_angle})
+    expects(!std::isnan(one), "a limit is a number");
+  expects(!limits.rated_payload || *limits.rated_payload >= 0, "a rated payload is not negative");
+  expects(limits.most > 0 && std::isfinite(limits.most), "a largest payload to look for");
+}
+
+}  // namespace
+
 Payload payload(const machine::Model& model, int body, const PayloadLimits& limits,
                 const solve::EquilibriumOptions& options, const std::optional<machine::State>& start, double expected) {
-  expects(limits.tension.empty() || limits.tension.size() == model.reevings.size(), "a limit for every rope");
-  expects(limits.most > 0 && std::isfinite(limits.most), "a largest payload to look for");
+  expect_limits(model, limits);
   expects(body >= 0 && as_size(body) < model.bodies.size(), "a body of the model");
+  expects(expected >= 0 && std::isfinite(expected), "an expected payload is one");
   Payload answer;
   PayloadSearch search(model, body, limits, options, start);
   const double margin = search.margin(0);
@@ -259,8 +280,7 @@ Payload payload(const machine::Model& model, int body, const PayloadLimits& limi
 
 Array<PayloadPoint> payload_path(const machine::Model& model, const PayloadLimits& limits,
                                  const LoadPathOptions& options) {
-  expects(options.steps >= 1, "a load path has a step");
-  const machine::Carriage& carriage = model.carriages.at(as_size(options.carriage));
+  const machine::Carriage& carriage = carriage_on_path(model, options);
   Array<PayloadPoint> points;
   machine::Model there;
   std::optional<machine::State> start;

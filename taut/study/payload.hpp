@@ -72,7 +72,8 @@ struct Payload {
 /// The largest mass that may be added at the origin of a body within the limits. With the mass the tensions grow and
 /// the clearances fall, so the first limit reached governs. A mass without equilibrium counts as too large. `expected`:
 /// a payload nearby, kg, which only saves time. `start`: a state near the one without payload. Throws ContractViolation
-/// when `limits.tension` is neither empty nor of the size of the reevings, or `limits.most` is not positive and finite.
+/// when `limits.tension` or `limits.rope_clearance` is neither empty nor of the size of the reevings, a limit is NaN, a
+/// tension or pull not above 0, `limits.most` not positive and finite, or `body` or `expected` (>= 0) is none.
 Payload payload(const machine::Model& model, int body, const PayloadLimits& limits,
                 const solve::EquilibriumOptions& options = {},
                 const std::optional<machine::State>& start = std::nullopt, double expected = 0);

@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
+#include "taut/base/expects.hpp"
 #include "test/support/machines.hpp"
 
 namespace payload_test {
@@ -105,6 +108,38 @@ TEST(Payload, AlongTheLine) {
     options.prescribed = machine::Prescribed{.carriage = 0, .x = p.x};
     EXPECT_NEAR(p.payload.mass / payload(m, 0, limits, options).mass, 1, 1e-7);
     EXPECT_NEAR(p.payload.at.ropes[0].T_max / 40e3, 1, 1e-8);
+  }
+}
+
+// A limit that no tension reaches carried 100 t.
+TEST(Payload, RefusesLimitsThatLimitNothing) {
+  const machine::Model m = tackle(4, 1, 500);
+  PayloadLimits limits;
+  for (const double tension : {-10e3, 0.0, std::numeric_limits<double>::quiet_NaN()}) {
+    limits.tension = {tension};
+    EXPECT_THROW(payload(m, 0, limits), taut::ContractViolation);
+  }
+  limits.tension = {10e3, 10e3};
+  EXPECT_THROW(payload(m, 0, limits), taut::ContractViolation);
+  limits.tension = {10e3};
+  limits.ends = {{.reeving = 1, .at_end = false, .pull = 1e3}};
+  EXPECT_THROW(payload(m, 0, limits), taut::ContractViolation);
+  limits.ends = {{.reeving = 0, .at_end = false, .pull = -1e3}};
+  EXPECT_THROW(payload(m, 0, limits), taut::ContractViolation);
+  limits.ends.clear();
+  EXPECT_THROW(payload(m, 0, limits, {}, std::nullopt, -1), taut::ContractViolation);
+  EXPECT_TRUE(payload(m, 0, limits).outcome.ok());
+}
+
+TEST(PayloadPath, RefusesACarriageThatIsNotThere) {
+  const machine::Model m = with_carriage(true, 0.1, 200);
+  LoadPathOptions options;
+  options.from = 50;
+  options.to = 60;
+  for (const int carriage : {-1, 7}) {
+    options.carriage = carriage;
+    EXPECT_THROW(payload_path(m, {}, options), taut::ContractViolation);
+    EXPECT_THROW(load_path(m, options), taut::ContractViolation);
   }
 }
 

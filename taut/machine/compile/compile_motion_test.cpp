@@ -246,14 +246,18 @@ TEST(CompileMotion, MistakesOfEvents) {
     return complaints_of(m);
   };
   EXPECT_THAT(reported([](auto& e) { e.breaks = "hoisd"; }), HasSubstr("events[0].break: there is no reeving 'hoisd'"));
+  EXPECT_THAT(reported([](auto& e) { e.breaks = "hoist", e.brake = "winch"; }),
+              HasSubstr("events[0]: give one of break, brake, not several"));
   EXPECT_THAT(reported([](auto& e) { e.breaks = "hoist[4]"; }), HasSubstr("branches 1 to 2"));
   EXPECT_THAT(reported([](auto&) {}), HasSubstr("events[0].stop"));
   EXPECT_THAT(reported([](auto& e) { e.actuator = "ram"; }), HasSubstr("there is no actuator 'ram'"));
   EXPECT_THAT(reported([](auto& e) { e.brake = "winch", e.mode = "on"; }), HasSubstr("of a brake is set or open"));
   EXPECT_THAT(reported([](auto& e) { e.drive = "winch"; }), HasSubstr("says no speed, torque or pull"));
   EXPECT_THAT(reported([](auto& e) { e.stop = true, e.over = 1; }), HasSubstr("belongs to a 'break'"));
-  EXPECT_THAT(reported([](auto& e) { e.stop = true, e.when = "hook.z = 3 m"; }), HasSubstr("is no condition"));
-  EXPECT_THAT(reported([](auto& e) { e.stop = true, e.when = "hook.z > 3"; }), HasSubstr("a length needs its unit"));
+  EXPECT_THAT(reported([](auto& e) { e.stop = true, e.at.reset(), e.when = "hook.z = 3 m"; }),
+              HasSubstr("is no condition"));
+  EXPECT_THAT(reported([](auto& e) { e.stop = true, e.at.reset(), e.when = "hook.z > 3"; }),
+              HasSubstr("a length needs its unit"));
 }
 
 TEST(CompileMotion, ContactsActuatorsAndTensioners) {
