@@ -10,6 +10,10 @@ namespace taut {
 /// Whether `a` is below `b` in the five significant digits that a reader is shown. False when one is NaN.
 bool shown_below(double a, double b);
 
+/// The significant digits, `least` or more, with which the value of a check that fails reads differently from its
+/// limit. `least` for a check that passes, and where one of the two is no number.
+int digits_apart(const Check& c, const Display& display, int least);
+
 /// The units in which a report and its CSV files show the numbers of a result: those of its `display`, else each unit's
 /// own unit of print. Units of `display` that fit nothing are left out.
 Display display_of(const Result& r);

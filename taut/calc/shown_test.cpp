@@ -17,6 +17,24 @@ TEST(Shown, OnlyADifferenceThatIsSeenCounts) {
   EXPECT_FALSE(shown_below(3, 3));
 }
 
+// "fails 5.509 >= 5.509" tells nobody why.
+TEST(Shown, AFailingValueReadsOtherThanItsLimit) {
+  const Display display;
+  Check c =
+      make_check("factor", 5.50911, si::one, {.sense = Sense::at_least, .limit = 5.5092, .rule = "", .trust = ""});
+  ASSERT_FALSE(c.passes);
+  EXPECT_EQ(digits_apart(c, display, 4), 5);  // 5.5091 and 5.5092
+  c.value = 5.4;
+  EXPECT_EQ(digits_apart(c, display, 4), 4);
+  c.value = std::nextafter(c.limit, 0);
+  EXPECT_EQ(digits_apart(c, display, 4), 16);
+  c.value = std::nan("");
+  EXPECT_EQ(digits_apart(c, display, 4), 4);
+  const Check passing =
+      make_check("factor", 5.50921, si::one, {.sense = Sense::at_least, .limit = 5.5092, .rule = "", .trust = ""});
+  EXPECT_EQ(digits_apart(passing, display, 4), 4);
+}
+
 TEST(Shown, TheUnitOfTheDeckElseTheUnitOfPrint) {
   Result r;
   r.display = {{"force", "N"}, {"length", "kN"}, {"nonsense", "m"}};

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "taut/calc/shown.hpp"
 #include "taut/units/display.hpp"
 
 namespace taut {
@@ -31,7 +32,13 @@ std::string against_limit(const Check& c, const Display& display) {
   if (std::isnan(c.value)) {
     text.first = "no number";
   } else if (text.first == text.second) {
-    text = {display.quantity(c.value, c.unit), display.quantity(c.limit, c.unit)};
+    constexpr int more_digits = 5;  // than the brief ones
+    const int digits = digits_apart(c, display, more_digits);
+    const auto exactly = [&](double x) {
+      const std::string unit = display.unit(c.unit), number = short_number(display.from_si(x, c.unit), digits);
+      return unit.empty() || !std::isfinite(x) ? number : fmt::format("{} {}", number, unit);
+    };
+    text = {exactly(c.value), exactly(c.limit)};
   }
   return fmt::format("{}, limit {} {}{}: {}", text.first, c.sense == Sense::at_most ? "at most" : "at least",
                      text.second, c.where.empty() ? "" : fmt::format(" ({})", c.where), c.rule);

@@ -172,4 +172,13 @@ TEST(Severity, OfTwoStatesTheWorseIsFoundWithoutUtilisations) {
   EXPECT_TRUE(worse_state(left(1), left(5)));
 }
 
+TEST(Verdict, AFailureIsSeenInItsNumbers) {
+  const Check c =
+      make_check("factor", 5.50911, si::one, {.sense = Sense::at_least, .limit = 5.50914, .rule = "r", .trust = ""});
+  EXPECT_EQ(against_limit(c, Display()), "5.50911, limit at least 5.50914: r");
+  const Check force =
+      make_check("force", 279100.4, si::N, {.sense = Sense::at_most, .limit = 279100, .rule = "r", .trust = ""});
+  EXPECT_EQ(against_limit(force, Display()), "279.1004 kN, limit at most 279.1 kN: r");
+}
+
 }  // namespace taut::verdict_test

@@ -121,11 +121,11 @@ std::string outcome_word(const Check& c, const Result& r, const TerminalOptions&
 
 std::string check_lines(const std::vector<const Check*>& checks, const Result& r, const TerminalOptions& o) {
   const Display display = display_of(r);
-  const int digits = o.all ? all_digits : summary_digits;
   std::vector<Row> rows;
   rows.reserve(checks.size());
   for (const Check* check : checks) {
     const Check& c = *check;
+    const int digits = digits_apart(c, display, o.all ? all_digits : summary_digits);
     rows.push_back({outcome_word(c, r, o), words(c.name), quantity_plain(c.value, c.unit, display, digits),
                     c.sense == Sense::at_most ? "<=" : ">=", quantity_plain(c.limit, c.unit, display, digits),
                     utilisation_text(c.utilisation), is_unverified(c.trust) ? "limit unverified" : ""});

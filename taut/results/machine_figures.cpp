@@ -485,24 +485,12 @@ void add_plots(const machine::Model& m, const study::LoadPathRun& run, Result& r
   r.figures.emplace_back(std::move(clearance));
 }
 
-/// The largest share of its breaking force that a rope of a state bears, by which states are compared; where no
-/// breaking force is known, its largest tension.
-std::pair<double, double> strain_of(const Answer& state) {
-  double share = 0, T = 0;
-  for (std::size_t i = 0; i < state.model->reevings.size(); ++i) {
-    const double own = state.result->ropes[i].T_max, strength = state.model->reevings[i].breaking_force;
-    T = std::max(T, own);
-    if (strength > 0) share = std::max(share, own / strength);
-  }
-  return {share, T};
-}
-
 /// The state that decides: of those that are judged, if any are, the one that strains its ropes most.
 const Answer& deciding(const std::vector<Answer>& all) {
   const bool any_judged = std::any_of(all.begin(), all.end(), [](const Answer& one) { return one.judged; });
   return *std::max_element(all.begin(), all.end(), [&](const Answer& a, const Answer& b) {
     if (any_judged && a.judged != b.judged) return b.judged;
-    return strain_of(a) < strain_of(b);
+    return strain_of(*a.model, *a.result) < strain_of(*b.model, *b.result);
   });
 }
 
@@ -549,7 +537,7 @@ void add_described_figures(MachineRun& run, const std::string& why, Result& r) {
 }
 
 void add_figures(MachineRun& run, Result& r) {
-  const std::vector<Answer> all = answers_of(run);
+  const std::vector<Answer> all = pictured_of(run);
   if (all.empty()) {
     const bool at_rest = !run.equilibria.empty() || !run.paths.empty();
     if (r.status != Status::ok && run.key_figure.shows == Pictured::nothing) {
@@ -565,8 +553,12 @@ void add_figures(MachineRun& run, Result& r) {
     const bool alone = at_rest->ending.empty();
     words = "Equilibrium, " + (alone ? words : checks::analysis_words(at_rest->ending, "equilibrium") + ", " + words);
   }
-  add_drawings(*drawn.model, *drawn.result, line_of(run),
-               text_of_answer(all.size() == 1 ? words : "The state that strains its ropes most: " + words), r);
+  if (const std::string more = strained_more(run, strain_of(*drawn.model, *drawn.result), r); !more.empty()) {
+    words += fmt::format(". Its ropes bear more in a state that is not drawn: {}", more);
+  } else if (all.size() > 1) {
+    words = "The state that strains its ropes most: " + words;
+  }
+  add_drawings(*drawn.model, *drawn.result, line_of(run), text_of_answer(words), r);
   run.key_figure.offer(Pictured::machine, "machine");
   for (const study::LoadPathRun& path : run.paths) {
     Profile profile = load_path_profile(run, path);

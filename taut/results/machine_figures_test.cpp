@@ -70,4 +70,38 @@ analyses:
   EXPECT_THAT(of(aside + "}\n" + middle + ", judge: false}\n"), HasSubstr("Equilibrium, parked"));
 }
 
+/// A load on two falls, 2 t at rest.
+std::string hoist(const std::string& analyses) {
+  return drawing(run_text(R"(taut: 1
+machine:
+  points: {pin: [0 m, 0 m, 10 m], low: [10 m, 0 m, 0 m]}
+  ropes: {rope: {mass: 0 kg/m, stiffness: 20 MN, breaking_force: 250 kN}}
+  bodies: {hook: {mass: 10 kg, at: [0 m, 0 m, 5 m], free: [x, z]}}
+  reevings:
+    - {rope: rope, path: [{anchor: pin}, {anchor: hook}], length: 5 m}
+  loads: [{at: hook, mass: 2 t}]
+analyses:
+  - equilibrium: {name: rest}
+)" + analyses),
+                 "machine")
+      .caption;
+}
+
+// The largest tension of the deck is in the sweep, so that is what the words below the drawing may be said of.
+TEST(MachineFigures, ASweepIsComparedToo) {
+  EXPECT_THAT(hoist(""), testing::StartsWith("Equilibrium, rest"));
+  EXPECT_THAT(
+      hoist("  - sweep: {parameter: 'loads[0].mass', from: 1 t, to: 12 t, steps: 4}\n"),
+      testing::AllOf(HasSubstr("The state that strains its ropes most: "), HasSubstr("loads[0].mass = 12000 kg")));
+  EXPECT_THAT(hoist("  - sweep: {parameter: 'loads[0].mass', from: 1 t, to: 12 t, steps: 4, judge: false}\n"),
+              testing::StartsWith("Equilibrium, rest"));
+}
+
+TEST(MachineFigures, AHarderStateThatIsNotDrawnIsNamed) {
+  EXPECT_THAT(hoist("  - transient: {start: assembled, duration: 0.5 s, output_step: 10 ms}\n"),
+              testing::AllOf(
+                  testing::StartsWith("Equilibrium, "),
+                  HasSubstr("Its ropes bear more in a state that is not drawn: largest tension of rope (transient")));
+}
+
 }  // namespace taut::results::machine_figures_test

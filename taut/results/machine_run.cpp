@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
+#include "taut/calc/shown.hpp"
 #include "taut/checks/checked_parts.hpp"
 
 namespace taut::results {
@@ -43,6 +46,43 @@ std::vector<Answer> answers_of(const MachineRun& run) {
     }
   }
   return all;
+}
+
+std::vector<Answer> pictured_of(const MachineRun& run) {
+  std::vector<Answer> all = answers_of(run);
+  for (const OtherAnswer& one : run.others) {
+    const bool there = std::any_of(all.begin(), all.end(), [&](const Answer& a) { return a.result == &one.result; });
+    if (!there && one.judged) all.push_back({&one.model, &one.result, nullptr, one.words, true});
+  }
+  return all;
+}
+
+Strain strain_of(const machine::Model& model, const solve::EquilibriumResult& state) {
+  Strain most{0, 0};
+  for (std::size_t i = 0; i < model.reevings.size(); ++i) {
+    const double T = state.ropes[i].T_max, strength = model.reevings[i].breaking_force;
+    most.second = std::max(most.second, T);
+    if (strength > 0) most.first = std::max(most.first, T / strength);
+  }
+  return most;
+}
+
+std::string strained_more(const MachineRun& run, const Strain& strain, const Result& r) {
+  if (!run.judges) return {};
+  const auto& ropes = run.model.reevings;
+  const bool by_share =
+      std::any_of(ropes.begin(), ropes.end(), [](const auto& rope) { return rope.breaking_force > 0; });
+  double most = by_share ? strain.first : strain.second;
+  std::string words;
+  for (const machine::Reeving& rope : ropes) {
+    const Value* T = r.find_value(rope.name + ".T_max");
+    if (T == nullptr || (by_share && !(rope.breaking_force > 0))) continue;
+    const double own = by_share ? T->value / rope.breaking_force : T->value;
+    if (!shown_below(most, own)) continue;  // places of a payload share its limit but for rounding
+    most = own;
+    words = fmt::format("{}, {}", T->label, run.display.brief(T->value, si::N));
+  }
+  return words;
 }
 
 std::string heading_of(const MachineRun& run, const study::EquilibriumRun& one) {

@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "taut/calc/progress.hpp"
@@ -18,8 +19,8 @@ struct CheckedParts;
 
 namespace taut::results {
 
-/// A state that another analysis found worth showing: where a payload is least. One that only `explores` counts where
-/// nothing else does.
+/// A state that another analysis found worth showing: where a payload is least. One that only `explores`, the hardest
+/// of a sweep, counts where nothing else does, and for pictures.
 struct OtherAnswer {
   std::string words;
   machine::Model model;
@@ -56,6 +57,18 @@ struct Answer {
 
 /// All that were found, equilibria first.
 std::vector<Answer> answers_of(const MachineRun& run);
+
+/// What a picture may show: these, and the hardest state of each analysis that only explores and is judged.
+std::vector<Answer> pictured_of(const MachineRun& run);
+
+/// How much a state strains its ropes: the largest share of its breaking force that one bears, and the largest tension,
+/// N, which counts where no breaking force is known. Pairs are compared in this order.
+using Strain = std::pair<double, double>;
+Strain strain_of(const machine::Model& model, const solve::EquilibriumResult& state);
+
+/// "largest tension of hoist (transient, t = 0.2 s), 22.08 kN": the rope that is strained more than `strain` in a
+/// judged state of any analysis, and that state, by the values of the result; empty where none is.
+std::string strained_more(const MachineRun& run, const Strain& strain, const Result& r);
 
 /// Over the values and tables of one analysis, "equilibrium, at rest", "load path sag, in"; empty where the deck has
 /// only one.

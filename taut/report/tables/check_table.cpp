@@ -86,11 +86,12 @@ std::string outcome_html(const Check& c, const Result& r) {
 }  // namespace
 
 std::string value_text(const Check& c, const Display& display) {
-  return quantity_shown(c.value, c.unit, display, check_digits);
+  return quantity_shown(c.value, c.unit, display, digits_apart(c, display, check_digits));
 }
 
 std::string limit_text(const Check& c, const Display& display) {
-  return (c.sense == Sense::at_most ? "≤ " : "≥ ") + quantity_shown(c.limit, c.unit, display, check_digits);
+  return (c.sense == Sense::at_most ? "≤ " : "≥ ") +
+         quantity_shown(c.limit, c.unit, display, digits_apart(c, display, check_digits));
 }
 
 std::string checks_html(const Result& r) {

@@ -61,7 +61,10 @@ void add_answer(const study::EnvelopeRun& asked, MachineRun& machine, Result& r)
   r.values.push_back(make_value(states, "", run.ending, static_cast<double>(run.states), states.about.words));
   add_tensions(run, machine.display, r);
   for (study::WorstState& one : run.worst) {
-    machine.others.push_back({std::move(one.words), std::move(one.model), std::move(one.result)});
+    machine.others.push_back({.words = std::move(one.words),
+                              .model = std::move(one.model),
+                              .result = std::move(one.result),
+                              .judged = machine.checked->judged});
   }
 }
 

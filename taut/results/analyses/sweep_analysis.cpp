@@ -182,10 +182,15 @@ void add_results(MachineRun& machine, const study::SweepRun& run, const solve::S
         fmt::format("sweep, {} = {}, {}", run.parameter, Display().quantity(point.value, run.unit), run.words);
     machine.checked->take(point.model, point.at, at, checks::analysis_name(run.ending, "sweep"));
   }
-  const solve::SweepPoint& first = s.points.front();
+  const solve::SweepPoint& hardest = *std::max_element(
+      s.points.begin(), s.points.end(),
+      [](const auto& a, const auto& b) { return strain_of(a.model, a.at) < strain_of(b.model, b.at); });
   machine.others.push_back(
-      {fmt::format("{} = {}, {}", run.parameter, Display().quantity(first.value, run.unit), run.words), first.model,
-       first.at, true});
+      {.words = fmt::format("{} = {}, {}", run.parameter, Display().quantity(hardest.value, run.unit), run.words),
+       .model = hardest.model,
+       .result = hardest.at,
+       .explores = true,
+       .judged = machine.checked->judged});
 }
 
 }  // namespace
