@@ -19,10 +19,11 @@ std::string kilonewton(double force) { return fmt::format("{:.4g} kN", force / 1
 
 double ratio_of(const Bend& bend, const RopeUse& use) { return bend.diameter / use.rope.diameter; }
 
-/// Whether a check holds the rope's tension against its strength; the others (D/d, grooves, drums) can only fail.
-bool limits_strength(std::string_view key) {
-  constexpr std::array<std::string_view, 5> all = {"safety_factor", "on_sheave", "resistance", "dynamic_safety_factor",
-                                                   "elastic_limit"};
+/// Whether a check is a limit of the rope's strength: what keeps it may pass. The others (D/d, grooves, drums, the
+/// elastic limit of the tables, which leaves no factor for wear and doubt) can only fail.
+bool limits_strength(std::string_view key, const RopeRules& rules) {
+  if (key == "elastic_limit") return rules.own_elastic_share;
+  constexpr std::array<std::string_view, 4> all = {"safety_factor", "on_sheave", "resistance", "dynamic_safety_factor"};
   return std::any_of(all.begin(), all.end(), [&](std::string_view one) { return key.starts_with(one); });
 }
 
@@ -60,7 +61,7 @@ class RopeChecker {
   void add(const std::string& key, double value, const Unit& unit, Bound bound) {
     Check c = make_check(fmt::format("{}.{}", use_.name, key), value, unit, std::move(bound));
     c.part = use_.name;
-    c.limits = limits_strength(key);
+    c.limits = limits_strength(key, rules_);
     if (c.limits) c.covers = {use_.name};
     out_.checks.push_back(std::move(c));
   }

@@ -28,6 +28,7 @@ struct RopeRules {
   std::string dynamic_trust = "user";
   std::optional<Limit> dynamic_safety;                                 ///< least F_min/(phi T)
   std::optional<Limit> elastic_share;                                  ///< of F_min that the peak may reach
+  bool own_elastic_share = false;                                      ///< it is the deck's: a limit of the strength
   std::optional<Limit> termination;                                    ///< efficiency of the ends
   std::optional<Limit> least_termination;                              ///< what a factor that covers the ends asks
   std::optional<double> temperature;                                   ///< the rope's, K

@@ -135,6 +135,18 @@ TEST(RopeCheck, peak_is_the_larger_of_factor_and_motion) {
   EXPECT_NEAR(value_of(all, "hoist.dynamic_safety_factor"), 160.0 / 97, 1e-12);
 }
 
+// 0.6 F_min of the tables leaves no factor for wear: it may fail, but a rope does not pass by it. The deck's own may.
+TEST(RopeCheck, only_the_decks_own_elastic_limit_is_a_limit_of_strength) {
+  RopeRules rules;
+  rules.elastic_share = Limit{.value = 0.6, .rule = "share", .trust = "UNVERIFIED: recalled"};
+  const RopeChecks tables = check_rope(hoist_rope(), rules);
+  EXPECT_TRUE(find(tables, "hoist.elastic_limit")->passes);
+  EXPECT_FALSE(find(tables, "hoist.elastic_limit")->limits);
+  EXPECT_TRUE(find(tables, "hoist.elastic_limit")->covers.empty());
+  rules.own_elastic_share = true;
+  EXPECT_TRUE(find(check_rope(hoist_rope(), rules), "hoist.elastic_limit")->limits);
+}
+
 // What is asked for and can't be answered is reported.
 TEST(RopeCheck, what_no_rule_and_no_drum_answers) {
   RopeRules rules;

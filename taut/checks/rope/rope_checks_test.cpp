@@ -148,6 +148,21 @@ TEST(RopeChecks, crane_class_sets_factor_and_ratios) {
   EXPECT_NEAR(find(r, "hoist.elastic_limit")->value, (1.10 + 0.34 * 0.5) * value_of(r, "hoist.T_max"), 1e-6);
 }
 
+// 0.6 F_min is a rule of skylines. An entry that asks for something else gives a hoist rope no limit of its strength.
+TEST(RopeChecks, no_entry_without_a_limit_of_strength_judges_a_rope) {
+  for (const char* entry : {"{}", "{diameter_ratio: 10}", "{temperature: 20 degC}", "{discard: true, drum: grooved}"}) {
+    const Result r = run_text(hoist_deck(fmt::format("  ropes: {{hoist: {}}}", entry)));
+    ASSERT_EQ(r.status, Status::ok) << to_text(r.errors);
+    EXPECT_FALSE(has(r, "hoist.elastic_limit")) << entry;
+    EXPECT_THAT(r.unjudged, testing::Contains("hoist")) << entry;
+  }
+  const Result asked = run_text(hoist_deck("  ropes: {hoist: {dynamic_factor: 1.2}}"));
+  EXPECT_TRUE(find(asked, "hoist.elastic_limit")->passes);
+  EXPECT_THAT(asked.unjudged, testing::Contains("hoist"));
+  const Result own = run_text(hoist_deck("  ropes: {hoist: {elastic_limit: 0.5}}"));
+  EXPECT_THAT(own.unjudged, testing::Not(testing::Contains("hoist")));
+}
+
 TEST(RopeChecks, drum_and_groove) {
   const Result r = run_text(hoist_deck(
       "  ropes: {hoist: {field: crane_running, class: M3, drum: grooved, groove: cast_steel, rated_pull: 40 kN, "

@@ -186,11 +186,23 @@ class RequestReader {
       rules_.dynamic_safety =
           Limit{.value = *request_.dynamic_safety_factor, .rule = "dynamic safety factor of the deck", .trust = "user"};
     }
+    elastic_limit();
+  }
+
+  /// The rule is one of skylines. It is made for another rope only where the deck asks for its peak, and is then no
+  /// limit by which that rope passes: a crane's hoist rope at 0.6 F_min has far less than its factor.
+  void elastic_limit() {
+    const auto& ids = asked_.fields;
+    const bool skyline =
+        std::any_of(ids.begin(), ids.end(), [](const auto& id) { return begins(id, {"safety.skyline"}); });
     if (request_.elastic_limit) {
       rules_.elastic_share =
           Limit{.value = *request_.elastic_limit, .rule = "elastic limit of the deck", .trust = "user"};
-    } else if (const auto row = rule_named("strength.skyline_elastic_limit")) {
-      rules_.elastic_share = limit_of(*row, SafeEnd::low);
+      rules_.own_elastic_share = true;
+    } else if (skyline || request_.dynamic_factor || request_.hoist) {
+      if (const auto row = rule_named("strength.skyline_elastic_limit")) {
+        rules_.elastic_share = limit_of(*row, SafeEnd::low);
+      }
     }
   }
 
