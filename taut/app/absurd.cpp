@@ -235,6 +235,22 @@ void note_carriages(const results::Answer& answer, DeepSag& worst) {
   }
 }
 
+/// Saddles that say nothing of their friction: their ropes slip over them without any loss.
+void add_smooth_saddles(const machine::Machine& machine, std::vector<std::string>& warnings) {
+  using machine::description::RoundLaw;
+  std::string names;
+  const auto add = [&](const machine::description::Round& one, bool usual) {
+    const bool saddle = one.law == RoundLaw::saddle || (one.law == RoundLaw::usual && usual);
+    if (saddle && !one.friction) names += fmt::format("{}'{}'", names.empty() ? "" : ", ", one.name);
+  };
+  for (const auto& one : machine.sheaves) add(one, false);
+  for (const auto& one : machine.supports) add(one, true);
+  if (names.empty()) return;
+  warnings.push_back(fmt::format(
+      "the rope slips over {} without friction: a saddle does not turn; give its 'friction' (0 where that is meant)",
+      names));
+}
+
 }  // namespace
 
 std::vector<std::string> absurd_machine(const MachineDeck& deck, const machine::Model& model) {
@@ -249,6 +265,7 @@ std::vector<std::string> absurd_machine(const MachineDeck& deck, const machine::
   add_unused(all, "bodies", "body", "is used by nothing", m.bodies, warnings);
   add_short_ropes(model, warnings);
   add_flat_ropes(model, warnings);
+  add_smooth_saddles(m, warnings);
   return warnings;
 }
 

@@ -44,6 +44,22 @@ bool has(const std::string& text, const std::string& part) { return text.find(pa
 
 TEST(Absurd, AnOrdinaryLineHasNothing) { EXPECT_EQ(warned(deck_of({})), ""); }
 
+TEST(Absurd, ASaddleThatSaysNothingOfItsFriction) {
+  const auto over = [](const std::string& jack) {
+    return warned(R"(taut: 1
+machine:
+  points: {a: [0 m, 0 m, 0 m], b: [100 m, 0 m, 0 m]}
+  ropes: {line: {mass: 1 kg/m, stiffness: 20 MN}}
+  supports: {jack: {at: [50 m, 0 m, 5 m])" +
+                  jack + R"(}}
+  reevings: [{rope: line, path: [{anchor: a}, {over: jack}, {anchor: b}], tension_at_start: 50 kN}]
+)");
+  };
+  EXPECT_TRUE(has(over(""), "slips over 'jack' without friction")) << over("");
+  EXPECT_FALSE(has(over(", friction: 0"), "without friction"));
+  EXPECT_FALSE(has(over(", law: sheave"), "without friction"));
+}
+
 TEST(Absurd, PartsThatNothingUses) {
   Line line;
   line.points = ", spare: [1 m, 0 m, 1 m]";

@@ -113,7 +113,7 @@ TEST(MachineRun, ALoadPathPassesTheSupports) {
 machine:
   points: {{a: [0 m, 0 m, 0 m], b: [200 m, 0 m, 0 m]}}
   ropes: {{r: {{mass: 2 kg/m, stiffness: 20 MN}}}}
-  supports: {{jack: {{at: [100 m, 0 m, 10 m]}}}}
+  supports: {{jack: {{at: [100 m, 0 m, 10 m], friction: 0}}}}
   carriages: {{car: {{mass: 800 kg, rides: r, hold: {}}}}}
   reevings: [{{rope: r, path: [{{anchor: a}}, {{through: car}}, {{over: jack}}, {{anchor: b}}], length: 203 m}}]
 analyses:

@@ -65,6 +65,7 @@ class Compiler {
       warm_beams(model_);
     }
     check_axes();
+    check_saddles();
     check_holds(machine_, complaints_);
     for (std::size_t i = 0; i < machine_.reevings.size(); ++i) add_reeving(machine_.reevings[i], i);
     for (const auto& guy : machine_.guys) add_guy(guy);
@@ -159,6 +160,21 @@ class Compiler {
     for (const auto& one : machine_.sheaves) check("sheaves", one.name, one.axis.value_or(Triple{0, 1, 0}));
     for (const auto& one : machine_.supports) check("supports", one.name, one.axis.value_or(Triple{0, 1, 0}));
     for (const auto& one : machine_.drums) check("drums", one.name, one.axis);
+  }
+
+  /// What belongs to a wheel would do nothing at a round that does not turn.
+  void check_saddles() {
+    const auto check = [&](const char* list, const description::Round& one, bool usual) {
+      if (one.law != description::RoundLaw::saddle && (one.law != description::RoundLaw::usual || !usual)) return;
+      const std::string path = fmt::format("{}.{}", list, one.name);
+      const char* const words = "belongs to 'law: sheave'; a saddle does not turn: give its 'friction'";
+      if (one.efficiency != 1) complain(path + ".efficiency", words);
+      if (one.inertia) complain(path + ".inertia", words);
+      if (one.drag != 0) complain(path + ".drag", words);
+      if (one.motor) complain(path + ".motor", words);
+    };
+    for (const auto& one : machine_.sheaves) check("sheaves", one, false);
+    for (const auto& one : machine_.supports) check("supports", one, true);
   }
 
   const RopeData* rope(const std::string& name, const std::string& path) {

@@ -214,6 +214,11 @@ TEST(Compile, TellsEachMistakeAtItsPath) {
              m.supports[0].axis = {0, 0, 0};
            },
        .expected = "supports.jack.axis: the axis is zero"},
+      {.spoil = [](Machine& m) { m.supports[0].efficiency = 0.9; },
+       .expected = "supports.jack.efficiency: belongs to 'law: sheave'; a saddle does not turn: give its 'friction'"},
+      {.spoil = [](Machine& m) { m.supports[0].inertia = 2; }, .expected = "supports.jack.inertia: belongs to"},
+      {.spoil = [](Machine& m) { m.supports[0].drag = 2; }, .expected = "supports.jack.drag: belongs to"},
+      {.spoil = [](Machine& m) { m.supports[0].motor.emplace(); }, .expected = "supports.jack.motor: belongs to"},
       {.spoil = [](Machine& m) { m.loads = {{.at = "head", .mass = 3.0, .force = {}}}; },
        .expected = "loads[0].at: 'head' is fixed to the ground"},
       {.spoil = [](Machine& m) { m.loads = {{.at = "cat", .mass = 3.0, .force = {}}}; },

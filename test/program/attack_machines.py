@@ -105,7 +105,7 @@ def a_line(r):
         if i > 0:
             machine["supports"][f"jack{i}"] = {
                 "at": Place([x[i], 0, heights[i]]), "diameter": m(r.choice([0, 0.5])), "axis": Arm([0, 1, 0], "direction"),
-                "efficiency": r.uniform(0.9, 1), "uplift": "hold"}
+                "law": "sheave", "efficiency": r.uniform(0.9, 1), "uplift": "hold"}
             path.append({"over": f"jack{i}"})
         chord = math.hypot(x[i + 1] - x[i], heights[i + 1] - heights[i])
         sag = (rope["mass"].value * STANDARD_GRAVITY * (x[i + 1] - x[i]) / pull) ** 2 / 24
