@@ -50,9 +50,9 @@ double height_over_ground(const CheckState& state, const std::string& name) {
 
 double lashing_height(const SupportStates& s) { return s.height + s.request->lashing; }
 
-/// At the lashing; empty beyond the table, and where the height is not known.
+/// At the lashing; empty beyond the table, where the height is not known, and where the ropes pull upwards.
 std::optional<double> lashing_diameter(const SupportStates& s) {
-  if (std::isnan(s.height)) return std::nullopt;
+  if (std::isnan(s.height) || !s.upwards.empty()) return std::nullopt;
   return catalogue::support_tree_diameter(s.force, std::max(lashing_height(s), 0.0));
 }
 
@@ -88,6 +88,8 @@ std::string force_words(const SupportStates& s) {
 
 /// Why there is no diameter.
 std::string why_none(const SupportStates& s) {
+  if (!s.upwards.empty())
+    return fmt::format("its ropes pull it upwards ({}), and the table is one of trees that are pressed", s.upwards);
   if (std::isnan(s.height)) return "its height over the ground is not known: give 'height'";
   return fmt::format("beyond the table of support trees: {}", force_words(s));
 }
@@ -137,6 +139,7 @@ void take(const CheckState& state, SupportStates& support) {
   const double factor = state.moves ? 1 : request.dynamic_factor;
   Vector3 F = force_at(state, request.name);
   for (const std::string& other : request.with) F += force_at(state, other);
+  if (F.z() > 0 && support.upwards.empty()) support.upwards = state.words;
   if (factor * F.norm() <= support.force) return;
   support.force = factor * F.norm();
   support.pull = F;

@@ -17,6 +17,7 @@ struct SupportStates {
   double factor = 1;
   double height = 0;  ///< of the saddle over the ground, m; NaN: no terrain there
   std::string where;
+  std::string upwards;  ///< the first state in which the ropes pull it upwards; empty: in none
 };
 std::vector<SupportStates> support_states(const std::vector<SupportCheckRequest>& supports);
 void take(const CheckState& state, SupportStates& support);

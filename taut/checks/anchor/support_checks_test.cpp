@@ -71,6 +71,20 @@ TEST(SupportChecks, BeyondTheTableATreeNeverPasses) {
   EXPECT_EQ(r.find_value("jack.tree_diameter"), nullptr);
 }
 
+// The table is one of trees that are pressed: a jack under the chord of its rope pulls its tree out of the ground.
+TEST(SupportChecks, ATreeThatIsPulledUpwardsIsNotJudged) {
+  for (const char* uplift : {"hold", "report"}) {
+    std::string deck = over_jack({.checks = "{tree_diameter: 90 cm, height: 9 m}"});
+    const std::string at = "at: [0 m, 0 m, 20 m], friction: 0";
+    deck.replace(deck.find(at), at.size(), std::string("at: [0 m, 0 m, -20 m], friction: 0, uplift: ") + uplift);
+    const Result r = run_text(deck);
+    EXPECT_NEAR(cell(table_of(r, "support_forces"), 0, "lean"), std::numbers::pi, 1e-3);
+    EXPECT_EQ(verdict_of(r)->kind, VerdictKind::not_judged) << verdict_of(r)->reason;
+    EXPECT_NE(verdict_of(r)->reason.find("pull it upwards"), std::string::npos) << verdict_of(r)->reason;
+    EXPECT_EQ(r.find_value("jack.tree_diameter"), nullptr);
+  }
+}
+
 // A guy that ends on the tree adds its pull.
 TEST(SupportChecks, WhatElsePullsAtTheTree) {
   const Result r = run_text(over_jack(

@@ -78,6 +78,15 @@ void take_tail(const CheckState& state, LineStates& line) {
   }
 }
 
+/// Whether the rope pulls its support upwards. Where a strap holds it (`uplift: hold`), its bend has no sign of its
+/// own: it is led under the round there. A sheave to a given side of the path stands above its rope on purpose.
+bool pulls_up(const CheckContact& c, const machine::Node& node) {
+  const bool upright = std::abs(node.axis.z()) > M_SQRT1_2;
+  const bool given_side = node.radius > 0 && !node.side_open && !machine::is_saddle(node);
+  const bool aside = node.support == Vector3::Zero() && given_side;
+  return c.lifts || (!upright && !aside && c.force.z() > 0);
+}
+
 void take_bends(const CheckState& state, LineStates& line) {
   const auto& nodes = state.model->reevings[line.reeving].nodes;
   for (const CheckContact& c : state.contacts) {
@@ -86,7 +95,8 @@ void take_bends(const CheckState& state, LineStates& line) {
       if (nodes[c.node].name != bend.support) continue;
       bend.most.largest(c.wrap, state.words);
       // how little the empty line bends is a rule for lines at rest; in motion it may, but must not lift off
-      if (!state.moves || c.lifts) bend.least.least(c.lifts ? -std::abs(c.wrap) : c.wrap, state.words);
+      const bool up = pulls_up(c, nodes[c.node]);
+      if (!state.moves || up) bend.least.least(up ? -std::abs(c.wrap) : c.wrap, state.words);
     }
   }
 }

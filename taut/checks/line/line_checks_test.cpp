@@ -168,19 +168,36 @@ TEST(LineChecks, ASupportMayBeNamedLikeACarriage) {
   }
 }
 
-// A rope that a saddle holds down bends by less than nothing.
+// A rope that a saddle holds down bends by less than nothing, also where a strap holds it.
 TEST(LineChecks, AnUpliftFailsTheLeastBend) {
+  for (const std::string jack : {"diameter: 400 mm", "diameter: 400 mm, uplift: hold", "diameter: 0 mm, uplift: hold",
+                                 "law: sheave, diameter: 400 mm"}) {
+    const Result r = run_text(R"(taut: 1
+machine:
+  ropes: {line: {mass: 0.5 kg/m, stiffness: 2 MN}}
+  points: {a: [0 m, 0 m, 20 m], b: [100 m, 0 m, 20 m]}
+  supports: {jack: {at: [50 m, 0 m, 16 m], )" +
+                              jack + R"(}}
+  reevings: [{rope: line, path: [{anchor: a}, {over: jack}, {anchor: b}], tension_at_start: 20 kN}]
+checks: {lines: {line: {break_angles: true, hold_down: true}}}
+)");
+    const Check& c = check_of(r, "line.jack.least_break_angle");
+    EXPECT_FALSE(c.passes) << jack;
+    EXPECT_NEAR(c.value, -2 * std::atan(4.0 / 50), 0.025) << jack << ": more or less by the radius";
+  }
+}
+
+// A sheave that the deck puts above its rope presses it down on purpose.
+TEST(LineChecks, ASheaveOnAGivenSideMayPressTheRopeDown) {
   const Result r = run_text(R"(taut: 1
 machine:
   ropes: {line: {mass: 0.5 kg/m, stiffness: 2 MN}}
   points: {a: [0 m, 0 m, 20 m], b: [100 m, 0 m, 20 m]}
-  supports: {jack: {at: [50 m, 0 m, 16 m], diameter: 400 mm}}
-  reevings: [{rope: line, path: [{anchor: a}, {over: jack}, {anchor: b}], tension_at_start: 20 kN}]
+  sheaves: {low: {at: [50 m, 0 m, 16 m], diameter: 400 mm}}
+  reevings: [{rope: line, path: [{anchor: a}, {over: low, side: left}, {anchor: b}], tension_at_start: 20 kN}]
 checks: {lines: {line: {break_angles: true}}}
 )");
-  const Check& c = check_of(r, "line.jack.least_break_angle");
-  EXPECT_FALSE(c.passes);
-  EXPECT_NEAR(c.value, -2 * std::atan(4.0 / 50), 0.025) << "less by the radius";
+  EXPECT_NEAR(check_of(r, "line.low.least_break_angle").value, 2 * std::atan(4.0 / 50), 0.025);
 }
 
 }  // namespace taut::checks::line_checks_test
