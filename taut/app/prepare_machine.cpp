@@ -182,6 +182,7 @@ Result compute(const MachineDeck& deck, machine::Model model, study::AskedAll as
   }
   if (report) r.warnings = absurd_machine(deck, run.model);
   results::add_rope_stiffness(deck.machine, r);
+  results::warn_of_rope_values(deck.machine, r);
   for (std::string& text : terrain_warnings(deck.machine, run.model)) r.warnings.push_back(std::move(text));
   std::vector<study::PutUpLine> lines;
   study::note_failure(r, put_up(deck, run.model, lines), "installation");
@@ -205,6 +206,7 @@ Result compute(const MachineDeck& deck, machine::Model model, study::AskedAll as
   }
   if (run.judges) run.checked->judge.add_values(r);
   results::add_values(run, r);
+  results::warn_of_strain(deck.machine, run.model, r);
   if (run.judges) run.checked->drives.add_checks(r);
   results::warn_of_friction(run.model, r);
   results::add_put_up(run.model, lines, r);

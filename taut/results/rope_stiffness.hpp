@@ -5,6 +5,7 @@
 #include "taut/calc/result.hpp"
 #include "taut/catalogue/modulus.hpp"
 #include "taut/machine/description/machine.hpp"
+#include "taut/machine/model.hpp"
 
 namespace taut::results {
 
@@ -15,5 +16,15 @@ std::optional<catalogue::RopeStiffness> assumed_stiffness(const machine::Machine
 /// Of each rope that is in use and whose stiffness follows from its area and construction: the value ROPE.stiffness,
 /// and a warning where it rests on unverified numbers.
 void add_rope_stiffness(const machine::Machine& machine, Result& r);
+
+/// Values of the deck in place of those of a rope's row of the catalogue that no rope of that row has: a slip of a unit
+/// (kN, MN). The mass per metre, the diameter and the breaking force are compared with those of the row, the stiffness
+/// with its metallic area times the least modulus of a new rope and that of the wire. Unsafe warnings; a breaking force
+/// that is far below that of the row is a plain one. No weight (0 kg/m) and no stretch (.inf) are ways to calculate.
+void warn_of_rope_values(const machine::Machine& machine, Result& r);
+
+/// Ropes that their largest tension, ROPE.T_max of `r`, strains by more than a steel rope bears: unsafe for a rope of
+/// the catalogue, else a plain warning.
+void warn_of_strain(const machine::Machine& machine, const machine::Model& model, Result& r);
 
 }  // namespace taut::results

@@ -51,4 +51,52 @@ TEST(RopeStiffness, AnInextensibleRopeHasToBeAskedFor) {
   expect_mistake(run_text(deck_with("{mass: 1.6 kg/m}")), "lacks its 'stiffness', EA");
 }
 
+// EN 12385-4, 20 mm, 6x36 IWRC, grade 1960: 279 kN, 1.64 kg/m, 184 mm2. A slip of a thousand used to pass.
+TEST(RopeStiffness, AValueThatNoRopeOfItsRowHasIsUnsafe) {
+  const auto unsafe_of = [](const std::string& more) {
+    const Result r = run_text(deck_with("{rope: \"EN 12385-4|6x36-IWRC|20|1960\", " + more + "}"));
+    EXPECT_EQ(r.status, Status::ok) << r.message << to_text(r.errors);
+    std::string all;
+    for (const std::string& one : r.unsafe) {
+      if (one.find("row of the catalogue") != std::string::npos) all += one + "\n";
+    }
+    return all;
+  };
+  EXPECT_NE(unsafe_of("stiffness: 20 MN, breaking_force: 279.1 MN")
+                .find("rope 'skyline' has the breaking force 2.791e+05 kN; its row of the catalogue, 'EN "
+                      "12385-4|6x36-IWRC|20|1960', has 279"),
+            std::string::npos)
+      << unsafe_of("stiffness: 20 MN, breaking_force: 279.1 MN");
+  EXPECT_NE(unsafe_of("stiffness: 20 MN, mass: 4 kg/m").find("mass 4 kg/m"), std::string::npos);
+  EXPECT_NE(unsafe_of("stiffness: 20 MN, diameter: 12 mm").find("diameter 12 mm"), std::string::npos);
+  // 184 mm2 of 0.6 x 95 GPa and of 206 GPa: 10.5 and 37.9 MN
+  EXPECT_NE(unsafe_of("stiffness: 10 MN").find("10.49 MN when new to 37.9 MN"), std::string::npos)
+      << unsafe_of("stiffness: 10 MN");
+  EXPECT_NE(unsafe_of("stiffness: 40 MN"), "");
+  for (const char* ordinary : {"stiffness: 11 MN", "stiffness: .inf", "stiffness: 20 MN, mass: 0 kg/m",
+                               "stiffness: 20 MN, breaking_force: 320 kN, mass: 1.9 kg/m, diameter: 19 mm",
+                               "stiffness: 20 MN, breaking_force: 100 kN"}) {
+    EXPECT_EQ(unsafe_of(ordinary), "") << ordinary;
+  }
+}
+
+// 30 kN strain 1 MN by 3 %.
+TEST(RopeStiffness, AStrainThatNoSteelRopeBearsIsToldOf) {
+  const auto deck = [](const char* rope) {
+    return fmt::format(R"(taut: 1
+machine:
+  points: {{a: [0 m, 0 m, 0 m], b: [10 m, 0 m, 0 m]}}
+  ropes: {{line: {{{}, stiffness: 1 MN}}}}
+  reevings: [{{rope: line, path: [{{anchor: a}}, {{anchor: b}}], tension_at_start: 30 kN}}]
+)",
+                       rope);
+  };
+  const Result r = run_text(deck("mass: 0.5 kg/m"));
+  EXPECT_NE(warnings_of(r).find("30 kN, strains it by 3 % at a stiffness of 1 MN"), std::string::npos)
+      << warnings_of(r);
+  EXPECT_TRUE(r.unsafe.empty());  // it may be one of fibres
+  const Result steel = run_text(deck("rope: \"EN 12385-4|6x36-IWRC|20|1960\""));
+  EXPECT_EQ(steel.unsafe.size(), 2U);
+}
+
 }  // namespace rope_stiffness_test
