@@ -33,12 +33,12 @@ const machine::Reeving* reeving_named(const machine::Model& model, const std::st
 }
 
 /// The tension of a rope that is just as long as its chord, by the parabola: (EA (w c cos theta)^2/24)^(1/3), N. Below
-/// it the rope only carries itself.
+/// it the rope only carries itself. Infinite for an inextensible one with weight: no tension makes it so short.
 double slack_tension(const machine::Reeving& rope, const CheckBranch& branch) {
   const Vector3 chord = branch.end - branch.start;
   const double across = rope.weight * std::hypot(chord.x(), chord.y());
-  const double T = std::isfinite(rope.stiffness) ? std::cbrt(rope.stiffness * across * across / 24) : HUGE_VAL;
-  return std::max(T, least_tension);
+  if (across == 0) return least_tension;
+  return std::max(std::cbrt(rope.stiffness * across * across / 24), least_tension);
 }
 
 void take_least(double T, double T_slack, const std::string& words, GuyStates& guy) {
@@ -215,7 +215,13 @@ void add_guy_checks(const std::vector<GuyStates>& guys, const CheckedDeck& deck,
       r.unmade.push_back(fmt::format("{}: its safety is not checked: no load case gives it a tension", rope.name));
       r.warnings.push_back(r.unmade.back());
     }
-    if (!one.request->may_go_slack && std::isfinite(one.reserve)) {
+    if (!one.request->may_go_slack && std::isinf(one.T_slack)) {
+      r.unmade.push_back(fmt::format(
+          "{}: whether it hangs slack is not checked: an inextensible rope with weight is longer than its chord under "
+          "any tension; give its 'stiffness', or 'may_go_slack'",
+          rope.name));
+      r.warnings.push_back(r.unmade.back());
+    } else if (!one.request->may_go_slack && std::isfinite(one.reserve)) {
       add_part_check(
           rope.name, "slackness", one.T_least, si::N,
           {.sense = Sense::at_least,

@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -100,6 +102,22 @@ TEST(GuyChecks, SlackGuyIsTold) {
   const Result s = run_text(guyed("  guys: {guy: {}}\n", "[-90 kN, 0 N, -20 kN]"));
   EXPECT_FALSE(check_of(s, "g1.slackness").passes);
   EXPECT_TRUE(check_of(s, "g3.slackness").passes);
+}
+
+// No tension makes an inextensible guy as short as its chord, unless it has no weight: then any tension does.
+TEST(GuyChecks, AnInextensibleGuyIsNotJudgedForSlackness) {
+  const auto with = [](const char* rope, const char* checks) {
+    std::string deck = guyed(fmt::format("  guys: {{guy: {}}}\n  masts: {{mast: {{load_factor: 1.35}}}}\n", checks));
+    const std::string own = "{mass: 1.2 kg/m, stiffness: 15 MN,";
+    deck.replace(deck.find(own), own.size(), rope);
+    return run_text(deck);
+  };
+  const Result heavy = with("{mass: 1.2 kg/m, stiffness: .inf,", "{}");
+  ASSERT_EQ(heavy.status, Status::ok) << heavy.message << to_text(heavy.errors);
+  EXPECT_FALSE(taut_test::has_check(heavy, "g1.slackness"));
+  EXPECT_THAT(heavy.unmade, testing::Contains(testing::HasSubstr("g1: whether it hangs slack is not checked")));
+  EXPECT_THAT(with("{mass: 1.2 kg/m, stiffness: .inf,", "{may_go_slack: true}").unmade, testing::IsEmpty());
+  EXPECT_TRUE(check_of(with("{mass: 0 kg/m, stiffness: .inf,", "{}"), "g1.slackness").passes);
 }
 
 TEST(GuyChecks, StiffTopAgainstEuler) {
