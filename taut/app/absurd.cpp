@@ -235,6 +235,39 @@ void note_carriages(const results::Answer& answer, DeepSag& worst) {
   }
 }
 
+bool has_motion(const MachineDeck& deck) {
+  return std::any_of(deck.analyses.begin(), deck.analyses.end(),
+                     [](const study::AnalysisRequest& one) { return one.transient.has_value(); });
+}
+
+/// What happens and is recorded in motions only, in a deck without one: its states know nothing of it.
+void add_motionless(const MachineDeck& deck, std::vector<std::string>& warnings) {
+  if (has_motion(deck)) return;
+  const auto warn = [&](bool given, const char* key) {
+    if (given)
+      warnings.push_back(fmt::format("'{}' belongs to motions, and no analysis of the deck is a 'transient'", key));
+  };
+  warn(!deck.machine.events.empty(), "events");
+  warn(!deck.machine.observe.empty(), "observe");
+}
+
+/// A temperature of a rope or beam by itself says nothing: what counts is the difference to that of the machine.
+void add_references(const machine::Machine& machine, std::vector<std::string>& warnings) {
+  if (machine.temperature) return;
+  std::string names;
+  const auto add = [&](const auto& one) {
+    if (one.reference_temperature) names += fmt::format("{}'{}'", names.empty() ? "" : ", ", one.name);
+  };
+  std::for_each(machine.ropes.begin(), machine.ropes.end(), add);
+  std::for_each(machine.beams.begin(), machine.beams.end(), add);
+  if (names.empty()) return;
+  warnings.push_back(
+      fmt::format("the 'reference_temperature' of {} counts only in analyses that say a temperature: the machine has "
+                  "none; give its "
+                  "'temperature'",
+                  names));
+}
+
 /// Saddles that say nothing of their friction: their ropes slip over them without any loss.
 void add_smooth_saddles(const machine::Machine& machine, std::vector<std::string>& warnings) {
   using machine::description::RoundLaw;
@@ -263,9 +296,12 @@ std::vector<std::string> absurd_machine(const MachineDeck& deck, const machine::
   add_unused(all, "points", "point", "is used by nothing", m.points, warnings);
   add_unused(all, "ropes", "rope", "is on no path", m.ropes, warnings);
   add_unused(all, "bodies", "body", "is used by nothing", m.bodies, warnings);
+  add_unused(all, "signals", "signal", "is used by nothing", m.signals, warnings);
   add_short_ropes(model, warnings);
   add_flat_ropes(model, warnings);
   add_smooth_saddles(m, warnings);
+  add_motionless(deck, warnings);
+  add_references(m, warnings);
   return warnings;
 }
 

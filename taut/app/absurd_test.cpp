@@ -60,6 +60,24 @@ machine:
   EXPECT_FALSE(has(over(", law: sheave"), "without friction"));
 }
 
+TEST(Absurd, WhatBelongsToAMotionOrATemperatureThatIsNotThere) {
+  Line line;
+  line.more =
+      ", old: {mass: 1 kg/m, stiffness: 5 MN, reference_temperature: 20 degC}}\n"
+      "  guys: {g: {rope: old, from: head, to: tail, length: 280 m}}\n"
+      "  signals: {haul: {ramp: {to: 1 m/s, start: 0 s, duration: 1 s}}}\n"
+      "  events: [{at: 1 s, break: skyline}]\n"
+      "  observe: [car.z]";
+  const std::string reported = warned(deck_of(line));
+  for (const char* part :
+       {"'events' belongs to motions", "'observe' belongs to motions", "signal 'haul' is used by nothing",
+        "the 'reference_temperature' of 'old' counts only in analyses that say a temperature"}) {
+    EXPECT_TRUE(has(reported, part)) << part << "\n" << reported;
+  }
+  line.more += "\n  temperature: 10 degC";
+  EXPECT_FALSE(has(warned(deck_of(line)), "reference_temperature"));
+}
+
 TEST(Absurd, PartsThatNothingUses) {
   Line line;
   line.points = ", spare: [1 m, 0 m, 1 m]";

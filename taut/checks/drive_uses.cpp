@@ -158,6 +158,21 @@ void DriveUses::keep_layer(const machine::Model& m, const solve::DrumResult& d, 
                         words, drum, *d.filled, d.layer));
 }
 
+/// A flange limits the layers. What they hold has to be known, and what lies on them.
+void DriveUses::keep_flange(const machine::Model& m, const solve::DrumResult& d) {
+  const machine::Drum& drum = m.drums[d.drum];
+  if (drum.flange_diameter == 0 || (d.capacity && d.length)) return;
+  const double diameter = m.reevings[d.reeving].diameter;
+  const char* const missing = drum.width == 0         ? "give its 'face_width'"
+                              : drum.core_radius == 0 ? "give its 'core_diameter'"
+                              : diameter == 0         ? "give the 'diameter' of its rope"
+                              : drum.width < diameter ? "its rope is thicker than the face is wide"
+                                                      : "give its 'length_on_drum'";
+  flanges_.try_emplace(drum.name, fmt::format("{}.capacity is not checked: whether the rope stays within the flange of "
+                                              "{:.4g} mm is not known: {}",
+                                              drum.name, drum.flange_diameter * 1e3, missing));
+}
+
 void DriveUses::take(const machine::Model& m, const solve::EquilibriumResult& state, const std::string& words) {
   std::vector<Check> made;
   for (const auto& d : solve::drives(m, state)) check_drive(m, d, made);
@@ -176,6 +191,7 @@ void DriveUses::take(const machine::Model& m, const solve::EquilibriumResult& st
     check_rest_of_rope(m, d, made);
     keep_turns(m, d, words);
     keep_layer(m, d, words);
+    keep_flange(m, d);
   }
   keep(std::move(made), words);
 }
@@ -197,6 +213,7 @@ void DriveUses::take_moment(const machine::Model& m, const solve::TransientFrame
   for (const auto& d : drums) {
     keep_turns(m, d, when);
     keep_layer(m, d, when);
+    keep_flange(m, d);
   }
   keep(std::move(made), when);
 }
@@ -272,6 +289,10 @@ void DriveUses::add_checks(Result& r) const {
                     "an analysis at rest",
                     drum, words));
     r.warnings.push_back(r.unmade.back());
+  }
+  for (const auto& [drum, words] : flanges_) {
+    r.unmade.push_back(words);
+    r.warnings.push_back(words);
   }
   for (const auto& [name, slip] : slips_) warn_unsafe(r, slip.words);
   for (const auto& [drum, words] : unbraked_) warn_unsafe(r, words);

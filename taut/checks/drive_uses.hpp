@@ -33,6 +33,7 @@ class DriveUses {
   void take_set_brakes(const machine::Model& model, const solve::TransientFrame& rest, const std::string& words);
   void keep_turns(const machine::Model& model, const solve::DrumResult& drum, const std::string& words);
   void keep_layer(const machine::Model& m, const solve::DrumResult& d, const std::string& words);
+  void keep_flange(const machine::Model& m, const solve::DrumResult& d);
 
   std::map<std::string, Check> worst_;
   struct Slip {
@@ -44,6 +45,7 @@ class DriveUses {
   std::map<std::string, std::string> unloaded_brakes_;  // drums that no state shows by their brake: where
   std::set<std::string> braked_;                 // drums whose brake acts in full in a motion: their slip judges it
   std::map<std::string, std::string> layers_;    // drums with more layers than they are calculated with
+  std::map<std::string, std::string> flanges_;   // drums with a flange that nothing can be held against: why
   std::map<std::string, std::string> yielding_;  // cylinders at their force limit
   struct Turns {
     double left = 0;

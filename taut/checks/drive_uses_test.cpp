@@ -102,6 +102,33 @@ TEST(DriveUses, WhatLiesOnADrumCountsAtEveryMoment) {
   EXPECT_NE(taut_test::check_of(full, "winch.capacity").where.find("transient, t = "), std::string::npos);
 }
 
+/// 60 m of 16 mm on a core of 400 mm within flanges of 420 mm: not one layer. Without the face nobody can tell.
+TEST(DriveUses, AFlangeWithoutAFaceIsNotJudged) {
+  const auto lift = [](const std::string& drum) {
+    return run_text(R"(taut: 1
+machine:
+  ropes: {line: {rope: "EN 12385-4|6x36-IWRC|16|1960", stiffness: 12 MN}}
+  bodies: {load: {mass: 2 t, at: [0.2 m, 0 m, -10 m], free: [z]}}
+  drums: {winch: {at: [0 m, 0 m, 0 m], flange_diameter: 420 mm, )" +
+                    drum + R"(}}
+  reevings: [{rope: line, path: [{drum: winch}, {anchor: load}], length: 10 m}]
+checks: {ropes: {line: {safety_factor: 4}}}
+)");
+  };
+  const std::string core = "core_diameter: 400 mm", face = ", face_width: 500 mm", rope = ", length_on_drum: 60 m";
+  const Result full = lift(core + face + rope);
+  EXPECT_EQ(to_text(verdict_of(full)->kind), "fails") << verdict_of(full)->reason;
+  EXPECT_FALSE(taut_test::check_of(full, "winch.capacity").passes);
+  for (const auto& [drum, words] : {std::pair{core + rope, "give its 'face_width'"},
+                                    {core, "give its 'face_width'"},
+                                    {core + face, "give its 'length_on_drum'"},
+                                    {core + ", face_width: 10 mm" + rope, "thicker than the face is wide"}}) {
+    const Result r = lift(drum);
+    EXPECT_EQ(to_text(verdict_of(r)->kind), "not_judged") << verdict_of(r)->reason;
+    EXPECT_NE(verdict_of(r)->reason.find(words), std::string::npos) << verdict_of(r)->reason;
+  }
+}
+
 /// Two ropes hold a weight each from one winch: its motor pulls both where they are wound the same way.
 TEST(DriveUses, TheWinchPullsAllRopesOfItsDrum) {
   const auto winch = [](const std::string& second) {

@@ -267,6 +267,9 @@ void complain_of_supports(const LineCheckRequest& one, const std::vector<std::st
   if (!one.tail_tree && (one.tail_angle || one.off_line)) {
     complaints.push_back({path, "'tail_angle' and 'off_line' need 'tail_tree'"});
   }
+  if (!one.break_angles && (one.hold_down || !one.end_masts.empty())) {
+    complaints.push_back({path, "'hold_down' and 'end_masts' need 'break_angles: true'"});
+  }
   for (std::size_t i = 0; i < one.end_masts.size(); ++i) {
     const std::string& name = one.end_masts[i];
     if (std::find(supports.begin(), supports.end(), name) != supports.end()) continue;

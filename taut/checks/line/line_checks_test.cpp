@@ -154,6 +154,10 @@ TEST(LineChecks, MistakesHaveTheirPlace) {
   expect_mistake(run_text(line_over_tree("  lines: {skyline: {tail_tree: jock}}\n")), "did you mean 'jack'");
   expect_mistake(run_text(line_over_tree("  lines: {skylin: {}}\n")), "did you mean 'skyline'");
   expect_mistake(run_text(line_over_tree("  lines: {skyline: {limiter: 200 kN}}\n")), "needs 'spar_rating'");
+  for (const char* without : {"hold_down: true", "end_masts: [jack]"}) {
+    expect_mistake(run_text(line_over_tree(fmt::format("  lines: {{skyline: {{{}}}}}\n", without))),
+                   "need 'break_angles: true'");
+  }
 }
 
 // The supports of a line are what no carriage is, whatever their names.

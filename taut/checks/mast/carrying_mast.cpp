@@ -18,9 +18,19 @@ bool carries(const MastCheckRequest& request, const std::string& name) {
   return std::find(request.carries.begin(), request.carries.end(), name) != request.carries.end();
 }
 
+Vector3 strong_way(const MastCheckRequest& request) {
+  if (request.towards.empty()) return Vector3::UnitX();
+  return Vector3(request.towards[0], request.towards[1], 0).normalized();
+}
+
+Vector3 foot_of(const MastCheckRequest& request) {
+  if (request.foot.empty()) return Vector3::Zero();
+  return {request.foot[0], request.foot[1], request.foot[2]};
+}
+
 /// Horizontal unit vectors in which the strong and the weak axis bend.
 std::array<Vector3, 2> axes_of(const MastCheckRequest& request) {
-  const Vector3 strong = Vector3(request.towards[0], request.towards[1], 0).normalized();
+  const Vector3 strong = strong_way(request);
   return {strong, up().cross(strong)};
 }
 
@@ -32,7 +42,7 @@ double height_of_pieces(const MastCheckRequest& request) {
 
 /// A force at a place of the machine as a load of the mast: beside its axis it also bends and turns the mast.
 void add_pull(const MastCheckRequest& request, const Vector3& place, const Vector3& F, CarriedState& all) {
-  const Vector3 from_foot = place - Vector3(request.foot[0], request.foot[1], request.foot[2]);
+  const Vector3 from_foot = place - foot_of(request);
   if (from_foot.z() <= 0) return;  // goes into the ground
   const auto [strong, weak] = axes_of(request);
   MastLoadRequest load;
@@ -153,8 +163,10 @@ CarriedState carried_by(const MastCheckRequest& request, const CheckState& state
 void complain_of_carried(const MastCheckRequest& request, const std::string& path, const machine::Model& model,
                          const std::vector<std::string>& analyses, std::vector<Complaint>& complaints) {
   complain_of_own_mast(request, path, LoadsOf::machine, analyses, complaints);
-  if (request.foot.size() != 3) complaints.push_back({path + ".foot", "three numbers are expected: x, y, z"});
-  if (request.towards.size() != 2 || std::hypot(request.towards[0], request.towards[1]) == 0) {
+  const bool has_foot = request.foot.empty() || request.foot.size() == 3;
+  if (!has_foot) complaints.push_back({path + ".foot", "three numbers are expected: x, y, z"});
+  const auto& way = request.towards;
+  if (!way.empty() && (way.size() != 2 || std::hypot(way[0], way[1]) == 0)) {
     complaints.push_back({path + ".towards", "a horizontal direction is expected: [1, 0]"});
   }
   const auto places = places_of(model);
@@ -169,8 +181,8 @@ void complain_of_carried(const MastCheckRequest& request, const std::string& pat
       complaints.push_back({at, fmt::format("no rope runs over or ends at '{}'{}", name, did_you_mean(name, known))});
       continue;
     }
-    if (request.foot.size() != 3) continue;
-    const double height = places[static_cast<std::size_t>(found - known.begin())].second.z() - request.foot[2];
+    if (!has_foot) continue;
+    const double height = places[static_cast<std::size_t>(found - known.begin())].second.z() - foot_of(request).z();
     if (height > height_of_pieces(request) * (1 + on_top) + on_top || height <= 0) {
       complaints.push_back({at, fmt::format("'{}' is {:.4g} m above the mast's foot, the mast is {:.4g} m high", name,
                                             height, height_of_pieces(request))});

@@ -104,6 +104,8 @@ TEST(CarryingMast, mistakes) {
   expect_mistake(mast(", height: 10 m, carries: [head], combinations: {a: {equilibrum: 1.5}}"),
                  "did you mean 'equilibrium'");
   expect_mistake(mast(", height: 10 m"), "'carries'");
+  expect_mistake(mast(", height: 10 m, loads: [{down: 1 kN}], foot: [0 m, 0 m, 1 m]"), "foot: belongs to a mast that");
+  expect_mistake(mast(", height: 10 m, loads: [{down: 1 kN}], towards: [0, 1]"), "towards: belongs to a mast that");
 }
 
 // The machine's gravity weighs the mast too: without load factors, mass times length times g.

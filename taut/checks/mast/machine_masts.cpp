@@ -472,6 +472,9 @@ void complain_of_masts(const std::vector<MastCheckRequest>& masts, const Checked
     refuse(one.height.has_value(), "height");
     refuse(one.own_weight, "own_weight");
     refuse(one.top_stiffness != 0, "top_stiffness");
+    refuse(one.base.has_value(), "base");
+    refuse(!one.foot.empty(), "foot");
+    refuse(!one.towards.empty(), "towards");
     refuse(one.sway.has_value(), "sway");
     refuse(one.bow.has_value(), "bow");
     if (one.allowable_stress && one.safety) {

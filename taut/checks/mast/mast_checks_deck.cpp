@@ -89,7 +89,7 @@ void add_own_mast(Describe<MastCheckRequest>& d) {
       .at_most(1000)
       .field(&R::steel, "steel", "steel grade; default for a mast of the machine: that of the beam")
       .choice(&R::base, "base", {{"clamped", MastBase::clamped}, {"hinge", MastBase::hinge}},
-              "base of a mast that is not in the machine")
+              "base of a mast that is not in the machine, clamped unless given")
       .field(&R::top_stiffness, "top_stiffness", "k", si::N_per_m.in("kN/m"),
              "lateral stiffness at its top, such as of guys; .inf: the top does not move")
       .may_be_infinite()
@@ -98,8 +98,9 @@ void add_own_mast(Describe<MastCheckRequest>& d) {
       .field(&R::carries, "carries",
              "sheaves, supports and anchors of the machine whose ropes load such a mast, in every equilibrium and "
              "motion of the deck")
-      .field(&R::foot, "foot", "", si::m, "its base, x, y, z; with 'carries'")
-      .field(&R::towards, "towards", "", si::one, "horizontal direction in which its strong axis bends; with 'carries'")
+      .field(&R::foot, "foot", "", si::m, "its base, x, y, z; with 'carries'; default: 0, 0, 0")
+      .field(&R::towards, "towards", "", si::one,
+             "horizontal direction in which its strong axis bends; with 'carries'; default: [1, 0]")
       .field(
           &R::own_weight, "own_weight",
           "true: the weight of such a mast counts, times 'load_factor', or its factor in each of 'combinations', not "

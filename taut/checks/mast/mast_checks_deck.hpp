@@ -58,12 +58,12 @@ struct MastCheckRequest {
   std::vector<MastPieceRequest> pieces;
   std::optional<double> height;  ///< m
   std::optional<std::string> steel;
-  MastBase base = MastBase::clamped;
-  double top_stiffness = 0;  ///< N/m
+  std::optional<MastBase> base;  ///< of one that is described here; else clamped
+  double top_stiffness = 0;      ///< N/m
   std::vector<MastLoadRequest> loads;
-  std::vector<std::string> carries;      ///< sheaves, supports and anchors whose ropes press on it
-  std::vector<double> foot = {0, 0, 0};  ///< m, of a mast that carries them
-  std::vector<double> towards = {1, 0};  ///< in which its strong axis bends
+  std::vector<std::string> carries;  ///< sheaves, supports and anchors whose ropes press on it
+  std::vector<double> foot;          ///< m, of a mast that carries them; empty: 0, 0, 0
+  std::vector<double> towards;       ///< in which its strong axis bends; empty: 1, 0
   bool own_weight = false;
   std::optional<double> sway, bow;
   double load_factor = 1, dynamic_factor = 1, gamma_M0 = 1, gamma_M1 = 1;

@@ -398,6 +398,9 @@ TEST(MastChecks, MistakesHaveTheirPlace) {
   expect_mistake(run_text(pole, {"checks.masts.mast.beams=[most]"}), "did you mean 'mast'");
   expect_mistake(run_text(pole, {"checks.masts.mast.combinations={a: {inhaul: 1.5}}"}), "inhaul");
   expect_mistake(run_text(pole, {"checks.masts.mast.height=8 m"}), "say it of the beam there");
+  for (const char* own : {"base=hinge", "foot=[0 m, 0 m, 1 m]", "towards=[0, 1]"}) {
+    expect_mistake(run_text(pole, {std::string("checks.masts.mast.") + own}), "say it of the beam there");
+  }
   expect_mistake(
       run_text(pole, {"checks.masts.mast.load_factor=1.4", "checks.masts.mast.combinations={a: {equilibrium: 1.5}}"}),
       "have the partial factors already");

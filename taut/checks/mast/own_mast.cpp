@@ -80,7 +80,7 @@ std::vector<MastCombination> combinations_of(const MastCheckRequest& request,
 ColumnMast own_column(const MastCheckRequest& request, const std::vector<MastLoadRequest>& loads, double gravity) {
   ColumnMast m;
   m.gravity = gravity;
-  m.clamped_base = request.base == MastBase::clamped;
+  m.clamped_base = request.base != MastBase::hinge;
   m.top_stiffness = request.top_stiffness;
   m.own_weight = request.own_weight;
   m.gamma = {.M0 = request.gamma_M0, .M1 = request.gamma_M1};
@@ -266,6 +266,11 @@ void complain_of_own_mast(const MastCheckRequest& request, const std::string& pa
   }
   if (request.loads.empty() && loads == LoadsOf::deck) {
     complaints.push_back({path, "is no beam of a machine: give its 'loads', or what of the machine it 'carries'"});
+  }
+  if (loads != LoadsOf::machine) {
+    if (!request.foot.empty()) complaints.push_back({path + ".foot", "belongs to a mast that 'carries' something"});
+    if (!request.towards.empty())
+      complaints.push_back({path + ".towards", "belongs to a mast that 'carries' something"});
   }
   if (request.allowable_stress && request.safety) {
     complaints.push_back({path + ".safety", "either 'allowable_stress' or 'safety'"});

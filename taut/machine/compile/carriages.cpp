@@ -129,6 +129,8 @@ void check(const description::Carriage& car, const std::string& path, std::vecto
     complain(complaints, path + ".length_before", "belongs to a carriage with 'hold: clamped' or 'fixed_to'");
   if (car.hold == Hold::fixed_to && !car.fixed_to)
     complain(complaints, path + ".hold", "needs 'fixed_to', the reeving that carries the carriage along");
+  if (clamped && car.friction > 0)
+    complain(complaints, path + ".friction", "is of a carriage that rolls; a clamped one does not");
   if (clamped && car.fixed_to) complain(complaints, path + ".fixed_to", "the carriage is clamped to its own rope");
   if (clamped && pitches(car))
     complain(complaints, path + (car.rollers > 1 ? ".rollers" : ".height"),

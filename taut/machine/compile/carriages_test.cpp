@@ -143,6 +143,8 @@ TEST(Carriages, TellsMistakesAtTheirPath) {
       {.path = "carriages.car.rollers", .spoil = [](Machine& m) { m.carriages[0].wheelbase.reset(); }},
       {.path = "carriages.car.wheelbase", .spoil = [](Machine& m) { m.carriages[0].rollers = 1; }},
       {.path = "carriages.car.rollers", .spoil = [](Machine& m) { m.carriages[0].hold = Hold::clamped; }},
+      {.path = "carriages.car.friction",
+       .spoil = [](Machine& m) { m.carriages[0].hold = Hold::clamped, m.carriages[0].friction = 0.1; }},
       {.path = "carriages.car.hold", .spoil = [](Machine& m) { m.carriages[0].hold = Hold::fixed_to; }},
       {.path = "carriages.car.fixed_to", .spoil = [](Machine& m) { m.carriages[0].fixed_to = "haul"; }},
       {.path = "carriages.car.fixed_to", .spoil = [](Machine& m) { m.carriages[0].fixed_to = "hawl"; }},

@@ -20,6 +20,9 @@ class Checker {
       need(drum_.core_diameter > 0, "'layers: auto' needs a 'core_diameter'");
       if (drum_.layer) complain(".layer", "follows from the length on the drum with 'layers: auto'; give one of them");
     }
+    if (drum_.pitch && !drum_.face_width) {
+      complain(".pitch", "gives the turns of a layer and needs the 'face_width' between the flanges");
+    }
     if (drum_.flange_diameter && *drum_.flange_diameter <= drum_.core_diameter) {
       complain(".flange_diameter", "is not larger than the core");
     }

@@ -160,7 +160,9 @@ TEST(Drums, TellsEachMistakeAtItsPlace) {
       {[](Machine& m) { m.drums[0].face_width.reset(); }, "drums.winch: 'layers: auto' needs the 'face_width'"},
       {[](Machine& m) { m.drums[0].core_diameter = 0; }, "drums.winch: 'layers: auto' needs a 'core_diameter'"},
       {[](Machine& m) { m.drums[0].layer = 2; }, "drums.winch.layer: follows from the length on the drum"},
-      {[](Machine& m) { m.drums[0].flange_diameter = 0.2; }, "drums.winch.flange_diameter: is not larger"}};
+      {[](Machine& m) { m.drums[0].flange_diameter = 0.2; }, "drums.winch.flange_diameter: is not larger"},
+      {[](Machine& m) { m.drums[0].face_width.reset(), m.drums[0].pitch = 0.02; },
+       "drums.winch.pitch: gives the turns of a layer and needs the 'face_width'"}};
   for (const auto& [change, words] : cases) {
     Machine m = lift();
     change(m);

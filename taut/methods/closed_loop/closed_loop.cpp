@@ -74,9 +74,13 @@ void check_section_place(const Input& in, double x, const std::string& path, Com
 
 void check_carriage(const Input& in, Complaints& all) {
   if (in.carriage == Carriage::single) {
-    if (in.section_distance) {
-      all.push_back({"section_distance", "belongs to carriage: two_section; leave it out or change carriage"});
-    }
+    const auto refuse = [&](bool given, const char* key) {
+      if (given) all.push_back({key, "belongs to carriage: two_section; leave it out or change carriage"});
+    };
+    refuse(in.section_distance.has_value(), "section_distance");
+    refuse(in.distance_kind != DistanceKind::horizontal, "distance_kind");
+    refuse(in.sag_of != Section::first, "sag_of");
+    refuse(in.position_of != Section::first, "position_of");
     return;
   }
   if (!in.section_distance) {

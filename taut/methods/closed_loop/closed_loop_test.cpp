@@ -80,7 +80,11 @@ TEST(ClosedLoopDeck, TheTwoSectionCarriageMustFit) {
   EXPECT_NE(complaint_at(in, "section_distance"), "");
   in = example();
   in.section_distance = 3;
-  EXPECT_NE(complaint_at(in, "section_distance"), "");
+  in.distance_kind = DistanceKind::rope;
+  in.sag_of = in.position_of = Section::second;
+  for (const char* key : {"section_distance", "distance_kind", "sag_of", "position_of"}) {
+    EXPECT_NE(complaint_at(in, key), "") << key << " does nothing with a single carriage";
+  }
 }
 
 TEST(ClosedLoopDeck, WhatOnlyAnEngineFindsIsInfeasibleWithoutOne) {

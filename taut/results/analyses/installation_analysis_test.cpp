@@ -151,6 +151,7 @@ TEST(GivenModes, TellEachMistakeAtItsPlace) {
       {"reeving: skyline, free_running: true", "given.free_running: 'car' is held by its mainline"},
       {"reeving: skyline, free_running: false", "false says nothing"},
       {"reeving: skyline, sag: 3 m, efficiency: 0.9", "given.efficiency: belongs to a 'winch_pull'"},
+      {"reeving: skyline, sag: 3 m, at: end", "given.at: belongs to a 'winch_pull'"},
       {"reeving: skyline, sag: 3 m, span: 7", "given.span: 'skyline' has 4 free spans"},
       {"reeving: skyline, loop_length: 300 m, of: [mainline]", "is not part of the loop"},
       {"reeving: skyline, winch_pull: 3 kN, of: [mainline, skyline]", "a winch pulls one rope"},

@@ -41,6 +41,7 @@ class GivenResolver {
     if (request_.sag) sag(c);
     if (!request_.winch_pull && !request_.loop_length && !request_.sag) free(c);
     if (request_.efficiency && !request_.winch_pull) complain("efficiency", "belongs to a 'winch_pull'");
+    if (c.at_end && !request_.winch_pull) complain("at", "belongs to a 'winch_pull'");
     if (request_.span && !request_.sag) complain("span", "belongs to a 'sag'");
     if (!request_.of.empty() && !request_.winch_pull && !request_.loop_length) {
       complain("of", "belongs to a 'winch_pull' or a 'loop_length'");
