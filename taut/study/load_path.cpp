@@ -80,6 +80,13 @@ std::optional<machine::State> ahead(const Array<LoadPathPoint>& points) {
   return next;
 }
 
+/// The answer at one place, under the condition where there is one; without it `model` of the answer is empty.
+solve::Conditioned answer_at(const machine::Model& model, const LoadPathOptions& options,
+                             const solve::EquilibriumOptions& here, const std::optional<machine::State>& start) {
+  if (options.condition) return solve::equilibrium_under(model, *options.condition, here, start);
+  return {.model = {}, .result = solve::equilibrium(model, here, start)};
+}
+
 }  // namespace
 
 machine::Model standing_at(const machine::Model& model, const LoadPathOptions& options, double x) {
@@ -113,15 +120,15 @@ LoadPath load_path(const machine::Model& model, const LoadPathOptions& options) 
     const std::optional<machine::State> start = ahead(path.points);
     // without a state before it a place does not begin from the first one
     const bool alone = !start && i > 0;
-    if (options.condition) {
-      if (alone) varied = standing_at(varied, options, point.x);
-      solve::Conditioned found = solve::equilibrium_under(varied, *options.condition, here, start);
-      point.at = std::move(found.result);
-      if (point.at.outcome.ok()) varied = std::move(found.model);
-    } else {
-      point.at = alone ? solve::equilibrium(standing_at(model, options, point.x), here)
-                       : solve::equilibrium(model, here, start);
+    const machine::Model& last = options.condition ? varied : model;
+    solve::Conditioned found = answer_at(alone ? standing_at(last, options, point.x) : last, options, here, start);
+    if (!found.result.outcome.ok() && start) {
+      // a step too wide for its start: the place may have an answer by itself
+      solve::Conditioned by_itself = answer_at(standing_at(last, options, point.x), options, here, std::nullopt);
+      if (by_itself.result.outcome.ok()) found = std::move(by_itself);
     }
+    point.at = std::move(found.result);
+    if (options.condition && point.at.outcome.ok()) varied = std::move(found.model);
     if (point.at.outcome.ok()) {
       const Vector3& place = point.at.state.bodies[carriage.body].position;
       point.z = place.z();

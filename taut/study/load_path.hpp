@@ -54,8 +54,9 @@ const machine::Carriage& carriage_on_path(const machine::Model& model, const Loa
 /// The model with the carriage of a load path put at x, where that is in the span of the model's path; else the model.
 machine::Model standing_at(const machine::Model& model, const LoadPathOptions& options, double x);
 
-/// The equilibria along a load path. Each search starts from an extrapolation of the positions before it. A position
-/// without equilibrium stays in the list with its outcome. Throws ContractViolation where carriage_on_path does.
+/// The equilibria along a load path. Each search starts from an extrapolation of the positions before it, and where
+/// that leads to none, from the place alone. A position without equilibrium stays in the list with its outcome. Throws
+/// ContractViolation where carriage_on_path does.
 LoadPath load_path(const machine::Model& model, const LoadPathOptions& options);
 
 /// Height of the ground at x, m, linear between the points of the terrain; NaN outside.

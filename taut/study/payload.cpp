@@ -294,6 +294,12 @@ Array<PayloadPoint> payload_path(const machine::Model& model, const PayloadLimit
     const bool alone = !start && i > 0;
     if (alone) there = standing_at(model, options, point.x);
     point.payload = payload(alone ? there : model, carriage.body, limits, here, start, expected);
+    if (start && !point.payload.outcome.ok() && point.payload.limit.fails) {
+      // a step too wide for its start: the place may have an answer by itself
+      there = standing_at(model, options, point.x);
+      Payload by_itself = payload(there, carriage.body, limits, here, std::nullopt, expected);
+      if (by_itself.outcome.ok() || !by_itself.limit.fails) point.payload = std::move(by_itself);
+    }
     if (point.payload.at.outcome.ok()) {
       start = point.payload.unloaded;
       expected = point.payload.mass;
