@@ -145,6 +145,13 @@ struct Guides {
   Vector3 away = Vector3::UnitX();  ///< horizontal unit vector from what the rope comes from along the line
 };
 
+/// Who says which way a rope runs while the machine hauls in (docs/theory/senses.md).
+enum class HauledBy {
+  deck,   ///< the deck (or a machine built without one) says `haul`: all of its contacts run so
+  winch,  ///< a drum or a given tension: its contacts run to it, those of a carriage on it as that carriage moves
+  nobody  ///< its ends lie still: a carriage runs on it, and over its other contacts it creeps
+};
+
 /// One rope along its path; "in" and "out" follow the order of the path. Parallel parts are written out: a tackle of n
 /// falls is n branches with a contact at each turn.
 struct Reeving {
@@ -170,6 +177,7 @@ struct Reeving {
   double mass = 0;      ///< per unstretched length, kg/m
   double diameter = 0;  ///< m; 0: not known
   int haul = -1;        ///< direction of flow when the motion is hoist or in: +1 along the path, -1 against it
+  HauledBy hauled_by = HauledBy::deck;
   /// Set until the rope has been put up. `value` is then only the straight length of its path, and no analysis may use
   /// it.
   std::optional<PutUp> put_up = std::nullopt;

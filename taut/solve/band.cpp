@@ -1,27 +1,32 @@
 #include "taut/solve/band.hpp"
 
 #include <algorithm>
+#include <iterator>
+#include <utility>
 
+#include "taut/base/array.hpp"
 #include "taut/solve/running.hpp"
 
 namespace taut::solve {
 namespace {
 
-void widen(double& low, double& high, double T) {
-  low = std::min(low, T);
-  high = std::max(high, T);
+void widen(double& low, double& high, double other_low, double other_high) {
+  low = std::min(low, other_low);
+  high = std::max(high, other_high);
 }
 
 void widen(EquilibriumResult& result, const EquilibriumResult& other) {
   for (std::size_t k = 0; k < result.branches.size(); ++k) {
     BranchResult& branch = result.branches[k];
-    widen(branch.T_from_min, branch.T_from_max, other.branches[k].T_from);
-    widen(branch.T_to_min, branch.T_to_max, other.branches[k].T_to);
+    const BranchResult& o = other.branches[k];
+    widen(branch.T_from_min, branch.T_from_max, o.T_from_min, o.T_from_max);
+    widen(branch.T_to_min, branch.T_to_max, o.T_to_min, o.T_to_max);
   }
   for (std::size_t k = 0; k < result.contacts.size(); ++k) {
     ContactResult& contact = result.contacts[k];
-    widen(contact.T_in_min, contact.T_in_max, other.contacts[k].T_in);
-    widen(contact.T_out_min, contact.T_out_max, other.contacts[k].T_out);
+    const ContactResult& o = other.contacts[k];
+    widen(contact.T_in_min, contact.T_in_max, o.T_in_min, o.T_in_max);
+    widen(contact.T_out_min, contact.T_out_max, o.T_out_min, o.T_out_max);
   }
   for (std::size_t r = 0; r < result.ropes.size(); ++r) {
     RopeResult& rope = result.ropes[r];
@@ -30,6 +35,14 @@ void widen(EquilibriumResult& result, const EquilibriumResult& other) {
     rope = other.ropes[r];
     rope.unstretched = unstretched;
   }
+}
+
+bool at_rest(const EquilibriumOptions& options) { return options.motion == Motion::at_rest && options.flow.empty(); }
+
+bool any_nonzero(const Array<Array<int>>& nodes) {
+  return std::any_of(nodes.begin(), nodes.end(), [](const Array<int>& rope) {
+    return std::any_of(rope.begin(), rope.end(), [](int node) { return node != 0; });
+  });
 }
 
 }  // namespace
@@ -45,18 +58,48 @@ bool differs_in_motion(const machine::Model& model) {
 }
 
 void add_band(const machine::Model& model, const EquilibriumOptions& options, EquilibriumResult& result) {
-  const machine::Model held = with_loads_held(model);
+  const Array<Array<int>> creep = creep_of(model, options);
+  const bool creeps = any_nonzero(creep);
+  if (!options.band || (!creeps && !at_rest(options)) || !differs_in_motion(model)) return;
   result.band = true;
-  for (const Motion motion : {Motion::in, Motion::out}) {
-    EquilibriumOptions moving = options;
-    moving.motion = motion;
-    moving.held = true;  // its friction holds it at rest
-    const EquilibriumResult other = equilibrium(held, moving, result.state);
-    if (other.outcome.ok() && other.branches.size() == result.branches.size()) {
-      widen(result, other);
-    } else {
+  const auto take = [&](const machine::Model& moved, const EquilibriumOptions& moving) {
+    EquilibriumResult other = equilibrium(moved, moving, result.state);
+    const bool same = other.outcome.ok() && other.branches.size() == result.branches.size() &&
+                      other.contacts.size() == result.contacts.size();
+    if (!same) {
       result.band = false;
+      result.unbounded = other.outcome.ok() ? "it touches other supports there" : other.outcome.message;
+      return;
     }
+    if (result.unbounded.empty()) result.unbounded = other.unbounded;
+    result.band = result.band && other.unbounded.empty();
+    widen(result, other);
+    const bool whole = other.bounds.empty();
+    std::move(other.bounds.begin(), other.bounds.end(), std::back_inserter(result.bounds));
+    other.bounds.clear();
+    if (whole) result.bounds.push_back(std::move(other));
+  };
+  EquilibriumOptions moving = options;
+  if (!creeps) {
+    const machine::Model held = with_loads_held(model);
+    moving.held = true;  // its friction holds it at rest
+    for (const Motion motion : {Motion::in, Motion::out}) {
+      moving.motion = motion;
+      take(held, moving);
+    }
+    return;
+  }
+  moving.creep.clear();
+  moving.band = false;
+  // a support that the carriage comes to holds as the rope ran over it before: each side for itself
+  for (const auto& [before, after] : {std::pair{1, 1}, {1, -1}, {-1, 1}, {-1, -1}}) {
+    moving.flow = result.flow;
+    for (std::size_t r = 0; r < creep.size(); ++r) {
+      for (std::size_t n = 0; n < creep[r].size(); ++n) {
+        moving.flow[r][n] += creep[r][n] * (creep[r][n] > 0 ? before : after);
+      }
+    }
+    take(model, moving);
   }
 }
 

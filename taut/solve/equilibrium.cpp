@@ -591,8 +591,7 @@ EquilibriumResult equilibrium(const machine::Model& model, const EquilibriumOpti
     result = on_inner_sides(model, start, solve_on);
   }
   result.flow = flow;
-  const bool band = options.band && options.motion == Motion::at_rest && options.flow.empty();
-  if (result.outcome.ok() && band && differs_in_motion(model)) add_band(model, options, result);
+  if (result.outcome.ok()) add_band(model, options, result);
   return result;
 }
 

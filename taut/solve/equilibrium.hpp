@@ -1,5 +1,6 @@
 #pragma once
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "taut/base/array.hpp"
@@ -13,15 +14,21 @@
 namespace taut::solve {
 
 /// Direction in which the ropes run over their contacts; it sets the direction of every loss. hoist and in mean the
-/// same: each rope flows as its `haul` says; lower and out are the opposite. at_rest: the equilibrium without losses
-/// and, with `band`, the band of each tension between both directions.
+/// same: each rope flows as machine::hauling_in says; lower and out are the opposite. at_rest: the equilibrium without
+/// losses and, with `band`, the band of each tension between both directions.
 enum class Motion { at_rest, hoist, lower, in, out };
 
 struct EquilibriumOptions {
   Motion motion = Motion::at_rest;
   /// Flow at single contacts, [reeving][node]: +1 along the path, -1 against it, 0 none. Empty: by `motion`.
   Array<Array<int>> flow;
-  bool band = true;  ///< at rest: also solve both directions of motion for the bands of the tensions
+  /// Contacts of single flow over which a rope creeps, [reeving][node]: its flow when it is drawn to its carriage, else
+  /// 0. Their flow is 0 in the answer, and the band has both directions. Empty: none where `flow` is given, else by
+  /// `motion`.
+  Array<Array<int>> creep;
+  /// Also solve both directions of what is at rest, for the bands of the tensions: of all ropes at rest, of those that
+  /// creep in motion.
+  bool band = true;
   /// Given tensions are those of the installation: the solution has to be stable with the lengths found held constant,
   /// not with the tensions held constant.
   bool lengths_kept = false;
@@ -113,7 +120,11 @@ struct EquilibriumResult {
   Array<BeamResult> beams;         ///< as in the model
   Vector3 hold = Vector3::Zero();  ///< force that holds a prescribed carriage without mainline, N
   Closure closure;
-  bool band = false;       ///< whether the bands of the tensions contain both directions of motion
+  bool band = false;  ///< whether the bands of the tensions contain both directions of motion
+  /// The answers that bound the band, whole: what friction at rest may load a support, a body or a beam with. They
+  /// have no bounds of their own.
+  std::vector<EquilibriumResult> bounds;
+  std::string unbounded;   ///< why a direction of the band that was asked for has no answer; empty: all have one
   Array<Array<int>> flow;  ///< flow at every node, [reeving][node], for which the tensions hold
 };
 

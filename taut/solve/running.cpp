@@ -5,18 +5,28 @@
 #include <algorithm>
 
 #include "taut/base/array.hpp"
+#include "taut/machine/senses.hpp"
 
 namespace taut::solve {
 
+int sign_of(Motion motion) {
+  if (motion == Motion::at_rest) return 0;
+  return motion == Motion::hoist || motion == Motion::in ? 1 : -1;
+}
+
 Array<Array<int>> flow_of(const machine::Model& model, const EquilibriumOptions& options) {
   if (!options.flow.empty()) return options.flow;
-  Array<Array<int>> flow;
-  flow.reserve(model.reevings.size());
-  const int sense = options.motion == Motion::hoist || options.motion == Motion::in ? 1 : -1;
-  for (const machine::Reeving& rope : model.reevings) {
-    flow.emplace_back(rope.nodes.size(), options.motion == Motion::at_rest ? 0 : sense * rope.haul);
+  Array<Array<int>> flow = machine::hauling_in(model, options.prescribed).flow;
+  const int sense = sign_of(options.motion);
+  for (Array<int>& rope : flow) {
+    for (int& node : rope) node *= sense;
   }
   return flow;
+}
+
+Array<Array<int>> creep_of(const machine::Model& model, const EquilibriumOptions& options) {
+  if (!options.creep.empty() || !options.flow.empty() || options.motion == Motion::at_rest) return options.creep;
+  return machine::hauling_in(model, options.prescribed).creep;
 }
 
 double centrifugal(const machine::Reeving& rope, const Array<int>& flow) {

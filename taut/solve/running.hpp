@@ -7,8 +7,14 @@
 
 namespace taut::solve {
 
+/// +1: as the ropes run while the machine hauls in, -1: the other way, 0: at rest.
+int sign_of(Motion motion);
+
 /// Flow through every node, [reeving][node]: the options' own, or by their motion.
 Array<Array<int>> flow_of(const machine::Model& model, const EquilibriumOptions& options);
+
+/// Where ropes creep, EquilibriumOptions::creep: the options' own, or by their motion; empty: nowhere.
+Array<Array<int>> creep_of(const machine::Model& model, const EquilibriumOptions& options);
 
 /// A rope that runs steadily along itself carries the centrifugal tension c = m v^2 everywhere; its shape, its supports
 /// and the laws of its contacts know T - c alone (Routh; docs/theory/drives.md). With T' = T - c the rope stretches as

@@ -137,8 +137,10 @@ TEST(Running, LoadsByMotionAreHeldAsTheHaulGoes) {
       EXPECT_FALSE(held.reevings[0].nodes[2].load.by_motion);
       EXPECT_EQ(held.reevings[0].nodes[2].load.sense, sense * haul);
       EXPECT_EQ(with_loads_held(held).reevings[0].nodes[2].load.sense, sense * haul);  // once is enough
-      EXPECT_EQ(flow_of(m, {.motion = Motion::hoist, .flow = {}, .prescribed = {}})[0], std::vector<int>(4, haul));
-      EXPECT_EQ(flow_of(m, {.motion = Motion::out, .flow = {}, .prescribed = {}})[0], std::vector<int>(4, -haul));
+      EXPECT_EQ(flow_of(m, {.motion = Motion::hoist, .flow = {}, .creep = {}, .prescribed = {}})[0],
+                std::vector<int>(4, haul));
+      EXPECT_EQ(flow_of(m, {.motion = Motion::out, .flow = {}, .creep = {}, .prescribed = {}})[0],
+                std::vector<int>(4, -haul));
       EXPECT_EQ(flow_of(m, {})[0], std::vector<int>(4, 0));
     }
   }

@@ -55,8 +55,7 @@ struct Stretch {
 };
 
 /// The way of the carriage, part by part.
-std::vector<Stretch> stretches_of(const machine::Model& model, const CycleRun& run, const Phase& phase,
-                                  const RopeMotion& motion, Watch& watch) {
+std::vector<Stretch> stretches_of(const machine::Model& model, const CycleRun& run, const Phase& phase, Watch& watch) {
   machine::Model loaded = model;
   loaded.bodies[loaded.carriages[run.carriage].body].mass += phase.load;
   std::vector<Stretch> all;
@@ -66,7 +65,7 @@ std::vector<Stretch> stretches_of(const machine::Model& model, const CycleRun& r
         .x = phase.way.x(part.first), .on_support = part.support != nullptr, .model = part.model, .points = {}});
     if (part.support != nullptr) continue;
     LoadPathOptions options = path_over(phase.way, part);
-    options.equilibrium = motion.options(part.model);
+    options.equilibrium = phase.motion.options(part.model);
     options.equilibrium.held = run.held;
     options.go_on = [&watch](double x) { return watch.go_on_at(x); };
     one.points = load_path(part.model, options).points;
@@ -75,67 +74,10 @@ std::vector<Stretch> stretches_of(const machine::Model& model, const CycleRun& r
   return all;
 }
 
-/// The motion of a phase with the senses of contacts on ropes that no winch drives: a word such as `in` is about the
-/// hauled ropes, and a skyline runs over its carriage and its supports as the carriage goes. Against the sense declared
-/// all the way: the other one; to and fro, or after a first correction: none. Empty where nothing is to be changed.
-std::optional<RopeMotion> with_own_senses(const machine::Model& m, const RopeMotion& motion,
-                                          const std::vector<RopeSense>& senses, bool again) {
-  if (motion.parts.empty() || motion.parts.front().name.empty() == again) return std::nullopt;
-  RopeMotion all = motion;
-  if (!again) {
-    if (motion.parts.size() != 1) return std::nullopt;
-    all.parts.clear();
-    for (const machine::Reeving& rope : m.reevings) all.parts.push_back({rope.name, motion.parts.front().sense});
-  }
-  const std::size_t declared = all.parts.size();
-  for (const RopeSense& s : senses) {
-    if (s.driven || s.given == 0) continue;
-    const bool none = again || s.taken > 0;
-    all.parts.push_back({s.contact, none ? 0 : -s.declared});
-  }
-  return all.parts.size() == declared ? std::nullopt : std::optional(all);
-}
-
 std::vector<RopeSense> senses_of(const CycleRun& run, const std::vector<Stretch>& stretches) {
   RopeSenses found(run.winches);
   for (const Stretch& one : stretches) found.take(one.model, one.points);
   return found.all();
-}
-
-/// Whether a rope that no winch drives loses tension somewhere: what its senses are, shows only as the carriage goes.
-bool has_senses_of_its_own(const machine::Model& m, const std::vector<Winch>& winches) {
-  for (std::size_t r = 0; r < m.reevings.size(); ++r) {
-    const auto reeving = static_cast<int>(r);
-    if (std::any_of(winches.begin(), winches.end(), [&](const Winch& w) { return w.reeving == reeving; })) continue;
-    const std::vector<machine::Node>& nodes = m.reevings[r].nodes;
-    if (std::any_of(nodes.begin(), nodes.end(), [](const machine::Node& n) {
-          return n.kind == machine::NodeKind::contact && n.law.friction > 0 && n.law.efficiency < 1;
-        })) {
-      return true;
-    }
-  }
-  return false;
-}
-
-constexpr int most_times = 3;  ///< that a phase is solved: as declared, and twice with senses found
-
-/// A phase as it is solved, with the senses of its ropes. Empty where it was to end before they were known.
-std::vector<Stretch> solved(const machine::Model& model, const CycleRun& run, const Phase& phase, Watch& watch,
-                            std::vector<RopeSense>& senses) {
-  const bool own_senses = has_senses_of_its_own(model, run.winches);
-  RopeMotion motion = phase.motion;
-  for (int time = 1;; ++time) {
-    std::vector<Stretch> all = stretches_of(model, run, phase, motion, watch);
-    senses = senses_of(run, all);
-    if (!own_senses || time == most_times) return all;
-    if (watch.ended()) {
-      senses.clear();
-      return {};
-    }
-    auto own = with_own_senses(model, motion, senses, time > 1);
-    if (!own) return all;
-    motion = std::move(*own);
-  }
 }
 
 /// The positions of a phase; one on a support is passed over.
@@ -326,10 +268,9 @@ CycleRun resolve(const CycleRequest& request, const std::string& path, Names& na
   return run;
 }
 
-int states_of(const machine::Model& model, const CycleRun& run) {
-  const int times = has_senses_of_its_own(model, run.winches) ? most_times : 1;
+int states_of(const CycleRun& run) {
   int states = 0;
-  for (const Phase& phase : run.phases) states += times * (phase.way.steps + 1);
+  for (const Phase& phase : run.phases) states += phase.way.steps + 1;
   return states;
 }
 
@@ -337,7 +278,8 @@ void solve(const machine::Model& model, CycleRun& run, Watch& watch, const Cycle
   for (const Phase& phase : run.phases) {
     if (watch.ended()) break;
     PhaseAnswer& answer = run.answers.emplace_back();
-    const std::vector<Stretch> stretches = solved(model, run, phase, watch, answer.senses);
+    const std::vector<Stretch> stretches = stretches_of(model, run, phase, watch);
+    answer.senses = senses_of(run, stretches);
     add_positions(run, phase, stretches, seen, answer);
     if (!std::isnan(phase.speed)) answer.time = answer.way / phase.speed;
   }

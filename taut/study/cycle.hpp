@@ -98,8 +98,8 @@ CycleRun resolve(const CycleRequest& request, const std::string& path, Names& na
 /// Is shown every state of a phase as it counts, with its model.
 using CycleStates = std::function<void(const machine::Model&, const LoadPathPoint&, const Phase&)>;
 
-/// States that all phases have together, at most.
-int states_of(const machine::Model& model, const CycleRun& run);
+/// States that all phases have together.
+int states_of(const CycleRun& run);
 
 /// Fills `run.answers`.
 void solve(const machine::Model& model, CycleRun& run, Watch& watch, const CycleStates& seen);

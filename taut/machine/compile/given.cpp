@@ -54,13 +54,36 @@ const Motor* motor_on(const Model& model, const description::Reeving& given) {
   return found;
 }
 
-int haul_of(const description::Reeving& given, const Reeving& reeving) {
-  if (given.haul != Haul::automatic) return given.haul == Haul::to_end ? 1 : -1;
-  if (given.closed) return 1;
-  if (given.path.front().drum) return -1;
-  if (given.path.back().drum) return 1;
-  const bool pulled_at_end = reeving.also && reeving.also->first == Given::tension_at_end;
-  return reeving.given == Given::tension_at_end || pulled_at_end ? 1 : -1;
+/// The end of a path that draws a carriage at its other end, as the carriage's mainline or haulback; +1: its end.
+int off_its_carriage(const Machine& machine, const description::Reeving& given) {
+  for (const description::Carriage& car : machine.carriages) {
+    if (car.mainline != name_of(given) && car.haulback != name_of(given)) continue;
+    if (given.path.back().anchor == car.name) return -1;
+    if (given.path.front().anchor == car.name) return 1;
+  }
+  return 0;
+}
+
+void set_haul(const Machine& machine, const description::Reeving& given, bool motor, Reeving& reeving) {
+  reeving.hauled_by = HauledBy::deck;
+  reeving.haul = given.haul == Haul::to_end ? 1 : -1;
+  if (given.haul != Haul::automatic) return;
+  reeving.hauled_by = HauledBy::winch;
+  const auto is_given = [&](Given tension) {
+    return reeving.given == tension || (reeving.also && reeving.also->first == tension);
+  };
+  const int off = off_its_carriage(machine, given);
+  if (given.closed) {
+    reeving.haul = 1;
+  } else if (given.path.front().drum || given.path.back().drum) {
+    reeving.haul = given.path.front().drum ? -1 : 1;
+  } else if (off != 0) {
+    reeving.haul = off;
+  } else if (is_given(Given::tension_at_end)) {
+    reeving.haul = 1;
+  } else if (!is_given(Given::tension_at_start) && !motor) {
+    reeving.hauled_by = HauledBy::nobody;
+  }
 }
 
 /// One thing that a deck says of a rope.
@@ -175,7 +198,7 @@ void set_given(const Machine& machine, const Model& model, const DescribedReevin
     reeving.value = said[0].value;
   }
   if (takes_two && said.size() == 2) reeving.also = std::pair(said[1].what, said[1].value);
-  if (!given.path.empty()) reeving.haul = haul_of(given, reeving);
+  if (!given.path.empty()) set_haul(machine, given, motor != nullptr, reeving);
 }
 
 }  // namespace taut::machine

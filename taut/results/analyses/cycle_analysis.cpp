@@ -141,7 +141,7 @@ std::vector<QuantityWords> cycle_words() {
 
 void add_answer(const study::CycleRun& asked, MachineRun& machine, Result& r) {
   study::CycleRun run = asked;
-  study::Watch watch(machine.progress, "cycle" + run.ending, states_of(machine.model, run));
+  study::Watch watch(machine.progress, "cycle" + run.ending, states_of(run));
   study::solve(machine.model, run, watch,
                [&](const machine::Model& model, const study::LoadPathPoint& point, const study::Phase& phase) {
                  machine.checked->take(model, point.at, fmt::format("cycle, {}, x = {:.6g} m", phase.name, point.x),

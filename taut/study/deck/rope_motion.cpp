@@ -5,7 +5,10 @@
 #include <algorithm>
 #include <map>
 
+#include "taut/base/array.hpp"
 #include "taut/base/suggest.hpp"
+#include "taut/machine/senses.hpp"
+#include "taut/solve/running.hpp"
 
 namespace taut::study {
 namespace {
@@ -21,19 +24,6 @@ const std::map<std::string, int> signs = {{"1", 1}, {"+1", 1}, {"+", 1}, {"-1", 
 
 /// As words of a state have it.
 std::string sense_words(const std::string& sense) { return sense == "at_rest" ? "at rest" : sense; }
-
-/// The flow through the contacts of one rope at a motion of the whole machine.
-int flow_of(solve::Motion motion, const machine::Reeving& rope) {
-  if (motion == solve::Motion::at_rest) return 0;
-  return motion == solve::Motion::hoist || motion == solve::Motion::in ? rope.haul : -rope.haul;
-}
-
-Array<Array<int>> flow_of(solve::Motion motion, const machine::Model& model) {
-  Array<Array<int>> all;
-  all.reserve(model.reevings.size());
-  for (const machine::Reeving& rope : model.reevings) all.emplace_back(rope.nodes.size(), flow_of(motion, rope));
-  return all;
-}
 
 bool runs_over(const machine::Node& node) {
   return node.kind == machine::NodeKind::contact || node.kind == machine::NodeKind::load;
@@ -79,19 +69,27 @@ const Description& MotionRequest::describe() {
 
 solve::EquilibriumOptions RopeMotion::options(const machine::Model& model) const {
   solve::EquilibriumOptions options;
+  const machine::Senses in = machine::hauling_in(model);
   for (const Part& part : parts) {
     const auto* const motion = std::get_if<solve::Motion>(&part.sense);
     if (part.name.empty() && motion != nullptr) {
       options.motion = *motion;
       continue;
     }
-    if (options.flow.empty()) options.flow = flow_of(solve::Motion::at_rest, model);
+    if (options.flow.empty()) {
+      options.flow = options.creep = in.creep;
+      for (auto* all : {&options.flow, &options.creep}) {
+        for (Array<int>& rope : *all) std::fill(rope.begin(), rope.end(), 0);
+      }
+    }
     for (std::size_t r = 0; r < model.reevings.size(); ++r) {
       const machine::Reeving& rope = model.reevings[r];
       for (std::size_t n = 0; n < rope.nodes.size(); ++n) {
         if (!runs_over(rope.nodes[n])) continue;
         if (!part.name.empty() && rope.nodes[n].name != part.name && rope.name != part.name) continue;
-        options.flow[r][n] = motion != nullptr ? flow_of(*motion, rope) : std::get<int>(part.sense);
+        const bool moves = motion != nullptr && *motion != solve::Motion::at_rest;
+        options.flow[r][n] = motion != nullptr ? solve::sign_of(*motion) * in.flow[r][n] : std::get<int>(part.sense);
+        options.creep[r][n] = moves ? in.creep[r][n] : 0;
       }
     }
   }

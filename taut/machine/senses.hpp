@@ -1,0 +1,24 @@
+#pragma once
+#include <optional>
+
+#include "taut/base/array.hpp"
+#include "taut/machine/model.hpp"
+#include "taut/machine/prescribed.hpp"
+
+namespace taut::machine {
+
+/// Which way ropes run over the nodes of their paths, [reeving][node]: +1 along the path, -1 against it, 0 neither.
+struct Senses {
+  Array<Array<int>> flow;
+  /// Of a contact with losses over which a rope creeps: its flow when the rope is drawn to its carriage. Its `flow` is
+  /// 0: whether it is drawn there or let out, the word of the motion does not say.
+  Array<Array<int>> creep;
+};
+
+/// While the machine hauls in. A rope runs as its `haul` says. A carriage moves to where its mainline (without one its
+/// haulback, or what it is fixed to) runs off from it, and the rope on which it rolls passes it the other way. That
+/// rope creeps over its other contacts where nobody hauls it. `prescribed`: the place of its carriage; the others stand
+/// as at the start. docs/theory/senses.md.
+Senses hauling_in(const Model& model, const std::optional<Prescribed>& prescribed = std::nullopt);
+
+}  // namespace taut::machine
