@@ -22,9 +22,6 @@ bool is_numbered(const std::string& ending) {
   return ending.size() < 2 || ending.find_first_not_of("0123456789", 1) == std::string::npos;
 }
 
-/// At rest the friction of the machine leaves a band; what holds the rope may have to bear its upper end.
-double up_to(double most, double T) { return T > 0 && most > T ? most / T : 1; }
-
 /// Half of a branch's weight hangs at its end: the part across the branch beside the tension along it.
 Vector3 weight_across(const Vector3& along, double weight) {
   const Vector3 W = -weight / 2 * up();
@@ -111,8 +108,7 @@ CheckState state_of(const machine::Model& model, const solve::EquilibriumResult&
     const Vector3 along = level_way(s);
     all.branches.push_back({s.reeving, s.from, s.to, std::max({s.T_from, s.T_to, s.T_from_max, s.T_to_max}),
                             (s.T_from + s.T_to) / 2, s.chord, s.unstretched, s.start, s.end,
-                            up_to(s.T_from_max, s.T_from) * (s.H * along + s.V_from * up()),
-                            -up_to(s.T_to_max, s.T_to) * (s.H * along + s.V_to * up())});
+                            s.H * along + s.V_from * up(), -(s.H * along + s.V_to * up())});
   }
   for (const solve::ContactResult& c : state.contacts) {
     const bool lifts = c.state == solve::ContactState::lifted || c.state == solve::ContactState::pulled;

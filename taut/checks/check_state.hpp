@@ -48,7 +48,8 @@ std::vector<FreeRope> free_ropes(const machine::Model& model, const solve::Trans
 /// Over the terrain.
 study::RopeClearance clearance_of(const machine::Model& model, const FreeRope& rope);
 
-/// One state of a machine as the checks of its parts see it: an equilibrium, or a moment of a calculated motion.
+/// One state of a machine as the checks of its parts see it: an equilibrium, one of its bounds, or a moment of a
+/// calculated motion.
 struct CheckState {
   const machine::Model* model = nullptr;
   std::vector<CheckBranch> branches;

@@ -13,6 +13,9 @@ namespace {
 
 constexpr double unseen_share = 0.02;  ///< by which a peak may be larger than what the checks have seen of it
 
+/// A bound of a state: what rests there friction may hold anywhere between it and the other bound.
+std::string held_words(const std::string& words) { return words + ", held by friction"; }
+
 }  // namespace
 
 CheckedParts::CheckedParts(const CheckedDeck& given, const machine::Model& model)
@@ -34,6 +37,9 @@ bool CheckedParts::any_shown() const {
 }
 
 void CheckedParts::show(const CheckState& seen) {
+  if (seen.rest != nullptr) {
+    for (GuyStates& one : guys) checks::take(seen, one);
+  }
   for (AnchorStates& one : anchors) checks::take(seen, one);
   for (LineStates& one : lines) checks::take(seen, one);
   for (MastStates& one : masts) checks::take(seen, *deck, one);
@@ -49,18 +55,29 @@ void CheckedParts::take(const machine::Model& model, const solve::EquilibriumRes
   ropes.take(model, state, words);
   drives.take(model, state, words);
   payloads.take(model, state, words);
-  if (guys.empty() && !any_shown()) return;
-  const CheckState seen = state_of(model, state, words, analysis);
-  for (GuyStates& one : guys) checks::take(seen, one);
-  show(seen);
+  const bool shown = !guys.empty() || any_shown();
+  if (shown) show(state_of(model, state, words, analysis));
+  for (const solve::EquilibriumResult& bound : state.bounds) {
+    const std::string held = held_words(words);
+    judge.take(model, bound, held);
+    if (shown) show(state_of(model, bound, held, analysis));
+  }
 }
 
 void CheckedParts::take_empty(const machine::Model& model, const solve::EquilibriumResult& state,
                               const std::string& line, const std::string& words, bool put_up) {
   if (!judged) return;
-  put_up ? judge.take_ropes(model, state, words) : judge.take_empty(model, state, words);
   ropes.take_empty(model, state, words);
   payloads.take_ropes(model, state, words);
+  show_empty(model, state, line, words, put_up);
+  for (const solve::EquilibriumResult& bound : state.bounds) {
+    show_empty(model, bound, line, held_words(words), put_up);
+  }
+}
+
+void CheckedParts::show_empty(const machine::Model& model, const solve::EquilibriumResult& state,
+                              const std::string& line, const std::string& words, bool put_up) {
+  put_up ? judge.take_ropes(model, state, words) : judge.take_empty(model, state, words);
   const auto show_as = [&](auto& one, const CheckState& seen) {  // by its place among the ropes of that model
     const int own = one.reeving;
     const auto rope = std::find_if(model.reevings.begin(), model.reevings.end(),

@@ -21,7 +21,8 @@ namespace taut::checks {
 struct CheckedParts {
   CheckedParts(const CheckedDeck& given, const machine::Model& model);
 
-  /// `words`: which state it is; `analysis`: the name of its analysis, for load combinations.
+  /// All bounds of a state count as the state does. `words`: which state it is; `analysis`: the name of its analysis,
+  /// for load combinations.
   void take(const machine::Model& model, const solve::EquilibriumResult& state, const std::string& words,
             const std::string& analysis);
   /// A line that is empty, in a model without what hangs on it: its tension and bends, what holds and carries it, guys
@@ -44,8 +45,11 @@ struct CheckedParts {
   void take(const machine::Model& model, const solve::TransientResult& motion, const std::string& words,
             bool slowly = false);
 
-  /// Shows a state to the parts that are named in `checks:` or have a rating.
+  /// Shows a state to the parts that are named in `checks:` or have a rating, to the guys those of rest alone.
   void show(const CheckState& seen);
+  /// Shows the state, or a bound of one, to what `take_empty` says.
+  void show_empty(const machine::Model& model, const solve::EquilibriumResult& state, const std::string& line,
+                  const std::string& words, bool put_up);
   /// Whether there are any of them.
   bool any_shown() const;
 

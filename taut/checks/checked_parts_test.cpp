@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "taut/calc/verdict.hpp"
 #include "test/paths.hpp"
@@ -257,6 +259,88 @@ analyses:
   const auto [alone, factor] = tightened("");
   EXPECT_NEAR(alone, 0.8 * factor, 2e-3);
   EXPECT_NEAR(tightened("  - equilibrium: {}\n").first, alone, 1e-9);
+}
+
+/// At rest friction holds anywhere between both directions of motion: what bears the rope has to bear both.
+TEST(CheckedParts, whatBearsARopeAtRestBearsBothMotions) {
+  const std::string on_support = R"(taut: 1
+machine:
+  points: {A: [0 m, 0 m, 0 m], B: [22 m, 0 m, 0 m], C: [3 m, 10 m, 0 m]}
+  ropes: {r: {mass: 1 kg/m, stiffness: 24 MN, breaking_force: 450 kN, diameter: 20 mm}}
+  supports: {S: {at: [10 m, 0 m, 8 m], diameter: 400 mm, friction: 0.3}}
+  reevings: [{rope: r, path: [{anchor: A}, {over: S}, {anchor: B}], tension_at_end: 50 kN}]
+checks:
+  anchors: {A: {strength: 80 kN}}
+  supports: {S: {tree_diameter: 36 cm, height: 8 m}}
+  masts: {spar: {section: CHS 219.1x8, steel: S355, carries: S, foot: [10 m, 0 m, 0 m], height: 8 m}}
+)";
+  const std::string on_beam = R"(taut: 1
+machine:
+  points: {A: [0 m, 0 m, 0 m], B: [22 m, 0 m, 0 m], foot: [10 m, 0 m, 0 m], top: [10 m, 0 m, 8 m]}
+  ropes: {r: {mass: 1 kg/m, stiffness: 24 MN, breaking_force: 450 kN, diameter: 20 mm}}
+  beams: {spar: {from: foot, to: top, section: CHS 323.9x10, steel: S355}}
+  supports: {S: {body: spar, at: [0 m, 0 m, 8 m], diameter: 400 mm, friction: 0.3}}
+  reevings: [{rope: r, path: [{anchor: A}, {over: S}, {anchor: B}], tension_at_end: 100 kN}]
+checks: {masts: {spar: {load_factor: 1.35}}}
+)";
+  for (const auto& [deck, names] :
+       {std::pair{on_support, std::vector<std::string>{"A.anchor_strength", "S.support_tree", "spar.section"}},
+        {on_beam, {"spar.section", "spar.member"}}}) {
+    const auto moving = [&, &text = deck](const char* motion) {
+      return run_text(text + "analyses: [{equilibrium: {motion: " + motion + "}}]\n");
+    };
+    const Result rest = moving("at_rest"), in = moving("in"), out = moving("out");
+    ASSERT_EQ(rest.status, Status::ok) << rest.message << to_text(rest.errors);
+    for (const std::string& name : names) {
+      const double worst = std::max(check_of(in, name).utilisation, check_of(out, name).utilisation);
+      EXPECT_NEAR(check_of(rest, name).utilisation / worst, 1, 1e-6) << name;
+      EXPECT_NE(check_of(rest, name).rule.find("held by friction"), std::string::npos) << check_of(rest, name).rule;
+    }
+  }
+}
+
+/// A skyline that nobody hauls over two jacks, its path written from either end: the checks are the same, and no better
+/// than with the rope drawn into the span of the carriage over both.
+TEST(CheckedParts, creepOverSupportsCountsBothWays) {
+  const auto run = [](bool turned, const std::string& motion) {
+    const char* path = turned ? "[{anchor: B}, {over: jack2}, {through: car}, {over: jack1}, {anchor: A}]"
+                              : "[{anchor: A}, {over: jack1}, {through: car}, {over: jack2}, {anchor: B}]";
+    return run_text(std::string(R"(taut: 1
+machine:
+  points: {A: [0 m, 0 m, 0 m], B: [300 m, 0 m, 10 m], winch: [300 m, 0 m, 12 m]}
+  ropes:
+    sky: {mass: 2 kg/m, stiffness: 30 MN, breaking_force: 350 kN}
+    main: {mass: 0.5 kg/m, stiffness: 8 MN, breaking_force: 60 kN}
+  supports:
+    jack1: {at: [80 m, 0 m, 14 m], diameter: 400 mm, friction: 0.15}
+    jack2: {at: [220 m, 0 m, 18 m], diameter: 400 mm, friction: 0.15}
+  carriages: {car: {mass: 2 t, rides: sky, hold: rolling, mainline: main, friction: 0.02}}
+  reevings:
+    - {rope: sky, path: )") +
+                    path + R"(, install: {tension: 70 kN, at: )" + (turned ? "start" : "end") + R"(}}
+    - {rope: main, path: [{anchor: winch}, {anchor: car}], length: 150 m}
+checks: {ropes: {sky: {safety_factor: 3}, main: {safety_factor: 3}}, anchors: {A: {strength: 200 kN}}}
+analyses: [{equilibrium: {carriage: car, x: 140 m, motion: )" +
+                    motion + "}}]\n");
+  };
+  const Result one = run(false, "in"), other = run(true, "in");
+  ASSERT_EQ(one.status, Status::ok) << one.message << to_text(one.errors);
+  ASSERT_EQ(other.status, Status::ok) << other.message << to_text(other.errors);
+  ASSERT_FALSE(one.checks.empty());
+  for (const Check& check : one.checks) {
+    EXPECT_NEAR(check_of(other, check.name).value / check.value, 1, 1e-7) << check.name;
+  }
+  std::vector<Result> signs;
+  for (const char* jacks :
+       {"jack1: 1, jack2: -1", "jack1: -1, jack2: 1", "jack1: 1, jack2: 1", "jack1: -1, jack2: -1"}) {
+    signs.push_back(run(false, std::string("{car: -1, ") + jacks + "}"));
+    ASSERT_EQ(signs.back().status, Status::ok) << signs.back().message << to_text(signs.back().errors);
+  }
+  for (const Check& check : one.checks) {
+    double worst = 0;
+    for (const Result& r : signs) worst = std::max(worst, check_of(r, check.name).utilisation);
+    EXPECT_NEAR(check.utilisation / worst, 1, 1e-7) << check.name;
+  }
 }
 
 }  // namespace taut::checks::checked_parts_test

@@ -186,10 +186,8 @@ class Combination {
     run_.missing.take(e.outcome, whole_words(words, where));
     if (!e.outcome.ok()) return;
     ++run_.states;
-    add_ropes(envelope_, m, e, where);
-    add_contacts(envelope_, m, e, where);
-    add_anchors(envelope_, m, e, where);
-    add_bodies(envelope_, m, e, where);
+    add(m, e, where);
+    for (const solve::EquilibriumResult& bound : e.bounds) add(m, bound, where);
     const std::string all = whole_words(words, where);
     seen_(m, e, all);
     for (std::size_t i = 0; i < e.ropes.size(); ++i) {
@@ -202,6 +200,13 @@ class Combination {
       keep(fmt::format("buckling of beam {}", i), 1 / b.critical_factor, all, m, e);
     }
     if (!m.terrain.empty()) keep("rope in the ground", -rope_clearance(m, e).height, all, m, e);
+  }
+
+  void add(const machine::Model& m, const solve::EquilibriumResult& e, const EnvelopeState& where) {
+    add_ropes(envelope_, m, e, where);
+    add_contacts(envelope_, m, e, where);
+    add_anchors(envelope_, m, e, where);
+    add_bodies(envelope_, m, e, where);
   }
 
   static std::string whole_words(std::string words, const EnvelopeState& where) {

@@ -68,10 +68,9 @@ void add_supports(const machine::Model& model, const PayloadLimits& limits, cons
   }
 }
 
-}  // namespace
-
-Array<LimitState> limits_at(const machine::Model& model, int body, const PayloadLimits& limits,
-                            const solve::EquilibriumResult& r, double payload) {
+/// Of one answer, without its bounds.
+Array<LimitState> own_limits(const machine::Model& model, int body, const PayloadLimits& limits,
+                             const solve::EquilibriumResult& r, double payload) {
   Array<LimitState> all;
   if (!r.outcome.ok()) {
     all.push_back({.kind = LimitKind::none, .margin = -1, .fails = true});
@@ -114,6 +113,26 @@ Array<LimitState> limits_at(const machine::Model& model, int body, const Payload
                      .value = load,
                      .limit = *limits.rated_payload,
                      .margin = 1 - load / *limits.rated_payload});
+    }
+  }
+  return all;
+}
+
+}  // namespace
+
+Array<LimitState> limits_at(const machine::Model& model, int body, const PayloadLimits& limits,
+                            const solve::EquilibriumResult& r, double payload) {
+  Array<LimitState> all = own_limits(model, body, limits, r, payload);
+  for (const solve::EquilibriumResult& bound : r.bounds) {
+    for (const LimitState& held : own_limits(model, body, limits, bound, payload)) {
+      const auto same = std::find_if(all.begin(), all.end(), [&](const LimitState& one) {
+        return one.kind == held.kind && one.reeving == held.reeving && one.node == held.node;
+      });
+      if (same == all.end()) {
+        all.push_back(held);
+      } else if (held.margin < same->margin) {
+        *same = held;
+      }
     }
   }
   return all;

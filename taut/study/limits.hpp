@@ -65,8 +65,9 @@ struct LimitState {
   bool fails = false;  ///< true: there is no equilibrium
 };
 
-/// All limits in one state, in the order of the members of PayloadLimits. A state without equilibrium gives one entry
-/// with `fails`. `payload`: a mass on the body that the state has and the model has not, kg.
+/// All limits in one state, in the order of the members of PayloadLimits, each where it is nearest of the answer and
+/// its bounds: friction may hold the machine in any of them. A state without equilibrium gives one entry with `fails`.
+/// `payload`: a mass on the body that the state has and the model has not, kg.
 Array<LimitState> limits_at(const machine::Model& model, int body, const PayloadLimits& limits,
                             const solve::EquilibriumResult& result, double payload = 0);
 

@@ -49,8 +49,10 @@ std::string with_yarder(const std::string& keys,
                         const std::string& analyses = "  - equilibrium: {carriage: car, x: 170 m}") {
   return skyline_deck(analyses) + "checks:\n  yarders: {tower: {" + keys + "}}\n";
 }
+// with the sense of the skyline told: no band, so that tables and checks have the same states
 const std::vector<std::string> diameters = {"machine.ropes.skyline.diameter=20 mm",
-                                            "machine.ropes.mainline.diameter=11 mm"};
+                                            "machine.ropes.mainline.diameter=11 mm",
+                                            "machine.reevings[0].haul=to_start"};
 
 TEST(YarderChecks, LengthsAndPullsOfALine) {
   const Result r =
