@@ -1,6 +1,6 @@
 """Made from the descriptions by python/tools/make_stub.py; do not edit. `./dev python stub` makes it again.
 
-schema: 984d659f15ad4d2814b2237e375c205da3b3429a964bd39f618573aff819a1bf
+schema: fa34d0595dcae38e49b02f5609b3b8a711d0cc5e761cec22ab19a754a79d17ab
 """
 
 from collections.abc import Mapping, Sequence

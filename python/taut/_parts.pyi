@@ -1,6 +1,6 @@
 """Made from the descriptions by python/tools/make_stub.py; do not edit. `./dev python stub` makes it again.
 
-schema: 984d659f15ad4d2814b2237e375c205da3b3429a964bd39f618573aff819a1bf
+schema: fa34d0595dcae38e49b02f5609b3b8a711d0cc5e761cec22ab19a754a79d17ab
 """
 
 from collections.abc import Mapping, Sequence
@@ -301,8 +301,8 @@ class Parts:
             their paths, and the length found there is kept.
         install: in place of the length: tension when the line is put up; the length found there is kept.
         copies: number of equal parallel ropes (at least 1). Default: 1.
-        haul: direction when hoisting or hauling in; default: to its drum or given tension, else to its start: `to_start`,
-            `to_end`.
+        haul: direction when hoisting or hauling in; default: to its drum or given tension, a mainline or haulback off from
+            its carriage, else to its start: `to_start`, `to_end`.
         segments: in motion the number of segments of each branch, with the mass of the rope at their joints, which may run
             over rounds and onto drums (at least 1 and at most 1000). Default: 1.
         may_slack: true: it may go slack without an unsafe warning. Default: false.
@@ -445,8 +445,8 @@ class Parts:
         J: m^4. torsion constant; default: I + I_weak, as of a round tube (above 0 cm^4 and at most 1e10 cm^4).
         W_t: m^3. elastic torsion modulus, for the stress: torsion over it is the largest shear stress; default: not known,
             of a round section 2 W (above 0 cm^3 and at most 1e8 cm^3).
-        round: true: a section by figures that is round, so that both bending moments add as vectors; default: their
-            stresses add, as in a corner. Default: false.
+        round: true: a section by figures that is round, so that both bending moments add as vectors; default: of a box
+            where 'strong', 'I_weak' or 'W_weak' is given, else not known. Default: false.
         W: m^3. elastic section modulus, for the stress (above 0 cm^3 and at most 1e8 cm^3).
         W_weak: m^3. elastic section modulus for the other direction; default: the same (above 0 cm^3 and at most 1e8 cm^3).
         E: Pa. modulus of elasticity; G = E/2.6 (above 0 GPa and at most 10000 GPa). Default: 210 GPa.

@@ -90,7 +90,6 @@ Senses hauling_in(const Model& model, const std::optional<Prescribed>& prescribe
     if (rope.hauled_by != HauledBy::nobody) continue;
     for (int n = 1; n + 1 < static_cast<int>(rope.nodes.size()); ++n) {
       if (!loses(rope.nodes[n]) || (n > span.before && n < span.after)) continue;
-      flow[n] = 0;
       creep[n] = n <= span.before ? 1 : -1;
     }
   }

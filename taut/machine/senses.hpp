@@ -10,8 +10,8 @@ namespace taut::machine {
 /// Which way ropes run over the nodes of their paths, [reeving][node]: +1 along the path, -1 against it, 0 neither.
 struct Senses {
   Array<Array<int>> flow;
-  /// Of a contact with losses over which a rope creeps: its flow when the rope is drawn to its carriage. Its `flow` is
-  /// 0: whether it is drawn there or let out, the word of the motion does not say.
+  /// Of a contact with losses over which a rope creeps: its flow when the rope is drawn to its carriage; else 0.
+  /// Whether it is drawn there or let out, the word of the motion does not say; its `flow` is one of the two.
   Array<Array<int>> creep;
 };
 

@@ -82,7 +82,7 @@ TEST(Senses, ACarriageMovesToWhereItsMainlineIsHauled) {
                                          .towards = towards}));
           const Senses in = hauling_in(m);
           EXPECT_EQ(in.flow[0][2], to_high == turned ? 1 : -1);
-          EXPECT_EQ(in.flow[0][1], 0) << "over the jacks it creeps";
+          EXPECT_EQ(in.flow[0][1], -1) << "over the jacks it creeps";
           EXPECT_EQ(in.creep[0], (Flow{0, 1, 0, -1, 0}));
           EXPECT_EQ(in.flow[1], mainline_turned ? (Flow{1, 1}) : (Flow{-1, -1})) << "off from the carriage";
         }

@@ -90,13 +90,14 @@ void add_band(const machine::Model& model, const EquilibriumOptions& options, Eq
     return;
   }
   moving.creep.clear();
+  moving.creep_without_loss = false;
   moving.band = false;
   // a support that the carriage comes to holds as the rope ran over it before: each side for itself
   for (const auto& [before, after] : {std::pair{1, 1}, {1, -1}, {-1, 1}, {-1, -1}}) {
     moving.flow = result.flow;
     for (std::size_t r = 0; r < creep.size(); ++r) {
       for (std::size_t n = 0; n < creep[r].size(); ++n) {
-        moving.flow[r][n] += creep[r][n] * (creep[r][n] > 0 ? before : after);
+        if (creep[r][n] != 0) moving.flow[r][n] = creep[r][n] * (creep[r][n] > 0 ? before : after);
       }
     }
     take(model, moving);

@@ -22,10 +22,10 @@ struct EquilibriumOptions {
   Motion motion = Motion::at_rest;
   /// Flow at single contacts, [reeving][node]: +1 along the path, -1 against it, 0 none. Empty: by `motion`.
   Array<Array<int>> flow;
-  /// Contacts of single flow over which a rope creeps, [reeving][node]: its flow when it is drawn to its carriage, else
-  /// 0. Their flow is 0 in the answer, and the band has both directions. Empty: none where `flow` is given, else by
-  /// `motion`.
+  /// Contacts over which a rope creeps, [reeving][node]: its flow when it is drawn to its carriage, else 0. The band
+  /// has both directions. Empty: none where `flow` is given, else by `motion`.
   Array<Array<int>> creep;
+  bool creep_without_loss = false;  ///< the answer has no loss where a rope creeps
   /// Also solve both directions of what is at rest, for the bands of the tensions: of all ropes at rest, of those that
   /// creep in motion.
   bool band = true;

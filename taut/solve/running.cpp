@@ -15,11 +15,20 @@ int sign_of(Motion motion) {
 }
 
 Array<Array<int>> flow_of(const machine::Model& model, const EquilibriumOptions& options) {
-  if (!options.flow.empty()) return options.flow;
-  Array<Array<int>> flow = machine::hauling_in(model, options.prescribed).flow;
-  const int sense = sign_of(options.motion);
-  for (Array<int>& rope : flow) {
-    for (int& node : rope) node *= sense;
+  Array<Array<int>> flow = options.flow;
+  if (flow.empty()) {
+    flow = machine::hauling_in(model, options.prescribed).flow;
+    const int sense = sign_of(options.motion);
+    for (Array<int>& rope : flow) {
+      for (int& node : rope) node *= sense;
+    }
+  }
+  if (!options.creep_without_loss) return flow;
+  const Array<Array<int>> creep = creep_of(model, options);
+  for (std::size_t r = 0; r < creep.size(); ++r) {
+    for (std::size_t n = 0; n < creep[r].size(); ++n) {
+      if (creep[r][n] != 0) flow[r][n] = 0;
+    }
   }
   return flow;
 }

@@ -67,6 +67,7 @@ std::vector<Stretch> stretches_of(const machine::Model& model, const CycleRun& r
     LoadPathOptions options = path_over(phase.way, part);
     options.equilibrium = phase.motion.options(part.model);
     options.equilibrium.held = run.held;
+    options.equilibrium.creep_without_loss = true;
     options.go_on = [&watch](double x) { return watch.go_on_at(x); };
     one.points = load_path(part.model, options).points;
     if (part.last == part.first && one.points.size() > 1) one.points.resize(1);

@@ -47,9 +47,9 @@ VERDICTS = {
     "machines/rope_saw_drive.yaml": (WARNS, "saw.on_sheave"),
     "machines/running_skyline.yaml": (WARNS, "haulback.on_sheave"),
     "machines/six_part_tackle.yaml": (PASSES, "hoist.sheave_ratio"),
-    "machines/skyline_over_jacks.yaml": (PASSES, "carries 1.65"),
+    "machines/skyline_over_jacks.yaml": (PASSES, "carries 1.575"),
     "machines/skyline_over_terrain.yaml": (PASSES, "carries 0.68"),
-    "machines/three_span_skyline.yaml": (PASSES, "carries 2.957"),
+    "machines/three_span_skyline.yaml": (PASSES, "carries 2.876"),
     "machines/tower_yarder.yaml": (WARNS, "mainline.on_sheave"),
     "machines/two_section_loop.yaml": (WARNS, "return.on_sheave"),
     "machines/yarder_and_carriage.yaml": (WARNS, "skyline.on_sheave"),
@@ -70,10 +70,10 @@ VERDICTS = {
     "motion/two_motors.yaml": (WARNS, "loop.on_sheave"),
     "motion/yarder_pickup.yaml": (WARNS, "tower.wall"),
     "study/boom_break_chance.yaml": (UNASKED, "The deck breaks retraction"),  # one motion of the study
-    "study/calibrated_line.yaml": (PASSES, "carries 2.957"),
+    "study/calibrated_line.yaml": (PASSES, "carries 2.876"),
     "study/mast_chance.yaml": (PASSES, "CHS 610x25"),
     "study/rope_life_chance.yaml": (WARNS, "saw.on_sheave"),
-    "study/three_span_chance.yaml": (PASSES, "carries 2.957"),
+    "study/three_span_chance.yaml": (PASSES, "carries 2.876"),
 }
 # explorations of one boom against published figures: no limit is asked; the quick ones of them run here
 BOOM = "telescopic_boom"

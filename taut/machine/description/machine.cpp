@@ -236,7 +236,9 @@ const Description& Reeving::describe() {
           .field(&Reeving::copies, "copies", "n", si::one, "number of equal parallel ropes")
           .at_least(1)
           .choice(&Reeving::haul, "haul", {{"to_start", Haul::to_start}, {"to_end", Haul::to_end}},
-                  "direction when hoisting or hauling in; default: to its drum or given tension, else to its start")
+                  "direction when hoisting or hauling in; default: to its drum or given tension, a mainline or "
+                  "haulback off "
+                  "from its carriage, else to its start")
           .field(&Reeving::segments, "segments", "n", si::one,
                  "in motion the number of segments of each branch, with the mass of the rope at their joints, which "
                  "may run over rounds and onto drums")

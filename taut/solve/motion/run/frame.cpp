@@ -387,23 +387,20 @@ void add_brake_ways(Run& run) {
     BrakeWay& of = run.result.brake_ways[spin.drum];
     const machine::Drive& drive = run.now.drum_drive[spin.drum];
     const auto& brake = run.model.drums[spin.drum].brake;
-    const auto speed = [&](const Values& v) {
-      return std::abs(v.spins[i].omega) * working_radius(run.m, run.m.contacts[spin.contacts.front().first], v);
-    };
     if (!drive.brake || !brake || run.before.t < drive.brake_since + brake->delay + brake->rise) {
-      if (of.acts && !of.stood && !of.let_go) {
-        of.let_go = run.before.t;
-        of.speed = speed(run.before);
-      }
+      if (of.acts && !of.stood && !of.let_go) of.let_go = run.before.t;
       of.acts = of.stood = false;
       continue;
     }
     of.acted = of.acts = true;
+    const double speed =
+        std::abs(run.now.spins[i].omega) * working_radius(run.m, run.m.contacts[spin.contacts.front().first], run.now);
+    if (!of.let_go) of.speed = speed;
     const bool sticks = run.now.spins[i].turns == 0;
     of.stood = of.stood || sticks;
     if (!of.stood || sticks) continue;
     if (of.way == 0) of.since = run.before.t;
-    of.way += run.scheme.h * speed(run.now);
+    of.way += run.scheme.h * speed;
   }
 }
 
