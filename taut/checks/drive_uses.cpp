@@ -249,6 +249,10 @@ void DriveUses::take(const machine::Model& m, const solve::TransientResult& moti
     largest = {.slipped = slipped,
                .words = fmt::format("{}: the rope slips on '{}' by {:.3g} m{}", words, node.name, slipped, share)};
   }
+  take_brakes(m, motion, words);
+}
+
+void DriveUses::take_brakes(const machine::Model& m, const solve::TransientResult& motion, const std::string& words) {
   for (std::size_t d = 0; d < motion.brake_ways.size(); ++d) {
     const solve::BrakeWay& slips = motion.brake_ways[d];
     if (slips.let_go) {

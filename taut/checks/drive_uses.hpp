@@ -31,6 +31,7 @@ class DriveUses {
  private:
   void keep(std::vector<Check> made, const std::string& words);
   void take_set_brakes(const machine::Model& model, const solve::TransientFrame& rest, const std::string& words);
+  void take_brakes(const machine::Model& model, const solve::TransientResult& motion, const std::string& words);
   void keep_turns(const machine::Model& model, const solve::DrumResult& drum, const std::string& words);
   void keep_layer(const machine::Model& m, const solve::DrumResult& d, const std::string& words);
   void keep_flange(const machine::Model& m, const solve::DrumResult& d);

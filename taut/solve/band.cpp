@@ -45,6 +45,16 @@ bool any_nonzero(const Array<Array<int>>& nodes) {
   });
 }
 
+/// With the rope drawn to its carriage (1) or let out (-1) over the supports before it and after it on the path.
+Array<Array<int>> crept(Array<Array<int>> flow, const Array<Array<int>>& creep, int before, int after) {
+  for (std::size_t r = 0; r < creep.size(); ++r) {
+    for (std::size_t n = 0; n < creep[r].size(); ++n) {
+      if (creep[r][n] != 0) flow[r][n] = creep[r][n] * (creep[r][n] > 0 ? before : after);
+    }
+  }
+  return flow;
+}
+
 }  // namespace
 
 bool differs_in_motion(const machine::Model& model) {
@@ -94,12 +104,7 @@ void add_band(const machine::Model& model, const EquilibriumOptions& options, Eq
   moving.band = false;
   // a support that the carriage comes to holds as the rope ran over it before: each side for itself
   for (const auto& [before, after] : {std::pair{1, 1}, {1, -1}, {-1, 1}, {-1, -1}}) {
-    moving.flow = result.flow;
-    for (std::size_t r = 0; r < creep.size(); ++r) {
-      for (std::size_t n = 0; n < creep[r].size(); ++n) {
-        if (creep[r][n] != 0) moving.flow[r][n] = creep[r][n] * (creep[r][n] > 0 ? before : after);
-      }
-    }
+    moving.flow = crept(result.flow, creep, before, after);
     take(model, moving);
   }
 }

@@ -42,6 +42,10 @@ class PayloadSearch {
       if (one.margin < nearest.margin) nearest = one;
     }
     if (mass == 0 && r.outcome.ok()) unloaded = r.state;
+    if (nearest.margin == 0) {
+      reached_at = mass;
+      reached = nearest;
+    }
     if (nearest.margin >= 0 && (!holds || mass >= *holds)) {
       // From states that hold only: under too much a rope of given tension runs out, and what is found from there may
       // hang far below the line even without payload.
@@ -60,6 +64,8 @@ class PayloadSearch {
   std::optional<double> holds;
   double stops = std::numeric_limits<double>::infinity();
   LimitState held, stopped;
+  std::optional<double> reached_at;  ///< a payload with which a limit was exactly reached
+  LimitState reached;
   solve::EquilibriumResult result;
   std::optional<machine::State> unloaded;
 
@@ -73,9 +79,10 @@ class PayloadSearch {
 };
 
 /// The limit that is reached first: the one that is exactly reached (where the search ends at once, and the least
-/// payload known to be too much may be far above, where another limit is nearest), else the one that is exceeded next.
+/// payload known to be too much may be far above, where another limit is nearest; solved once more from there the
+/// margin may be a rounding apart), else the one that is exceeded next.
 const LimitState& first_reached(const PayloadSearch& search) {
-  return search.held.margin == 0 ? search.held : search.stopped;
+  return search.reached_at && search.reached_at == search.holds ? search.reached : search.stopped;
 }
 
 /// A limit that stops the payload, at the payload that still holds.

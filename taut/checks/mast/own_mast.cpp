@@ -250,6 +250,16 @@ void complain_of_loads(const MastCheckRequest& request, const std::string& path,
 
 }  // namespace
 
+namespace {
+
+void complain_of_place(const MastCheckRequest& request, const std::string& path, std::vector<Complaint>& complaints) {
+  const char* const words = "belongs to a mast that 'carries' something";
+  if (!request.foot.empty()) complaints.push_back({path + ".foot", words});
+  if (!request.towards.empty()) complaints.push_back({path + ".towards", words});
+}
+
+}  // namespace
+
 void complain_of_own_mast(const MastCheckRequest& request, const std::string& path, LoadsOf loads,
                           const std::vector<std::string>& analyses, std::vector<Complaint>& complaints) {
   const std::size_t before = complaints.size();
@@ -267,11 +277,7 @@ void complain_of_own_mast(const MastCheckRequest& request, const std::string& pa
   if (request.loads.empty() && loads == LoadsOf::deck) {
     complaints.push_back({path, "is no beam of a machine: give its 'loads', or what of the machine it 'carries'"});
   }
-  if (loads != LoadsOf::machine) {
-    if (!request.foot.empty()) complaints.push_back({path + ".foot", "belongs to a mast that 'carries' something"});
-    if (!request.towards.empty())
-      complaints.push_back({path + ".towards", "belongs to a mast that 'carries' something"});
-  }
+  if (loads != LoadsOf::machine) complain_of_place(request, path, complaints);
   if (request.allowable_stress && request.safety) {
     complaints.push_back({path + ".safety", "either 'allowable_stress' or 'safety'"});
   }

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "taut/base/array.hpp"
+#include "taut/machine/links/motion_links.hpp"
 namespace taut::machine {
 namespace {
 

@@ -13,8 +13,6 @@
 namespace taut::study {
 namespace {
 
-using solve::Motion;
-
 const std::map<std::string, solve::Motion> motions = {{"at_rest", solve::Motion::at_rest},
                                                       {"hoist", solve::Motion::hoist},
                                                       {"lower", solve::Motion::lower},
@@ -58,6 +56,22 @@ std::optional<std::string> unknown_contact(const std::string& name, const machin
   return fmt::format("there is no sheave, support or rope of this name{}", did_you_mean(name, contacts));
 }
 
+/// What a part of a request says of the contacts that it names, or of all.
+void set_senses(const machine::Model& model, const machine::Senses& in, const RopeMotion::Part& part,
+                solve::EquilibriumOptions& options) {
+  const auto* const motion = std::get_if<solve::Motion>(&part.sense);
+  const bool moves = motion != nullptr && *motion != solve::Motion::at_rest;
+  for (std::size_t r = 0; r < model.reevings.size(); ++r) {
+    const machine::Reeving& rope = model.reevings[r];
+    for (std::size_t n = 0; n < rope.nodes.size(); ++n) {
+      if (!runs_over(rope.nodes[n])) continue;
+      if (!part.name.empty() && rope.nodes[n].name != part.name && rope.name != part.name) continue;
+      options.flow[r][n] = motion != nullptr ? solve::sign_of(*motion) * in.flow[r][n] : std::get<int>(part.sense);
+      options.creep[r][n] = moves ? in.creep[r][n] : 0;
+    }
+  }
+}
+
 }  // namespace
 
 const Description& MotionRequest::describe() {
@@ -82,16 +96,7 @@ solve::EquilibriumOptions RopeMotion::options(const machine::Model& model) const
         for (Array<int>& rope : *all) std::fill(rope.begin(), rope.end(), 0);
       }
     }
-    for (std::size_t r = 0; r < model.reevings.size(); ++r) {
-      const machine::Reeving& rope = model.reevings[r];
-      for (std::size_t n = 0; n < rope.nodes.size(); ++n) {
-        if (!runs_over(rope.nodes[n])) continue;
-        if (!part.name.empty() && rope.nodes[n].name != part.name && rope.name != part.name) continue;
-        const bool moves = motion != nullptr && *motion != solve::Motion::at_rest;
-        options.flow[r][n] = motion != nullptr ? solve::sign_of(*motion) * in.flow[r][n] : std::get<int>(part.sense);
-        options.creep[r][n] = moves ? in.creep[r][n] : 0;
-      }
-    }
+    set_senses(model, in, part, options);
   }
   return options;
 }
