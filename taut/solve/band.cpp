@@ -84,15 +84,16 @@ void add_band(const machine::Model& model, const EquilibriumOptions& options, Eq
     if (result.unbounded.empty()) result.unbounded = other.unbounded;
     result.band = result.band && other.unbounded.empty();
     widen(result, other);
-    const bool whole = other.bounds.empty();
     std::move(other.bounds.begin(), other.bounds.end(), std::back_inserter(result.bounds));
     other.bounds.clear();
-    if (whole) result.bounds.push_back(std::move(other));
+    result.bounds.push_back(std::move(other));
   };
   EquilibriumOptions moving = options;
   if (!creeps) {
     const machine::Model held = with_loads_held(model);
     moving.held = true;  // its friction holds it at rest
+    moving.creep.clear();
+    for (const machine::Reeving& rope : model.reevings) moving.creep.emplace_back(rope.nodes.size(), 0);
     for (const Motion motion : {Motion::in, Motion::out}) {
       moving.motion = motion;
       take(held, moving);
@@ -105,7 +106,7 @@ void add_band(const machine::Model& model, const EquilibriumOptions& options, Eq
   // a support that the carriage comes to holds as the rope ran over it before: each side for itself
   for (const auto& [before, after] : {std::pair{1, 1}, {1, -1}, {-1, 1}, {-1, -1}}) {
     moving.flow = crept(result.flow, creep, before, after);
-    take(model, moving);
+    if (moving.flow != result.flow) take(model, moving);  // else it is the answer
   }
 }
 
