@@ -261,11 +261,9 @@ void add_references(const machine::Machine& machine, std::vector<std::string>& w
   std::for_each(machine.ropes.begin(), machine.ropes.end(), add);
   std::for_each(machine.beams.begin(), machine.beams.end(), add);
   if (names.empty()) return;
-  warnings.push_back(
-      fmt::format("the 'reference_temperature' of {} counts only in analyses that say a temperature: the machine has "
-                  "none; give its "
-                  "'temperature'",
-                  names));
+  warnings.push_back(fmt::format(
+      "the 'reference_temperature' of {} counts only in analyses that say a temperature: give the machine its own",
+      names));
 }
 
 /// Saddles that say nothing of their friction: their ropes slip over them without any loss.

@@ -29,7 +29,7 @@ bool is_used(const machine::Machine& machine, const std::string& rope) {
 struct Overridden {
   const char* key;
   double given, row;  ///< SI; 0: not known
-  double unit;        ///< in which it is told, SI
+  double unit;        ///< of the printed numbers, as a number in SI: 1e3 for kN
   const char* symbol;
   bool safe_below = false;
   std::string words(double value) const { return fmt::format("{:.4g} {}", value / unit, symbol); }

@@ -221,10 +221,6 @@ void resolve_limits(const LimitsRequest& request, std::optional<int> carriage, c
   if (!any) p.complaints.push_back({path, "say at least one limit, such as 'skyline: {safety_factor: 3}'"});
 }
 
-}  // namespace
-
-namespace {
-
 /// A limit that is negative or no number is never reached, so that nothing would limit the payload.
 void expect_limits(const machine::Model& model, const PayloadLimits& limits) {
   const std::size_t ropes = model.reevings.size();

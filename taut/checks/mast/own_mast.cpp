@@ -136,13 +136,18 @@ void use_length(const MastCheckRequest& request, structure::LoadedMast& m) {
   for (auto& c : m.cases) c.critical_force.clear();
 }
 
-/// Empty where it buckles.
-std::optional<structure::LoadedMast> loaded_in(const MastCheckRequest& request, const ColumnMast& column) {
-  structure::ColumnMastResult found = column_mast(column);
-  if (!found.refused.empty()) return std::nullopt;
-  structure::LoadedMast loaded{.mast = std::move(found.mast), .cases = std::move(found.cases)};
+/// The mast and its cases, with the buckling length of the deck where it gives one.
+structure::LoadedMast loaded_of(const MastCheckRequest& request, structure::ColumnMastResult& solved) {
+  structure::LoadedMast loaded{.mast = std::move(solved.mast), .cases = std::move(solved.cases)};
   use_length(request, loaded);
   return loaded;
+}
+
+/// Empty where it buckles.
+std::optional<structure::LoadedMast> loaded_in(const MastCheckRequest& request, const ColumnMast& column) {
+  structure::ColumnMastResult solved = column_mast(column);
+  if (!solved.refused.empty()) return std::nullopt;
+  return loaded_of(request, solved);
 }
 
 constexpr std::size_t shown_together = 500;  ///< combinations; a path with its steps has less, a motion may have more
@@ -165,8 +170,7 @@ std::vector<MastCombination> deciding(const MastCheckRequest& request, const Col
     one.combinations = {column.combinations[i]};
     structure::ColumnMastResult solved = column_mast(one);
     if (!solved.refused.empty()) return one.combinations;
-    structure::LoadedMast loaded{.mast = std::move(solved.mast), .cases = std::move(solved.cases)};
-    use_length(request, loaded);
+    const structure::LoadedMast loaded = loaded_of(request, solved);
     const structure::MastUse u = mast_use(loaded.mast, loaded.cases);
     const std::array numbers = {u.slenderness.value, u.section.value, u.shear.value,           u.torsion.value,
                                 u.flexural.value,    u.member.value,  u.stress.value,          u.stress_use.value,
@@ -326,8 +330,7 @@ MastReport own_mast(const MastCheckRequest& request, const std::vector<MastLoadR
   shown.combinations = deciding(request, column);
   structure::ColumnMastResult solved = column_mast(shown);
   report.refused = solved.refused;
-  report.loaded = {.mast = std::move(solved.mast), .cases = std::move(solved.cases)};
-  use_length(request, report.loaded);
+  report.loaded = loaded_of(request, solved);
   constexpr double no_way = 1e-9;  // m: what rounding leaves of a top that is held
   const double top = std::abs(solved.top_displacement) < no_way ? 0 : solved.top_displacement;
   report.words.push_back(fmt::format(
