@@ -1,6 +1,6 @@
 """Made from the descriptions by python/tools/make_stub.py; do not edit. `./dev python stub` makes it again.
 
-schema: fa34d0595dcae38e49b02f5609b3b8a711d0cc5e761cec22ab19a754a79d17ab
+schema: 456c0be3a9ba501432d8fa61504cfd9c0175a02343b47ed7775dfad6760b73b7
 """
 
 from collections.abc import Mapping, Sequence

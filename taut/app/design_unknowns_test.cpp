@@ -195,7 +195,7 @@ machine:
          install + R"(}]
   loads: [{at: car, mass: 0.5 t, name: logs}]
 analyses: [equilibrium: {}]
-checks: {ropes: {sky: {safety_factor: 1.1}}}
+checks: {ropes: {sky: {safety_factor: 1.1}}, confirmed: [elastic_limit]}
 )" + more;
 }
 

@@ -36,7 +36,7 @@ machine:
   terrain: {x: [0 m, 200 m], z: [)" +
          ground + ", " + ground + R"(]}
   events: [{at: 1 s, break: strap}]
-checks: {ropes: {skyline: {dynamic_safety_factor: 2}, strap: {dynamic_safety_factor: 2}}}
+checks: {ropes: {skyline: {dynamic_safety_factor: 2}, strap: {dynamic_safety_factor: 2}}, confirmed: [elastic_limit]}
 analyses: [{transient: {duration: 4 s, output_step: 50 ms, tolerance: 1e-3}}]
 )";
 }
@@ -107,7 +107,7 @@ machine:
   reevings:
     - {rope: skyline, path: [{anchor: head}, {through: car}, {anchor: tail}], length: 210 m}
     - {rope: main, path: [{drum: winch}, {anchor: car}], length: 40 m, may_slack: true}
-checks: {ropes: {skyline: {dynamic_safety_factor: 2}, main: {dynamic_safety_factor: 2}}}
+checks: {ropes: {skyline: {dynamic_safety_factor: 2}, main: {dynamic_safety_factor: 2}}, confirmed: [elastic_limit]}
 analyses: [{transient: {duration: 6 s, output_step: 0.5 s, tolerance: 1e-3}}]
 )");
   };
@@ -127,7 +127,7 @@ machine:
   supports: {jack: {at: [50 m, 0 m, 21 m], diameter: 400 mm, friction: 0.1)" +
          uplift + R"(}}
   reevings: [{rope: line, path: [{anchor: head}, {over: jack}, {anchor: top}], length: 99.9 m}]
-checks: {ropes: {line: {dynamic_safety_factor: 2}}}
+checks: {ropes: {line: {dynamic_safety_factor: 2}}, confirmed: [elastic_limit]}
 analyses: [{transient: {duration: 5 s, output_step: 0.5 s, tolerance: 1e-3}}]
 )";
 }
@@ -194,7 +194,7 @@ machine:
     - {point: left, face: ground, stiffness: 5 MN/m, damping: 100 kN s/m, static_friction: 0.5}
     - {point: right, face: ground, stiffness: 5 MN/m, damping: 100 kN s/m, static_friction: 0.5}
   reevings: [{rope: line, path: [{drum: winch, side: right}, {anchor: hook}], length: 3 m, may_slack: true}]
-checks: {ropes: {line: {dynamic_safety_factor: 2}}}
+checks: {ropes: {line: {dynamic_safety_factor: 2}}, confirmed: [elastic_limit]}
 analyses: [{transient: {duration: 2.5 s, start: settled, tolerance: 1e-3}}]
 )";
 }
@@ -333,7 +333,9 @@ checks: )" + checks + "\n"));
     EXPECT_EQ(v->kind, VerdictKind::not_judged) << side << v->reason;
     EXPECT_EQ(v->reason, "no limit is given for sky.") << side;
   }
-  EXPECT_EQ(judged("{ropes: {sky: {safety_factor: 1.2}}, lines: {sky: {clearance: true}}}")->kind, VerdictKind::passes);
+  EXPECT_EQ(
+      judged("{ropes: {sky: {safety_factor: 1.2}}, lines: {sky: {clearance: true}}, confirmed: [elastic_limit]}")->kind,
+      VerdictKind::passes);
   EXPECT_EQ(judged("{ropes: {sky: {safety_factor: 3}}, lines: {sky: {clearance: true}}}")->kind, VerdictKind::fails);
 }
 
@@ -346,7 +348,7 @@ machine:
   bodies: {hook: {mass: 1.5 t, at: [0 m, 0 m, 1 m], free: [z]}}
   drums: {winch: {at: [0.2 m, 0 m, 12 m], core_diameter: 400 mm, drive: {speed: haul}}}
   reevings: [{rope: hoist, path: [{drum: winch}, {anchor: hook}], length: 11 m}]
-checks: {ropes: {hoist: {safety_factor: 2}}}
+checks: {ropes: {hoist: {safety_factor: 2}}, confirmed: [elastic_limit]}
 analyses:
 )" + analyses;
 }
@@ -390,7 +392,7 @@ machine:
   ropes: {line: {diameter: 14 mm, mass: 0 kg/m, stiffness: 1 MN, breaking_force: 100 kN, damping_ratio: 0.05}}
   drums: {winch: {at: [0 m, 0 m, 0 m], core_diameter: 400 mm, drive: {speed: haul}}}
   reevings: [{rope: line, path: [{drum: winch}, {anchor: stump}], length: 10 m}]
-checks: {ropes: {line: {dynamic_safety_factor: 3}}}
+checks: {ropes: {line: {dynamic_safety_factor: 3}}, confirmed: [elastic_limit]}
 analyses: [transient: {duration: )" +
                     duration + ", output_step: 10 ms, tolerance: 1e-3}]\n");
   };

@@ -79,7 +79,7 @@ TEST(LimitsOfPayloads, AnotherPayloadKeepsItsOwn) {
 }
 
 TEST(LimitsOfPayloads, OtherLimitsLeaveAnotherAnalysisUnjudged) {
-  const std::string checks = "checks: {ropes: {sky: {safety_factor: 1.2}}}\n";
+  const std::string checks = "checks: {ropes: {sky: {safety_factor: 1.2}}, confirmed: [elastic_limit]}\n";
   const Result deep =
       run_text(line("clearance: 50 m", envelope("5 t"), checks), {"machine.ropes.sky.breaking_force=600 kN"});
   EXPECT_EQ(verdict_of(deep)->kind, VerdictKind::not_judged) << verdict_of(deep)->reason;

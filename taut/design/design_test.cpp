@@ -161,7 +161,7 @@ TEST(Design, refused_as_unverified) {
   std::string deck = line_deck(300, 2000, 15, "{}", "design: {ropes: {skyline: {construction: 6x36, core: IWRC}}}");
   deck.insert(deck.find("checks: {") + 9, "refuse_unverified: true, ");
   const std::string own = "elastic_limit: 0.5";
-  deck.replace(deck.find(own), own.size(), "dynamic_factor: 1.2");  // the 0.60 of the tables
+  deck.replace(deck.find(own), own.size(), "termination: socket");
   const Result r = run_text(deck);
   EXPECT_EQ(exit_code(r), 3) << to_text(r.errors);
   EXPECT_THAT(r.message, HasSubstr("refused as unverified"));

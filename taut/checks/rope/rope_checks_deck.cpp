@@ -132,8 +132,8 @@ const Description& RopeCheckRequest::describe() {
         .at_least(1)
         .at_most(50)
         .field(&R::elastic_limit, "elastic_limit", "", si::one,
-               "largest peak tension over breaking force; default: 0.60 of the rules, in a field of skylines or with "
-               "'dynamic_factor' or 'hoist'; only one that is given is a limit by which the rope passes")
+               "largest peak tension over breaking force; default: 0.60 of the rules, by which a rope fails but does "
+               "not pass; one that is given is a limit of its strength")
         .above(0)
         .at_most(1);
     add_place(all);

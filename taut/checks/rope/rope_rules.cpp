@@ -189,20 +189,15 @@ class RequestReader {
     elastic_limit();
   }
 
-  /// The rule is one of skylines. It is made for another rope only where the deck asks for its peak, and is then no
-  /// limit by which that rope passes: a crane's hoist rope at 0.6 F_min has far less than its factor.
+  /// The share of the tables is a rule of skylines. Any other rope may fail by it too, but none passes by it: a crane's
+  /// hoist rope at 0.6 F_min has far less than its factor.
   void elastic_limit() {
-    const auto& ids = asked_.fields;
-    const bool skyline =
-        std::any_of(ids.begin(), ids.end(), [](const auto& id) { return begins(id, {"safety.skyline"}); });
     if (request_.elastic_limit) {
       rules_.elastic_share =
           Limit{.value = *request_.elastic_limit, .rule = "elastic limit of the deck", .trust = "user"};
       rules_.own_elastic_share = true;
-    } else if (skyline || request_.dynamic_factor || request_.hoist) {
-      if (const auto row = rule_named("strength.skyline_elastic_limit")) {
-        rules_.elastic_share = limit_of(*row, SafeEnd::low);
-      }
+    } else if (const auto row = rule_named("strength.skyline_elastic_limit")) {
+      rules_.elastic_share = limit_of(*row, SafeEnd::low);
     }
   }
 
