@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -63,6 +64,35 @@ analyses: [transient: {duration: 2 s}]
   };
   EXPECT_TRUE(told(hung("tension_at_start: 10 kN")));
   EXPECT_FALSE(told(hung("length: 5.1 m")));
+}
+
+TEST(SignalsInMotion, AGivenTensionThatAMachineWithContactsLosesAtRestIsTold) {
+  const auto against = [](double length) {
+    return run_text(fmt::format(R"(taut: 1
+machine:
+  points: {{p: [0 m, 0 m, 0 m], q: [5 m, 0 m, 0 m], tip: {{body: a, at: [0 m, 0 m, 0 m]}}}}
+  ropes: {{r: {{mass: 0 kg/m, stiffness: 1 MN, breaking_force: 100 kN, damping_ratio: 0.1}}}}
+  bodies: {{a: {{mass: 100 kg, at: [2 m, 0 m, 0 m], free: [x]}}}}
+  faces: {{floor: {{from: [-9 m, 0 m, -1 m], to: [9 m, 0 m, -1 m], normal: [0, 0, 1]}}}}
+  contacts: [{{point: tip, face: floor, stiffness: 1 MN/m, damping: 1 kN s/m}}]
+  reevings:
+    - {{name: r1, rope: r, path: [{{anchor: p}}, {{anchor: tip}}], tension_at_start: 5 kN}}
+    - {{name: r2, rope: r, path: [{{anchor: tip}}, {{anchor: q}}], length: {} m}}
+checks: {{ropes: {{r: {{dynamic_safety_factor: 3}}}}}}
+analyses: [transient: {{duration: 0.1 s}}]
+)",
+                                length));
+  };
+  const auto told = [](const Result& r) {
+    return std::any_of(r.unsafe.begin(), r.unsafe.end(), [](const std::string& words) {
+      return words.find("'r1' has 8.054 kN at its start where the motion begins, not 5 kN") != std::string::npos;
+    });
+  };
+  // by hand: N = (5 - 2/1.005 - 2.97)/((2/1.005 + 2.97)/EA) = 8.054 kN
+  const Result stretched = against(2.97);
+  EXPECT_NEAR(value_of(stretched, "r1.T_max"), (5 - 2 / 1.005 - 2.97) / (2 / 1.005 + 2.97) * 1e6, 1);
+  EXPECT_TRUE(told(stretched));
+  EXPECT_TRUE(against(3 / 1.005).unsafe.empty());
 }
 
 }  // namespace taut::app::signals_motion_test

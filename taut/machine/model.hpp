@@ -229,6 +229,8 @@ struct PlaceOverGround {
 
 struct Model {
   double gravity = standard_gravity;  ///< m/s^2, along -z
+  /// Of the frame in which all places are given, as the deck counts, m: a message that names a place adds it.
+  Vector3 origin = Vector3::Zero();
   Array<Body> bodies;
   Array<Load> loads;
   Array<Reeving> reevings;

@@ -18,4 +18,9 @@ struct Prescribed {
   std::optional<double> z = std::nullopt;  ///< height, m: the given quantity of the rope on which it rides then follows
 };
 
+/// `x` as the deck counts it, m.
+inline double told_x(const Model& model, const Prescribed& prescribed) {
+  return prescribed.x + prescribed.along.dot(model.origin);
+}
+
 }  // namespace taut::machine

@@ -19,6 +19,8 @@ using Sparse = Eigen::SparseMatrix<double>;
 constexpr int most_dense = 128;  ///< rows: up to here the full matrix is quicker
 constexpr double singular_below = 1e-14;
 constexpr double rank_threshold = 1e-12;
+constexpr double ridge =
+    1e-8;  ///< of the largest entries: what a singular sparse matrix holds less than this is nothing
 
 /// Eigen's factors, which tell their determinant and not their pivots.
 class SparseFactors : public Eigen::SparseLU<Sparse, Eigen::COLAMDOrdering<int>> {
@@ -41,6 +43,26 @@ class SparseFactors : public Eigen::SparseLU<Sparse, Eigen::COLAMDOrdering<int>>
 
 using SparseOrthogonal = Eigen::SparseQR<Sparse, Eigen::COLAMDOrdering<int>>;
 
+/// [d I, A; A', -d I]: its solution for the right side [b; 0] is the x of the least |A x - b|^2 + d^2 |x|^2, d the
+/// ridge. Its factors have the cost of those of A, where an orthogonal decomposition of A takes the square of its size.
+Sparse with_ridge(const Sparse& A) {
+  Array<Eigen::Triplet<double, int>> all;
+  all.reserve(static_cast<std::size_t>(2 * (A.nonZeros() + A.cols())));
+  const int n = static_cast<int>(A.cols());
+  for (int column = 0; column < n; ++column) {
+    all.emplace_back(column, column, ridge);
+    all.emplace_back(n + column, n + column, -ridge);
+    for (Sparse::InnerIterator entry(A, column); entry; ++entry) {
+      const int row = static_cast<int>(entry.row());
+      all.emplace_back(row, n + column, entry.value());
+      all.emplace_back(n + column, row, entry.value());
+    }
+  }
+  Sparse wide(2 * n, 2 * n);
+  wide.setFromTriplets(all.begin(), all.end());
+  return wide;
+}
+
 /// What the matrix takes to nothing, as columns: R [z; -I] = 0.
 Eigen::MatrixXd null_space(const SparseOrthogonal& orthogonal) {
   const Eigen::Index n = orthogonal.cols(), rank = orthogonal.rank();
@@ -60,13 +82,25 @@ struct LinearSystem::Factors {
   DenseLu dense;
   std::optional<Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd>> dense_orthogonal;
   std::optional<SparseFactors> sparse;
-  std::optional<SparseOrthogonal> sparse_orthogonal;
-  Array<int> columns, entries;  ///< the pattern for which `sparse` has its order
+  Sparse scaled;                        ///< the sparse matrix itself
+  std::optional<SparseFactors> ridged;  ///< of a singular one
+  Array<int> columns, entries;          ///< the pattern for which `sparse` has its order
   bool full = true, singular = false;
 
   bool same_pattern(const Sparse& A) const {
     return std::equal(columns.begin(), columns.end(), A.outerIndexPtr(), A.outerIndexPtr() + A.cols() + 1) &&
            std::equal(entries.begin(), entries.end(), A.innerIndexPtr(), A.innerIndexPtr() + A.nonZeros());
+  }
+
+  /// The ridge shortens by (d/s)^2 what the matrix holds with s; the second pass leaves the square of that.
+  Eigen::VectorXd shortest(const Eigen::VectorXd& right) const {
+    const Eigen::Index n = right.size();
+    Eigen::VectorXd wide = Eigen::VectorXd::Zero(2 * n), x = Eigen::VectorXd::Zero(n);
+    for (int pass = 0; pass < 2; ++pass) {
+      wide.head(n) = right - scaled * x;
+      x += ridged->solve(wide).tail(n);
+    }
+    return x;
   }
 
   void factor_full(const Entries& A, const Eigen::VectorXd& scale) {
@@ -86,7 +120,7 @@ struct LinearSystem::Factors {
   }
 
   void factor_sparse(const Entries& A, const Eigen::VectorXd& scale) {
-    Sparse scaled = A.columns() * scale.asDiagonal();
+    scaled = A.columns() * scale.asDiagonal();
     rows.setZero();
     for (int column = 0; column < scaled.cols(); ++column) {
       for (Sparse::InnerIterator entry(scaled, column); entry; ++entry) {
@@ -104,9 +138,8 @@ struct LinearSystem::Factors {
     sparse->factorize(scaled);
     singular = !(sparse->pivot_ratio() > singular_below);
     if (!singular) return;
-    sparse_orthogonal.emplace();
-    sparse_orthogonal->setPivotThreshold(rank_threshold);
-    sparse_orthogonal->compute(scaled);
+    ridged.emplace();
+    ridged->compute(with_ridge(scaled));
   }
 };
 
@@ -125,16 +158,19 @@ bool LinearSystem::singular() const { return factors_->singular; }
 Eigen::VectorXd LinearSystem::solve(const Eigen::VectorXd& b) const {
   const Eigen::VectorXd right = factors_->rows.cwiseProduct(b);
   if (!factors_->singular) return factors_->full ? factors_->dense.solve(right) : factors_->sparse->solve(right).eval();
-  return factors_->full ? Eigen::VectorXd(factors_->dense_orthogonal->solve(right))
-                        : Eigen::VectorXd(factors_->sparse_orthogonal->solve(right));
+  if (factors_->full) return factors_->dense_orthogonal->solve(right);
+  return factors_->shortest(right);
 }
 
 Eigen::VectorXd LinearSystem::undetermined() const {
   const Eigen::Index n = factors_->rows.size();
   if (!factors_->singular) return {};
   if (!factors_->full) {
-    if (factors_->sparse_orthogonal->rank() == n) return {};
-    Eigen::MatrixXd open = null_space(*factors_->sparse_orthogonal);
+    SparseOrthogonal orthogonal;
+    orthogonal.setPivotThreshold(rank_threshold);
+    orthogonal.compute(factors_->scaled);
+    if (orthogonal.rank() == n) return {};
+    Eigen::MatrixXd open = null_space(orthogonal);
     open.colwise().normalize();
     return open.rowwise().norm().cwiseMin(1.0);
   }

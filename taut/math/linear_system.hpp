@@ -19,10 +19,11 @@ class LinearSystem {
   void factor(const Entries& A, const Eigen::VectorXd& scale);
   /// Whether a pivot is 0 to rounding, 1e-14 of the largest.
   bool singular() const;
-  /// x in A S x = b. Where the matrix is singular: of those x that come nearest, one that leaves alone what no row
-  /// determines; of a small matrix the shortest.
+  /// x in A S x = b. Where the matrix is singular: of those x that come nearest the shortest, which leaves alone what
+  /// no row determines.
   Eigen::VectorXd solve(const Eigen::VectorXd& b) const;
-  /// How much of each unknown is in what no row determines, from 0 to 1; empty where all are determined.
+  /// How much of each unknown is in what no row determines, from 0 to 1; empty where all are determined. Of a sparse
+  /// matrix it costs far more than a solution.
   Eigen::VectorXd undetermined() const;
 
  private:

@@ -16,6 +16,7 @@
 #include "taut/solve/band.hpp"
 #include "taut/solve/beam_tables.hpp"
 #include "taut/solve/drives.hpp"
+#include "taut/solve/from_middle.hpp"
 #include "taut/solve/rest/far_loop.hpp"
 #include "taut/solve/rest/fed_rope.hpp"
 #include "taut/solve/rest/first_state.hpp"
@@ -444,7 +445,7 @@ WithoutMainline without_mainline(const machine::Model& model, const EquilibriumO
       return {.why = fmt::format(
                   "'{}' stands by itself at x = {:.6g} m, and the weight of its mainline '{}' pulls it away from "
                   "there: choose another x",
-                  carriage.name, options.prescribed->x, mainline.name)};
+                  carriage.name, machine::told_x(model, *options.prescribed), mainline.name)};
     }
     return {.why = {}, .near = machine::with_rope(std::move(held), mainline, index, 0), .no_force = true};
   }
@@ -455,7 +456,7 @@ WithoutMainline without_mainline(const machine::Model& model, const EquilibriumO
   return {.why =
               fmt::format("'{}' at x = {:.6g} m has to be pulled away from its mainline '{}' with {:.6g} N; a mainline "
                           "can't push: choose another x, or pull from the other side",
-                          carriage.name, options.prescribed->x, mainline.name, hold.norm())};
+                          carriage.name, machine::told_x(model, *options.prescribed), mainline.name, hold.norm())};
 }
 
 /// Whether a mainline hangs deep: see deep_mainline_link.
@@ -562,12 +563,13 @@ Outcome stands_by_itself(const machine::Model& model, const EquilibriumOptions& 
       fmt::format("'{}' stays at x = {:.6g} m only by a force of {:.4g} kN along its track, and nothing gives it: give "
                   "the carriage a mainline, clamp it, choose another x, or say 'held: true' where something else "
                   "holds it",
-                  carriage.name, options.prescribed->x, result.hold.norm() / 1e3));
+                  carriage.name, machine::told_x(model, *options.prescribed), result.hold.norm() / 1e3));
 }
 
 EquilibriumResult equilibrium(const machine::Model& model, const EquilibriumOptions& options,
                               const std::optional<machine::State>& start) {
   expect_arguments(model, options, start);
+  if (auto found = found_from_middle(model, options, start)) return *std::move(found);
   EquilibriumResult result;
   if (const auto open = options.lengths_kept ? std::nullopt : undetermined_drive(model)) {
     result.outcome = taut::infeasible(*open);

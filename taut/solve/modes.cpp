@@ -303,7 +303,7 @@ Outcome find_modes(Run& run, const Values& rest, int most, ModeSet& set) {
 namespace taut::solve {
 
 ModesResult modes(const machine::Model& model, const ModesOptions& options) {
-  machine::Model still = dynamics::sided_at_rest(dynamics::at_rest(model), options.start);
+  machine::Model still = dynamics::ready_to_move(dynamics::at_rest(model), options.start);
   TransientOptions o;
   o.duration = 1;
   o.start = options.start;

@@ -266,7 +266,7 @@ std::string misplaced_guide(const Model& model, const Array<Pose>& bodies) {
       return fmt::format(
           "carriage '{}' comes to rest at x = {:.6g} m, {} '{}', which was taken to {} ('holds: ahead_of {}'): put the "
           "carriage somewhere with 'carriage' and 'x', or give '{}' another length",
-          car, bodies[body].position.x(),
+          car, bodies[body].position.x() + model.origin.x(),
           on                   ? "at"
           : held > guides.held ? "beyond"
                                : "before",

@@ -259,6 +259,21 @@ void add_missed_events(const study::TransientRun& run, Result& r) {
   }
 }
 
+/// Tension at an end of a rope where the motion begins, N.
+double begins_with(const study::TransientRun& run, std::size_t reeving, bool at_start) {
+  double T = 0;
+  for (const auto& branch : run.result.frames.front().branches) {
+    if (branch.reeving != static_cast<int>(reeving)) continue;
+    if (at_start) return branch.T_from;
+    T = branch.T_to;
+  }
+  return T;
+}
+
+/// A machine with contacts or cylinders comes to rest with the lengths that have the given tensions where it is
+/// described. At rest it has others, and what is judged is not what the deck says.
+constexpr double same_tension = 0.01;
+
 /// Ropes that statics knows by a tension at an end where nothing in motion keeps it: they have their length.
 void add_kept_lengths(const study::TransientRun& run, Result& r) {
   using machine::DriveKind;
@@ -271,6 +286,14 @@ void add_kept_lengths(const study::TransientRun& run, Result& r) {
     const bool tensioned = std::any_of(run.model.tensioners.begin(), run.model.tensioners.end(),
                                        [&](const auto& one) { return one.reeving == static_cast<int>(i); });
     if (driven || tensioned) continue;
+    const bool described = !run.model.contacts.empty() || !run.model.actuators.empty();
+    const double T = described && !run.options.from ? begins_with(run, i, at_start) : rope.value;
+    if (std::abs(T - rope.value) > same_tension * rope.value) {
+      warn_unsafe(r, fmt::format("{}: '{}' has {:.4g} kN at its {} where the motion begins, not {:.4g} kN: they are "
+                                 "those of the places described. Give its 'length'",
+                                 words_of(run), rope.name, T / 1e3, at_start ? "start" : "end", rope.value / 1e3));
+      continue;
+    }
     r.warnings.push_back(fmt::format(
         "{}: '{}' keeps its length in motion; the {:.4g} kN at its {} are those at rest. Where they have to stay, hang "
         "the counterweight on it as a body, or give its drum a 'pull'",

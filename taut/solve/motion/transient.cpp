@@ -8,6 +8,7 @@
 
 #include "taut/base/array.hpp"
 #include "taut/base/expects.hpp"
+#include "taut/machine/middle.hpp"
 #include "taut/rope/span.hpp"
 #include "taut/solve/motion/parts/damping.hpp"
 #include "taut/solve/motion/run/memory.hpp"
@@ -144,7 +145,11 @@ void damp(Run& run) {
 
 }  // namespace
 
-machine::Model dynamics::sided_at_rest(const machine::Model& model, Start start) {
+namespace {
+
+/// The machine with the sides that its sheaves without a given side have where it comes to rest; as described where the
+/// motion begins as described.
+machine::Model sided_at_rest(const machine::Model& model, Start start) {
   const bool as_described = start == Start::assembled || !model.contacts.empty() || !model.actuators.empty();
   if (as_described || !has_open_sides(model)) return model;
   EquilibriumOptions at_rest;
@@ -154,11 +159,38 @@ machine::Model dynamics::sided_at_rest(const machine::Model& model, Start start)
   return found.outcome.ok() ? machine::with_sides(model, found.state) : model;
 }
 
+/// Heights stay: energies count from 0.
+Vector3 in_plan(Vector3 place) {
+  place.z() = 0;
+  return place;
+}
+
+void shift(const Vector3& by, DynamicState& state) {
+  for (DynamicState::Body& body : state.bodies) body.position += by;
+  for (DynamicState::Rope& rope : state.ropes) {
+    for (Vector3& joint : rope.inside) joint += by;
+  }
+}
+
+/// A state that counts as the deck does.
+DynamicState seen_from(const machine::Model& model, DynamicState state) {
+  shift(-model.origin, state);
+  return state;
+}
+
+}  // namespace
+
+machine::Model dynamics::ready_to_move(const machine::Model& described, Start start) {
+  machine::Model model = sided_at_rest(described, start);
+  const Vector3 middle = in_plan(machine::far_middle(model));
+  return middle == Vector3::Zero() ? model : machine::counted_from(middle, std::move(model));
+}
+
 bool dynamics::open_run(Run& run) {
   const TransientOptions& options = run.options;
   const machine::Model& model = run.model;
   const bool settles = !options.from && options.start != Start::assembled;
-  prepare(run, options.from ? *options.from : settles ? near_equilibrium(model) : assembled(model));
+  prepare(run, options.from ? seen_from(model, *options.from) : settles ? near_equilibrium(model) : assembled(model));
   run.result.observed.resize(model.observed.size());
   run.reference.assign(model.observed.size(), std::numeric_limits<double>::quiet_NaN());
   run.measured.resize(model.observed.size());
@@ -197,6 +229,7 @@ TransientResult finished(Run& run) {
                    [](const TransientEvent& a, const TransientEvent& b) { return a.t < b.t; });
   run.result.iterations = run.newton.used;
   run.result.state = state_of(run.m, run.before, run.origin);
+  shift(run.model.origin, run.result.state);
   run.result.state.happened.assign(run.happened.begin(), run.happened.end());
   run.result.state.memory = memory_of(run);
   for (std::size_t r = 0; r < run.result.ropes.size(); ++r) {
@@ -244,7 +277,7 @@ TransientResult by_own_step(const Run& opened, TransientOptions& options) {
 
 TransientResult transient(const machine::Model& described, const TransientOptions& given) {
   expects(given.duration > 0, "a motion lasts");
-  const machine::Model model = sided_at_rest(described, given.start);
+  const machine::Model model = ready_to_move(described, given.start);
   TransientOptions options = given;
   if (options.output_step <= 0) options.output_step = options.duration / 1000;
   if (options.method == TimeMethod::reference) options.step = 0;

@@ -126,7 +126,8 @@ struct TransientOptions {
 
 /// Work and energy since the start, J. kinetic + elastic + potential = at the start + supplied - dissipated + residual.
 struct EnergyLedger {
-  double kinetic = 0, elastic = 0, potential = 0;
+  double kinetic = 0, elastic = 0;
+  double potential = 0;  ///< of a machine far from the origin: sideways from machine::far_middle
   double damped = 0;     ///< in the ropes
   double slipped = 0;    ///< rope on rounds, creep included
   double bearings = 0;   ///< of sheaves, or of light sheaves the whole loss

@@ -137,10 +137,11 @@ std::string off_the_line(const mechanics::System& s) {
     if (x_of(ends[0]) > x_of(ends[1])) std::swap(ends[0], ends[1]);
     const double reach = std::max(ends[0]->radius, ends[1]->radius);
     if (s.coordinate >= x_of(ends[0]) - reach && s.coordinate <= x_of(ends[1]) + reach) return {};
+    const double origin = s.layout.coordinate_along.dot(s.model.origin);
     return fmt::format(
         "'{}' is put at x = {:.6g} m, but its rope runs from x = {:.6g} m ('{}') to {:.6g} m ('{}') "
         "there: choose a place between them",
-        car.name, s.coordinate, x_of(ends[0]), ends[0]->name, x_of(ends[1]), ends[1]->name);
+        car.name, s.coordinate + origin, x_of(ends[0]) + origin, ends[0]->name, x_of(ends[1]) + origin, ends[1]->name);
   }
   return {};
 }

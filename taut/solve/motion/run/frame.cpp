@@ -153,7 +153,9 @@ int body_of(const Run& run, const machine::Observable& what) {
 }
 
 double observe_place(const Run& run, const Values& v, const machine::Observable& what) {
-  static const Motion3 still;
+  const Vector3& origin = run.model.origin;
+  Motion3 still;
+  still.x = -origin;  // what is observed of the ground counts as the deck does
   const int index = body_of(run, what);
   const Motion3& body = index == machine::ground ? still : v.bodies[index];
   const Vector3 arm = body.R * what.at;
@@ -165,7 +167,7 @@ double observe_place(const Run& run, const Values& v, const machine::Observable&
   }
   const auto in = [&](Observed first) { return k >= static_cast<int>(first) && k < static_cast<int>(first) + 3; };
   const auto axis = [&](Observed first) { return k - static_cast<int>(first); };
-  if (in(Observed::x)) return (body.x + arm)[axis(Observed::x)];
+  if (in(Observed::x)) return (body.x + arm + origin)[axis(Observed::x)];
   if (in(Observed::vx)) return (body.v + body.w.cross(arm))[axis(Observed::vx)];
   if (in(Observed::rx)) return angle_about(body.R, axis(Observed::rx), counted(index));
   return body.w[axis(Observed::wx)];
@@ -278,10 +280,11 @@ double observe_as_it_is(const Run& run, const Values& v, const machine::Observab
 TransientFrame frame_of(const Mechanism& m, const Values& v) {
   TransientFrame f;
   f.t = v.t;
+  const Vector3& origin = m.model->origin;
   for (std::size_t b = 0; b < m.bodies.size(); ++b) {
     if (m.bodies[b].model < 0) continue;
     const Motion3& is = v.bodies[b];
-    f.bodies.push_back({is.x, is.v, acceleration(m, static_cast<int>(b), v).first, is.R, is.w});
+    f.bodies.push_back({is.x + origin, is.v, acceleration(m, static_cast<int>(b), v).first, is.R, is.w});
   }
   for (std::size_t i = 0; i < m.lines.size(); ++i) {
     const Line& line = m.lines[i];
@@ -297,8 +300,8 @@ TransientFrame frame_of(const Mechanism& m, const Values& v) {
                           is.end_T[1],
                           free_rope(is),
                           l,
-                          start,
-                          end,
+                          start + origin,
+                          end + origin,
                           is.t,
                           is.t,
                           is.gone > 0,
@@ -309,10 +312,11 @@ TransientFrame frame_of(const Mechanism& m, const Values& v) {
     f.branches.back().leaves = shape.direction[0];
     f.branches.back().arrives = shape.direction[1];
     f.branches.back().curve = sag_curve(line, is, shape, parts_of_curve);
+    for (Vector3& point : f.branches.back().curve) point += origin;
   }
   for (const auto& inside : m.inside) {
     f.inside.emplace_back();
-    for (const int body : inside) f.inside.back().push_back(v.bodies[body].x);
+    for (const int body : inside) f.inside.back().push_back(v.bodies[body].x + origin);
   }
   for (std::size_t i = 0; i < m.contacts.size(); ++i) {
     if (m.contacts[i].in >= 0 && m.contacts[i].out >= 0) f.contacts.push_back(contact_of(m, v, i));

@@ -67,9 +67,10 @@ struct Run {
   Array<Measured> measured{};
 };
 
-/// The machine with the sides that its sheaves without a given side have where it comes to rest; as described where the
-/// motion begins as described.
-machine::Model sided_at_rest(const machine::Model& model, Start start);
+/// The machine as it moves: with the sides that its sheaves without a given side have where it comes to rest (not where
+/// the motion begins as described); one that lies far from the origin counts from its middle in plan (Model::origin).
+/// Frames, observed places and the state that is kept count as the deck does.
+machine::Model ready_to_move(const machine::Model& described, Start start);
 
 /// Builds the mechanism where the motion begins, settles it where the options say so, finds the damping. False with an
 /// outcome in the result.
