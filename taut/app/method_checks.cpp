@@ -102,7 +102,11 @@ std::vector<rope::RopeUse> ropes_of_drive(const friction_drive::Input& in, const
   }
   const auto bend = [&](const char* name, const std::optional<double>& radius, double wrap) {
     if (radius) {
-      use.bends.push_back({name, rope::BendKind::sheave, 2 * *radius, use.tension, wrap, 1});
+      use.bends.push_back({.name = name,
+                           .kind = rope::BendKind::sheave,
+                           .diameter = 2 * *radius,
+                           .tension = use.tension,
+                           .wrap = wrap});
     } else {
       use.unmeasured.push_back(fmt::format("its {}", name));
     }

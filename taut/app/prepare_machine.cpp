@@ -13,6 +13,7 @@
 #include "taut/app/machine_deck.hpp"
 #include "taut/app/machine_scope.hpp"
 #include "taut/app/machine_steps.hpp"
+#include "taut/app/swept_verdict.hpp"
 #include "taut/app/terrain.hpp"
 #include "taut/checks/checked_parts.hpp"
 #include "taut/checks/checks.hpp"
@@ -163,6 +164,16 @@ void add_payload_limits(const std::vector<study::Asked>& asked, results::Machine
   }
 }
 
+/// Infeasible, with the first of these as its reason.
+Result refused(const std::vector<Complaint>& complaints) {
+  Result r;
+  r.status = Status::infeasible;
+  r.message = complaints.front().message;
+  return r;
+}
+
+void judge_apart(const MachineDeck& deck, const results::MachineRun& run, Result& r);
+
 /// All that was asked, as deep as wanted. `run`: what it rests on, for whoever goes on from there.
 Result compute(const MachineDeck& deck, machine::Model model, study::AskedAll asked, RunDepth depth,
                const std::function<bool(const Progress&)>& progress, results::MachineRun& run) {
@@ -204,7 +215,7 @@ Result compute(const MachineDeck& deck, machine::Model model, study::AskedAll as
     results::add_tables(run, r);
     results::add_beam_tables(run, r);
   }
-  if (run.judges) run.checked->judge.add_values(r);
+  if (run.judges && run.tells) run.checked->judge.add_values(r);
   results::add_values(run, r);
   results::warn_of_strain(deck.machine, run.model, r);
   if (run.judges) run.checked->drives.add_checks(r);
@@ -224,8 +235,47 @@ Result compute(const MachineDeck& deck, machine::Model model, study::AskedAll as
   if (report) {
     for (std::string& words : absurd_answers(results::answers_of(run))) r.warnings.push_back(std::move(words));
   }
+  judge_apart(deck, run, r);
   if (run.judges) checks::add_checks(deck, run.model, *run.checked, r);
   return r;
+}
+
+/// One state of a sweep as that of a deck with the swept value.
+Result at_value(const MachineDeck& deck, study::EquilibriumRun state) {
+  auto model = machine::compile(deck.machine, machine::ModelFor::rest);
+  if (!model) return refused(model.error());
+  study::AskedAll asked;
+  asked.equilibria.push_back(std::move(state));
+  results::MachineRun run;
+  run.tells = false;
+  return compute(deck, std::move(*model), std::move(asked), RunDepth::values, {}, run);
+}
+
+/// Checks that read the machine itself see it at each value of a sweep.
+void judge_apart(const MachineDeck& deck, const results::MachineRun& run, Result& r) {
+  SweptVerdict verdict;
+  for (const study::SweepRun& sweep : run.judged_apart) {
+    const auto points = static_cast<int>(sweep.answer.points.size());
+    study::Watch watch(run.progress, "checks of the sweep" + sweep.ending, points);
+    for (const solve::SweepPoint& point : sweep.answer.points) {
+      study::EquilibriumRun state = study::state_at(sweep, point);
+      const std::string words = results::state_words(state);
+      if (!watch.go_on(words)) break;
+      auto machine = study::machine_at(sweep, point.value);
+      if (!machine) {
+        verdict.take(refused({{"", machine.error().message}}), words);
+        continue;
+      }
+      MachineDeck there = deck;
+      there.machine = *std::move(machine);
+      std::vector<Complaint> complaints;
+      auto model = machine::compile(there.machine, machine::ModelFor::rest);
+      if (model) there.asked = checks::resolve(there, *model, complaints);
+      verdict.take(complaints.empty() ? at_value(there, std::move(state)) : refused(complaints), words);
+    }
+    watch.note(r);
+  }
+  std::move(verdict).put_into(r);
 }
 
 /// The names of what a result has only where its states are shown to the verdict: of other analyses and beams all.
@@ -275,14 +325,6 @@ machine::ModelFor use_of(const MachineDeck& deck) {
     return one.transient || one.pretension || one.modes;
   });
   return moves ? machine::ModelFor::motion : machine::ModelFor::rest;
-}
-
-/// Infeasible, with the first of these as its reason.
-Result refused(const std::vector<Complaint>& complaints) {
-  Result r;
-  r.status = Status::infeasible;
-  r.message = complaints.front().message;
-  return r;
 }
 
 /// The files and tables that a deck names, put into it.

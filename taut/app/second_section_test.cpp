@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <regex>
 #include <string>
 
 #include "taut/app/job.hpp"
@@ -89,7 +90,8 @@ TEST(SecondSection, ACarriagePastTheNextSheaveIsRefusedByName) {
 
 /// An endless haul rope whose guide stands where its drive is: neighbours only when the carriage is elsewhere.
 TEST(SecondSection, SheavesAtOnePlaceThatBecomeNeighboursAreRefusedByName) {
-  const auto haul = [](const char* guide, int x) {
+  const auto haul = [](const char* guide, int x,
+                       const std::string& analysis = "equilibrium: {motion: in, carriage: car, x: X m}") {
     return fmt::format(R"(taut: 1
 machine:
   points: {{valley: [0 m, 0 m, 14 m], top: [420 m, 0 m, 122 m]}}
@@ -109,11 +111,15 @@ machine:
     - {{rope: haul, path: [{{over: drive}}, {{through: car}}, {{over: guide, side: right}}, {{over: return}}], closed: true, length: 869 m}}
   take_up: [{{body: slide, weight: 3.4 t, along: [1, 0, 0]}}]
   loads: [{{at: car, mass: 900 kg}}]
-analyses: [{{equilibrium: {{motion: in, carriage: car, x: {} m}}}}]
+analyses: [{{{}}}]
 )",
-                       guide, x);
+                       guide, std::regex_replace(analysis, std::regex("X"), std::to_string(x)));
   };
   EXPECT_TRUE(has(reported(haul("[190 m, 0 m, 62 m]", 300)), "ok")) << reported(haul("[190 m, 0 m, 62 m]", 300));
+  // a load path past the guide: the carriage is another node of the haul rope behind it
+  const Result past = run_text(
+      haul("[250 m, 0 m, 62 m]", 400, "load_path: {carriage: car, from: 210 m, to: X m, steps: 19, motion: in}"));
+  EXPECT_NE(past.find_table("load_path"), nullptr) << past.message << to_text(past.errors);
   const std::string words = reported(haul("[0 m, 0 m, 10 m]", 300));
   EXPECT_TRUE(has(words, "no: ") && has(words, "'drive'") && has(words, "'guide'") && has(words, "0 m apart")) << words;
 }

@@ -51,6 +51,7 @@ void CheckedParts::show(const CheckState& seen) {
 void CheckedParts::take(const machine::Model& model, const solve::EquilibriumResult& state, const std::string& words,
                         const std::string& analysis) {
   if (!judged) return;
+  seen = true;
   judge.take(model, state, words);
   ropes.take(model, state, words);
   drives.take(model, state, words);
@@ -64,9 +65,18 @@ void CheckedParts::take(const machine::Model& model, const solve::EquilibriumRes
   }
 }
 
+void CheckedParts::take_values(const machine::Model& model, const solve::EquilibriumResult& state,
+                               const std::string& words) {
+  if (!judged) return;
+  judge.take(model, state, words);
+  for (const solve::EquilibriumResult& bound : state.bounds) judge.take(model, bound, held_words(words));
+  seen_apart = true;
+}
+
 void CheckedParts::take_empty(const machine::Model& model, const solve::EquilibriumResult& state,
                               const std::string& line, const std::string& words, bool put_up) {
   if (!judged) return;
+  seen = true;
   ropes.take_empty(model, state, words);
   payloads.take_ropes(model, state, words);
   show_empty(model, state, line, words, put_up);
@@ -113,6 +123,7 @@ void CheckedParts::take_moment(const machine::Model& model, const solve::Transie
                                const solve::TransientFrame& moment, const std::string& words,
                                const std::string& analysis, bool slowly) {
   if (!judged) return;
+  seen = true;
   std::vector<FreeRope> free;
   if (!model.terrain.empty()) free = free_ropes(model, so_far, moment);
   judge.take_moment(model, so_far, moment, free, words);

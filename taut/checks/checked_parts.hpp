@@ -25,6 +25,8 @@ struct CheckedParts {
   /// for load combinations.
   void take(const machine::Model& model, const solve::EquilibriumResult& state, const std::string& words,
             const std::string& analysis);
+  /// The same for the values of the verdict alone: the checks of this state are made elsewhere.
+  void take_values(const machine::Model& model, const solve::EquilibriumResult& state, const std::string& words);
   /// A line that is empty, in a model without what hangs on it: its tension and bends, what holds and carries it, guys
   /// and masts, its angles and clearance. `put_up`: it is being put up, which its winch has to do; it may lie on the
   /// ground yet.
@@ -59,7 +61,9 @@ struct CheckedParts {
   std::vector<double> T_in_moments;
   /// Peaks of motions that no moment has, where a check needed them: why it is not judged.
   std::vector<std::string> unseen;
-  bool judged = true;  ///< false: the analysis that runs says `judge: false`, and its states do not count
+  bool seen = false;        ///< whether the checks have been shown anything
+  bool seen_apart = false;  ///< whether states were shown for their values alone
+  bool judged = true;       ///< false: the analysis that runs says `judge: false`, and its states do not count
   Judge judge;
   RopeUses ropes;
   DriveUses drives;

@@ -66,7 +66,7 @@ void confirm(const std::vector<std::string>& confirmed, Result& r) {
 /// A check on an unverified number has no limit that this deck accepts.
 void refuse_unverified(Result& r) {
   for (Check& c : r.checks) {
-    if (!is_unverified(c.trust)) continue;
+    if (!is_unverified(c.trust) || c.refused) continue;
     c.rule = fmt::format(
         "refused ('refuse_unverified'), as it rests on an unverified number ({:.6g} {}): compare it with the source "
         "named, then give it in the deck as your own or name the source under 'confirmed', or choose a rule that is "
@@ -141,7 +141,8 @@ AskedChecks resolve(const CheckedDeck& deck, const machine::Model& model, std::v
 }
 
 void add_checks(const CheckedDeck& deck, const machine::Model& model, const CheckedParts& seen, Result& r) {
-  if (deck.checks) {
+  const bool elsewhere = seen.seen_apart && !seen.seen;  // all states were checked on machines of their own
+  if (deck.checks && !elsewhere) {
     add_rope_checks(*deck.checks, deck, model, seen.ropes.all(), r);
     add_machine_masts(seen.masts, deck, model, r);
     add_guy_checks(seen.guys, deck, model, r);
@@ -150,7 +151,7 @@ void add_checks(const CheckedDeck& deck, const machine::Model& model, const Chec
     add_support_checks(seen.supports, r);
     add_yarder_checks(seen.yarders, r);
   }
-  add_carriage_checks(seen.carriages, r);
+  if (!elsewhere) add_carriage_checks(seen.carriages, r);
   for (const std::string& words : seen.ropes.growing()) warn_unsafe(r, words);
   r.warnings.insert(r.warnings.end(), seen.unseen.begin(), seen.unseen.end());
   r.unmade.insert(r.unmade.end(), seen.unseen.begin(), seen.unseen.end());

@@ -93,13 +93,17 @@ std::string heading_of(const MachineRun& run, const study::LoadPathRun& one) {
   return run.several ? heading("load path", one.ending, one.words) : std::string();
 }
 
+std::string state_words(const study::EquilibriumRun& one) {
+  return state_words(one.kind.c_str(), one.ending, one.words);
+}
+
 std::string path_words(const study::LoadPathRun& one) { return state_words("load path", one.ending, one.words); }
 
 void show_answers(const MachineRun& run, checks::CheckedParts& checked) {
   for (const study::EquilibriumRun& one : run.equilibria) {
     if (!one.result.outcome.ok() || !one.judged) continue;
-    const std::string name = checks::analysis_name(one.ending, "equilibrium");
-    checked.take(one.model, one.result, state_words("equilibrium", one.ending, one.words), name);
+    const std::string name = checks::analysis_name(one.ending, one.kind.c_str());
+    checked.take(one.model, one.result, state_words(one), name);
   }
   for (const study::LoadPathRun& one : run.paths) {
     if (!one.judged) continue;

@@ -35,15 +35,17 @@ struct MachineRun {
   std::vector<study::EquilibriumRun> equilibria;
   std::vector<study::LoadPathRun> paths;
   std::vector<OtherAnswer> others;
-  std::shared_ptr<checks::CheckedParts> checked;  ///< is shown every state that is judged; empty where none is
-  std::function<bool(const Progress&)> progress;  ///< as in a Job
-  Display display;                                ///< units for the sentences of the result
+  std::shared_ptr<checks::CheckedParts> checked;   ///< is shown every state that is judged; empty where none is
+  std::vector<study::SweepRun> judged_apart = {};  ///< solved, see SweepRun::judged_apart
+  std::function<bool(const Progress&)> progress;   ///< as in a Job
+  Display display;                                 ///< units for the sentences of the result
   KeyFigure key_figure;
   bool several = false;  ///< the deck has several analyses: each has its heading
   /// Whether values are wanted whose names begin so, "sky", "sky.T_start"; empty: all are.
   std::function<bool(std::string_view name)> wants;
   std::optional<double> least_carried;  ///< kg, of the judged payloads: the one in the headline
   bool judges = true;                   ///< whether equilibria and load paths are shown to the verdict
+  bool tells = true;                    ///< whether the verdict's own values and warnings are wanted of them
 };
 
 /// An equilibrium that was found.
@@ -77,6 +79,7 @@ std::string heading_of(const MachineRun& run, const study::LoadPathRun& one);
 
 /// "haulback -1", "sag, haulback -1": how a load path goes, by its name where it has one.
 std::string path_words(const study::LoadPathRun& one);
+std::string state_words(const study::EquilibriumRun& one);
 
 /// Shows the checks its equilibria and load paths; other analyses show their states themselves.
 void show_answers(const MachineRun& run, checks::CheckedParts& checked);

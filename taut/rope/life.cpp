@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <numeric>
 #include <optional>
 
 #include "taut/base/expects.hpp"
@@ -18,18 +20,18 @@ bool counts(const Duty& duty, const Bend& bend) {
   return duty.over.empty() || std::find(duty.over.begin(), duty.over.end(), bend.name) != duty.over.end();
 }
 
-/// The last round that counts; none: nullptr.
-const Bend* last_of(const RopeUse& use, const Duty& duty) {
-  const auto own = [&](const Bend& bend) { return counts(duty, bend); };
-  const auto last = std::find_if(use.bends.rbegin(), use.bends.rend(), own);
-  return last == use.bends.rend() ? nullptr : &*last;
-}
-
 /// f_L of what bends. The formula grows without bound towards l = 2.585 d, and the source's tests of short lengths are
 /// not known. So nothing shorter than the tests behind the constants is credited with a longer life.
 double length_factor(const std::optional<double>& bent_length, double d) {
   const double length = bent_length ? *bent_length / d : tested_bent_length;
   return life_of_length(std::max(length, tested_bent_length));
+}
+
+/// Beyond this angle between the planes in which two neighbours bend a rope the second one bends it back: 120 deg.
+constexpr double bent_back = -0.5;
+
+bool bends_back(const Bend& before, const Bend& bend) {
+  return before.both_ways || bend.both_ways || before.about.dot(bend.about) < bent_back;
 }
 
 /// How often a working cycle bends the rope there: a pass straight-bent-straight is one, a drum half of it; bent
@@ -64,6 +66,48 @@ bool is_finite(const Life& life) {
   });
 }
 
+namespace {
+
+struct DutyLines {
+  std::vector<LifeLine> lines;
+  bool reversed = false;
+
+  double damage() const {
+    return std::accumulate(lines.begin(), lines.end(), 0.0,
+                           [](double sum, const LifeLine& l) { return sum + l.damage; });
+  }
+};
+
+/// What a duty does as the rope comes over its rounds in this order.
+DutyLines in_order(const std::vector<const Bend*>& rounds, const RopeUse& use, const LifeRules& rules,
+                   const LifeConstants& constants, const Duty& duty) {
+  DutyLines all;
+  const Bend* before = use.closed && !rounds.empty() ? rounds.back() : nullptr;
+  for (const Bend* bend : rounds) {
+    const bool reverse = before != nullptr && bends_back(*before, *bend);
+    all.reversed = all.reversed || reverse;
+    all.lines.push_back(line_of(use, rules, constants, duty, *bend, bendings(*bend, reverse, rules.reverse_weight)));
+    before = bend;
+  }
+  return all;
+}
+
+/// The rope runs both ways: of two rounds that turn it against each other either is the later one. The order that does
+/// more counts, its lines along the path.
+DutyLines worse_order(const RopeUse& use, const LifeRules& rules, const LifeConstants& constants, const Duty& duty) {
+  std::vector<const Bend*> rounds;
+  for (const Bend& bend : use.bends) {
+    if (counts(duty, bend)) rounds.push_back(&bend);
+  }
+  DutyLines along = in_order(rounds, use, rules, constants, duty);
+  std::reverse(rounds.begin(), rounds.end());
+  DutyLines against = in_order(rounds, use, rules, constants, duty);
+  std::reverse(against.lines.begin(), against.lines.end());
+  return against.damage() > along.damage() ? against : along;
+}
+
+}  // namespace
+
 std::vector<Life> life_of(const RopeUse& use, const LifeRules& rules) {
   expects(use.rope.diameter > 1.4e-3 && use.rope.grade.has_value(), "a life needs a diameter and a grade");
   std::vector<Life> all;
@@ -71,16 +115,10 @@ std::vector<Life> life_of(const RopeUse& use, const LifeRules& rules) {
     Life& life = all.emplace_back();
     life.constants = &constants;
     for (const Duty& duty : rules.duty) {
-      const Bend* before = use.closed ? last_of(use, duty) : nullptr;
-      for (const Bend& bend : use.bends) {
-        if (!counts(duty, bend)) continue;
-        const bool reverse = before != nullptr && before->side != bend.side;
-        life.reversed |= reverse;
-        const double times = bendings(bend, reverse, rules.reverse_weight);
-        life.lines.push_back(line_of(use, rules, constants, duty, bend, times));
-        life.damage += life.lines.back().damage;
-        before = &bend;
-      }
+      DutyLines worse = worse_order(use, rules, constants, duty);
+      life.reversed = life.reversed || worse.reversed;
+      life.damage += worse.damage();
+      std::move(worse.lines.begin(), worse.lines.end(), std::back_inserter(life.lines));
     }
   }
   return all;

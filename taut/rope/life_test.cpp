@@ -18,8 +18,9 @@ RopeUse over_two_sheaves() {
   use.rope.diameter = 0.016;
   use.rope.grade = 1770e6;
   use.tension = 117 * 256;
-  use.bends = {{.name = "a", .kind = BendKind::sheave, .diameter = 0.4, .tension = 117 * 256, .wrap = 3, .side = 1},
-               {.name = "b", .kind = BendKind::sheave, .diameter = 0.4, .tension = 117 * 256, .wrap = 3, .side = 1}};
+  use.bends = {
+      {.name = "a", .kind = BendKind::sheave, .diameter = 0.4, .tension = 117 * 256, .wrap = 3, .about = {0, 1, 0}},
+      {.name = "b", .kind = BendKind::sheave, .diameter = 0.4, .tension = 117 * 256, .wrap = 3, .about = {0, 1, 0}}};
   return use;
 }
 
@@ -89,7 +90,7 @@ TEST(Life, miner_adds_bends_and_duties) {
 // An endless rope comes from its last round to its first: of two of different sense both are bent in reverse.
 TEST(Life, endless_rope) {
   RopeUse use = over_two_sheaves();
-  use.bends[1].side = -1;
+  use.bends[1].about = {0, -1, 0};
   use.closed = true;
   LifeRules rules;
   rules.duty = {{.name = "all", .cycles = 1e4, .load = 1.0, .over = {}}};
@@ -97,6 +98,29 @@ TEST(Life, endless_rope) {
   const double simple = life_of(use, rules)[0].damage;
   rules.reverse_weight = 2;
   EXPECT_NEAR(life_of(use, rules)[0].damage, 2 * simple, 1e-12);
+}
+
+// A rope runs both ways: the order in which its rounds are written makes no difference. Planes at right angles do not
+// bend it back.
+TEST(Life, is_that_of_the_worse_direction) {
+  RopeUse use = over_two_sheaves();
+  use.bends[0].kind = BendKind::drum;
+  use.bends[1].about = {0, -1, 0};
+  LifeRules rules;
+  rules.duty = {{.name = "all", .cycles = 1e4, .load = 1.0, .over = {}}};
+  rules.constants = {seale()};
+  rules.reverse_weight = 3;
+  const double damage = life_of(use, rules)[0].damage;
+  std::swap(use.bends[0], use.bends[1]);
+  EXPECT_NEAR(life_of(use, rules)[0].damage, damage, 1e-12);
+  EXPECT_EQ(life_of(use, rules)[0].lines[0].bend, "b");
+  for (const double z : {1.0, -1.0}) {
+    use.bends[0].about = {0, 0, z};
+    EXPECT_FALSE(life_of(use, rules)[0].reversed);
+    EXPECT_NEAR(life_of(use, rules)[0].damage, damage * 1.5 / 3.5, 1e-12);
+  }
+  use.bends[0].both_ways = true;
+  EXPECT_NEAR(life_of(use, rules)[0].damage, damage, 1e-12);
 }
 
 TEST(Life, drum_is_half_and_reverse_counts_more) {
@@ -107,10 +131,10 @@ TEST(Life, drum_is_half_and_reverse_counts_more) {
   rules.reverse_weight = 2;
   const double simple = life_of(use, rules)[0].damage;
   EXPECT_FALSE(life_of(use, rules)[0].reversed);
-  use.bends[1].side = -1;
+  use.bends[1].about = {0, -1, 0};
   EXPECT_TRUE(life_of(use, rules)[0].reversed);
   EXPECT_NEAR(life_of(use, rules)[0].damage, 1.5 * simple, 1e-12);
-  use.bends[1].side = 1;
+  use.bends[1].about = {0, 1, 0};
   use.bends[1].kind = BendKind::drum;
   EXPECT_NEAR(life_of(use, rules)[0].damage, 0.75 * simple, 1e-12);
   use.bends[1].kind = BendKind::saddle;

@@ -177,7 +177,12 @@ class RopeChecker {
   void strength_on_sheaves() {
     const auto covered = [](const Limit& limit) { return limit.covers_bending; };
     if (!has_strength() || std::all_of(rules_.safety_factors.begin(), rules_.safety_factors.end(), covered)) return;
-    if (rules_.bending_asked) unmeasured("the weakening on sheaves");
+    if (rules_.bending_asked) {
+      unmeasured("the weakening on sheaves");
+    } else if (!use_.unmeasured.empty()) {
+      out_.remarks.push_back(fmt::format("{}: the weakening on sheaves is not checked: no diameter is known of {}",
+                                         use_.name, use_.unmeasured.front()));
+    }
     if (rules_.bending_asked && !has_diameter()) leave_out("the weakening on sheaves", "the diameter is not known");
     if (!has_diameter()) return;
     for (const Bend& bend : use_.bends) {
@@ -208,15 +213,17 @@ class RopeChecker {
       const double ratio = ratio_of(bend, use_);
       // out of the formula's range no factor is enough
       const double gamma = ratio > least_ratio_en13001 ? resistance_factor(ratio) : HUGE_VAL;
-      const double pull = rules_.dynamic_factor * bend.tension;
-      keep_worst(
-          "resistance", pull, si::N,
-          {.sense = Sense::at_most,
-           .limit = strength() / gamma,
-           .rule = fmt::format("F_Sd = {:.3g} x {} at '{}' at most F_u/gamma_rb, gamma_rb = {:.4g} (D/d = {:.3g}): {}",
-                               rules_.dynamic_factor, kilonewton(bend.tension), bend.name, gamma, ratio,
-                               rules_.resistance->rule),
-           .trust = trust(rules_.resistance->trust)});
+      const double by_factor = rules_.dynamic_factor * bend.tension, pull = std::max(by_factor, use_.peak);
+      const std::string words = use_.peak > by_factor ? fmt::format("F_Sd = {}, the peak of the rope ({}), at '{}'",
+                                                                    kilonewton(pull), use_.peak_where, bend.name)
+                                                      : fmt::format("F_Sd = {:.3g} x {} at '{}'", rules_.dynamic_factor,
+                                                                    kilonewton(bend.tension), bend.name);
+      keep_worst("resistance", pull, si::N,
+                 {.sense = Sense::at_most,
+                  .limit = strength() / gamma,
+                  .rule = fmt::format("{} at most F_u/gamma_rb, gamma_rb = {:.4g} (D/d = {:.3g}): {}", words, gamma,
+                                      ratio, rules_.resistance->rule),
+                  .trust = trust(rules_.resistance->trust)});
     }
   }
 
@@ -438,7 +445,10 @@ RopeUse at_peak(RopeUse use) {
   use.where = use.peak_where;
   for (Bend& bend : use.bends) bend.tension = use.peak;
   for (RopeEnd& end : use.ends) end.tension = use.peak;
-  for (DrumEnd& drum : use.drums) drum.tension = use.peak;
+  for (DrumEnd& drum : use.drums) {
+    drum.tension = use.peak;
+    drum.haul = std::max(drum.haul, drum.haul_peak);
+  }
   return use;
 }
 

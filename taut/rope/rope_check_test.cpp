@@ -20,7 +20,8 @@ RopeUse hoist_rope() {
   use.rope.trust = catalogue::Trust::verified;
   use.tension = 40e3;
   use.where = "hoist";
-  use.bends = {{.name = "head", .kind = BendKind::sheave, .diameter = 0.32, .tension = 36e3, .wrap = 3.0, .side = 1}};
+  use.bends = {
+      {.name = "head", .kind = BendKind::sheave, .diameter = 0.32, .tension = 36e3, .wrap = 3.0, .about = {0, 1, 0}}};
   use.ends = {{.name = "hook", .tension = 30e3}};
   return use;
 }
@@ -53,8 +54,12 @@ TEST(RopeCheck, strength_at_every_place) {
 // The worst of several sheaves stays: here a smaller one with less tension.
 TEST(RopeCheck, the_worst_sheave_governs) {
   RopeUse use = hoist_rope();
-  use.bends.push_back({"small", BendKind::sheave, 0.08, 35e3, 1.0, 1});
-  use.bends.push_back({"touched", BendKind::sheave, 0.01, 40e3, 0.0, 1});  // does not bend it
+  use.bends.push_back({.name = "small", .kind = BendKind::sheave, .diameter = 0.08, .tension = 35e3, .wrap = 1.0});
+  use.bends.push_back({.name = "touched",
+                       .kind = BendKind::sheave,
+                       .diameter = 0.01,
+                       .tension = 40e3,
+                       .wrap = 0.0});  // does not bend it
   RopeRules rules;
   rules.safety_factors = {{.value = 3.5, .rule = "a rule", .trust = "verified"}};
   const RopeChecks all = check_rope(use, rules);
@@ -262,6 +267,13 @@ TEST(RopeCheck, en13001) {
   EXPECT_NEAR(find(all, "hoist.fatigue")->limit, 160e3 / 14, 1e-6);
   use.bends[0].diameter = 0.08;
   EXPECT_FALSE(find(check_rope(use, rules), "hoist.resistance")->passes);
+  // the peak of a motion that is larger than the factor says
+  use = hoist_rope();
+  use.peak = use.last = 1.5 * use.tension;
+  use.last = use.tension;
+  EXPECT_NEAR(value_of(check_rope(use, rules), "hoist.resistance"), 60e3, 1e-9);
+  use.peak = 1.01 * use.tension;
+  EXPECT_NEAR(value_of(check_rope(use, rules), "hoist.resistance"), 1.2 * 36e3, 1e-9);
 }
 
 /// A motion with more than twice the tension at rest takes loads that no state at rest has.

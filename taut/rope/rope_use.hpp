@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "taut/catalogue/rope.hpp"
+#include "taut/math/vector.hpp"
 
 /// One rope as its machine or its method uses it: what the checks of a rope look at. SI.
 namespace taut::rope {
@@ -18,7 +19,9 @@ struct Bend {
   double diameter = 0;  ///< pitch, m, > 0; of a drum in its first layer
   double tension = 0;   ///< the largest there, N
   double wrap = 0;      ///< the largest, rad
-  int side = 1;         ///< the sense in which the rope turns: two neighbours of different sense bend it in reverse
+  /// Unit axis about which the rope turns right-handed along its path, where neighbours are compared; 0: not known.
+  Vector3 about = Vector3::UnitY();
+  bool both_ways = false;  ///< it turns one way in a state and the other way in another one
 };
 
 /// An end that is fixed, not wound on a drum.
@@ -32,6 +35,7 @@ struct DrumEnd {
   std::string name;
   double tension = 0;  ///< the largest there, N
   double haul = 0;  ///< the largest of all ropes together that are wound on it as this one, all copies, N; 0: unknown
+  double haul_peak = 0;                             ///< the same in the moments of calculated motions, N
   std::optional<double> fleet_angle;                ///< largest over the face, rad
   std::optional<int> layers;                        ///< wound when the most rope lies on it
   std::optional<double> first_radius, last_radius;  ///< of the first and of the last of these layers, m

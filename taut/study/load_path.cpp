@@ -89,10 +89,23 @@ solve::Conditioned answer_at(const machine::Model& model, const LoadPathOptions&
 
 }  // namespace
 
+namespace {
+
+/// Whether all ropes meet the same nodes in the same order: a state of one model is one of the other.
+bool same_paths(const machine::Model& a, const machine::Model& b) {
+  const auto same_node = [](const machine::Node& m, const machine::Node& n) { return m.name == n.name; };
+  const auto same_rope = [&](const machine::Reeving& r, const machine::Reeving& s) {
+    return std::equal(r.nodes.begin(), r.nodes.end(), s.nodes.begin(), s.nodes.end(), same_node);
+  };
+  return std::equal(a.reevings.begin(), a.reevings.end(), b.reevings.begin(), b.reevings.end(), same_rope);
+}
+
+}  // namespace
+
 machine::Model standing_at(const machine::Model& model, const LoadPathOptions& options, double x) {
   machine::Model there = machine::with_carriage_at(model, options.carriage, x, options.along);
   const bool same_span = there.carriages[options.carriage].node == model.carriages[options.carriage].node &&
-                         machine::same_guides(there, model);
+                         machine::same_guides(there, model) && same_paths(there, model);
   return same_span ? there : model;
 }
 

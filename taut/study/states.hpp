@@ -28,8 +28,9 @@ struct EquilibriumRequest {
 
 /// One equilibrium: what was asked, and the answer. `model`: with the carriage in the span where it is put.
 struct EquilibriumRun {
-  std::string ending;  ///< of its tables' names: "", "_2", "_lower"
-  std::string words;   ///< "at rest", "hoist"
+  std::string kind = "equilibrium";  ///< of the analysis that asks for it
+  std::string ending;                ///< of its tables' names: "", "_2", "_lower"
+  std::string words;                 ///< "at rest", "hoist"
   RopeMotion motion;
   std::optional<machine::Prescribed> prescribed;
   bool held = false;

@@ -26,7 +26,7 @@ std::string below_machine(const std::string& parameter) {
 /// built otherwise they are put up anew.
 bool changes_the_building(const Parameter& parameter) {
   const std::string below = below_machine(parameter.place);
-  for (const char* kind : {"points", "sheaves", "supports", "guys", "ropes", "terrain", "gravity"}) {
+  for (const char* kind : {"points", "sheaves", "supports", "guys", "ropes", "beams", "terrain", "gravity"}) {
     if (below.starts_with(kind)) return true;
   }
   if (!below.starts_with("bodies")) return false;
@@ -40,10 +40,29 @@ bool changes_the_building(const Parameter& parameter) {
   return false;
 }
 
+/// Whether checks see it in the states of the machine alone: its loads and temperature, the lengths and tensions of its
+/// ropes. Anything else they may read from the machine itself.
+bool is_in_states(const Parameter& parameter) {
+  const std::string below = below_machine(parameter.place);
+  for (const char* kind : {"loads", "rope_loads", "temperature"}) {
+    if (below.starts_with(kind)) return true;
+  }
+  const auto given = {".length", ".tension_at_start", ".tension_at_end"};
+  return below.starts_with("reevings") &&
+         std::any_of(given.begin(), given.end(), [&](const char* field) { return below.ends_with(field); });
+}
+
 /// With the carriage in its span.
 machine::Model placed(const machine::Model& model, const SweepRun& run) {
   if (!run.prescribed) return machine::with_guides_at_start(model);
   return machine::with_carriage_at(model, run.prescribed->carriage, run.prescribed->x, run.prescribed->along);
+}
+
+tl::expected<Parameter, Outcome> put_into(machine::Machine& machine, const SweepRun& run, double value) {
+  auto parameter = find_parameter(machine::Machine::describe(), &machine, run.parameter);
+  if (!parameter) return tl::unexpected(infeasible(parameter.error()));
+  if (Outcome outcome = put(*parameter, value); !outcome.ok()) return tl::unexpected(std::move(outcome));
+  return *std::move(parameter);
 }
 
 tl::expected<machine::Model, Outcome> model_at(const SweepRun& run, const machine::Model& installed, double value) {
@@ -53,9 +72,8 @@ tl::expected<machine::Model, Outcome> model_at(const SweepRun& run, const machin
     return warm;
   }
   machine::Machine machine = *run.machine;
-  const auto parameter = find_parameter(machine::Machine::describe(), &machine, run.parameter);
-  if (!parameter) return tl::unexpected(infeasible(parameter.error()));
-  if (const Outcome outcome = put(*parameter, value); !outcome.ok()) return tl::unexpected(outcome);
+  const auto parameter = put_into(machine, run, value);
+  if (!parameter) return tl::unexpected(parameter.error());
   auto model = machine::compile(machine, machine::ModelFor::rest);
   if (!model) return tl::unexpected(infeasible(model.error().front().message));
   if (changes_the_building(*parameter)) {
@@ -81,6 +99,7 @@ void resolve_values(const SweepRequest& request, const std::string& path, Names&
     return;
   }
   run.unit = parameter->unit;
+  run.judged_apart = !is_in_states(*parameter);
   if (std::isnan(parameter->value) && below_machine(request.parameter) != "temperature") {
     p.complaints.push_back({path + ".parameter", fmt::format("'{}' has no value in the deck that could change: write "
                                                              "one there",
@@ -132,6 +151,24 @@ const Description& SweepRequest::describe() {
           .field(&SweepRequest::along, "along", "", si::one, "as for an equilibrium")
           .field(&SweepRequest::held, "held", "as for an equilibrium");
   return d;
+}
+
+tl::expected<machine::Machine, Outcome> machine_at(const SweepRun& run, double value) {
+  machine::Machine machine = *run.machine;
+  if (auto parameter = put_into(machine, run, value); !parameter) return tl::unexpected(parameter.error());
+  return machine;
+}
+
+EquilibriumRun state_at(const SweepRun& run, const solve::SweepPoint& point) {
+  EquilibriumRun state;
+  state.kind = "sweep";
+  state.ending = run.ending;
+  state.words = fmt::format("{} = {}, {}", run.parameter, Display().quantity(point.value, run.unit), run.words);
+  state.motion = run.motion;
+  state.prescribed = run.prescribed;
+  state.held = run.held;
+  state.near = point.at.state;
+  return state;
 }
 
 SweepRun resolve(const SweepRequest& request, const std::string& path, Names& names) {

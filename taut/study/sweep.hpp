@@ -7,6 +7,7 @@
 #include "taut/study/deck/names.hpp"
 #include "taut/study/deck/parameter.hpp"
 #include "taut/study/deck/rope_motion.hpp"
+#include "taut/study/states.hpp"
 
 namespace taut::study {
 
@@ -38,6 +39,9 @@ struct SweepRun {
   double from = 0, to = 0;
   int steps = 1;
   bool held = false;
+  /// Whether the checks read another machine at each value (a sheave's diameter, a breaking force): each is judged as
+  /// the deck with that value. Else (loads, lengths and tensions of ropes, temperature) as all states of the deck.
+  bool judged_apart = false;
   const machine::Machine* machine = nullptr;
   solve::Sweep answer;
 };
@@ -45,6 +49,12 @@ struct SweepRun {
 /// Whether lines and guys that are put up (`install:`, `tension_equals`) get other lengths by this number of the deck.
 /// They keep those that they have while loads, the lengths of other ropes and the temperature change.
 bool puts_up_anew(const Parameter& parameter);
+
+/// The machine of a sweep at one of its values.
+tl::expected<machine::Machine, Outcome> machine_at(const SweepRun& run, double value);
+
+/// The state of a sweep at one of its points as an equilibrium of that machine, to be solved from there.
+EquilibriumRun state_at(const SweepRun& run, const solve::SweepPoint& point);
 
 /// The request with its names resolved; complaints below `path`.
 SweepRun resolve(const SweepRequest& request, const std::string& path, Names& names);

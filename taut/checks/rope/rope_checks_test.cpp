@@ -200,6 +200,32 @@ TEST(RopeChecks, the_fleet_angle_is_that_of_the_sheave_where_it_is_larger) {
   EXPECT_NEAR(fleet_angle_at("[0, -1, 0]"), flat, 1e-12);
 }
 
+// A rope that crosses over between drum and sheave is free along the inner tangent only; one in the planes of a drum
+// that lies and a sheave that lies flat is out of neither.
+TEST(RopeChecks, the_fleet_angle_is_that_of_the_rope_as_it_runs) {
+  const auto angle = [](const std::string& sheave, const std::string& end, const char* side) {
+    const Result r = run_text(fmt::format(R"(taut: 1
+machine:
+  ropes: {{r: {{diameter: 20 mm, mass: 0 kg/m, stiffness: 20 MN, breaking_force: 300 kN}}}}
+  sheaves: {{s: {{{}}}}}
+  drums: {{w: {{at: [0 m, 0 m, 0 m], core_diameter: 580 mm, face_width: 120 mm}}}}
+  points: {{e: {}}}
+  reevings: [{{rope: r, path: [{{drum: w}}, {{over: s, side: {}}}, {{anchor: e}}], tension_at_end: 10 kN}}]
+analyses: [equilibrium: {{}}]
+checks: {{ropes: {{r: {{safety_factor: 4, fleet_angle: 2 deg}}}}}}
+)",
+                                          sheave, end, side));
+    EXPECT_EQ(r.status, Status::ok) << r.message << to_text(r.errors);
+    return find(r, "r.fleet_angle")->value;
+  };
+  const double free = std::sqrt(1.6 * 1.6 - 0.8 * 0.8);  // pitch radii of 0.3 m and 0.5 m
+  EXPECT_NEAR(angle("at: [1.6 m, 0 m, 0 m], diameter: 1000 mm", "[1.6 m, 0 m, 5 m]", "left"), std::atan(0.05 / free),
+              1e-9);
+  const double outer = std::sqrt(1.6 * 1.6 - 0.2 * 0.2);
+  EXPECT_NEAR(angle("at: [1.6 m, 0 m, 0 m], diameter: 1000 mm", "[1.6 m, 0 m, 5 m]", "right"), std::atan(0.05 / outer),
+              1e-9);
+}
+
 /// A rope of 30 MN and 10 m that is drawn in from 10 kN to 15 kN.
 double factor_of(const std::string& motion) {
   const Result r = run_text(R"(taut: 1

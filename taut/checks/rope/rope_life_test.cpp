@@ -115,6 +115,37 @@ TEST(RopeLife, what_is_recalled_besides_the_constants) {
   EXPECT_THAT(trust(own + ", reverse_weight: 2}, hoist: {class: HC2, speed: 1 m/s}}", "left"), HasSubstr("UNVERIFIED"));
 }
 
+/// A block of 1 t that hangs on the rope between two sheaves; begun at a height.
+Result hung_between(const std::string& z, const std::string& analysis, bool reversed = false) {
+  const std::string along = "[{anchor: a}, {over: s1}, {over: s2}, {over: s3}, {anchor: e}]",
+                    back = "[{anchor: e}, {over: s3}, {over: s2}, {over: s1}, {anchor: a}]";
+  return run_text(fmt::format(R"(taut: 1
+machine:
+  ropes: {{r: {{rope: "EN 12385-4|6x36-IWRC|16|1960", stiffness: 13 MN, damping_ratio: 0.1}}}}
+  bodies: {{b: {{at: [3 m, 0 m, {}], free: [x, z], mass: 1000 kg}}}}
+  sheaves:
+    s1: {{at: [0 m, 0 m, 5 m], diameter: 400 mm}}
+    s2: {{body: b, at: [0 m, 0 m, 0 m], diameter: 400 mm}}
+    s3: {{at: [6 m, 0 m, 5 m], diameter: 300 mm}}
+  points: {{a: [-1 m, 0 m, 0 m], e: [7 m, 0 m, 0 m]}}
+  reevings: [{{rope: r, path: {}, length: 18 m}}]
+analyses: [{}]
+checks: {{ropes: {{r: {{duty: [{{name: d, cycles: 1e5}}], life: {{reverse_weight: 3, constants: [{{count: mean_break, a: [1.278, 0.029, 6.241, -1.613]}}]}}}}}}}}
+)",
+                              z, reversed ? back : along, analysis));
+}
+
+// Two reverse bends, whatever the first guess of the block's place and the direction of the path.
+TEST(RopeLife, reverse_bends_are_those_of_the_states_found) {
+  for (const char* analysis : {"equilibrium: {}", "transient: {duration: 0.1 s}"}) {
+    const double damage = value_of(hung_between("3 m", analysis), "r.life_damage");
+    EXPECT_NEAR(value_of(hung_between("6 m", analysis), "r.life_damage"), damage, 1e-3 * damage) << analysis;
+    EXPECT_NEAR(value_of(hung_between("3 m", analysis, true), "r.life_damage"), damage, 1e-3 * damage) << analysis;
+    const Table t = table_of(hung_between("6 m", analysis), "life_r");
+    EXPECT_NEAR(cell(t, 0, "n") + cell(t, 1, "n") + cell(t, 2, "n"), 7e5, 1);  // 1 + 3 + 3
+  }
+}
+
 TEST(RopeLife, donandt_and_discard) {
   const Result r = run_text(lift("{life: {donandt_force: 20 kN}, discard: true}"));
   ASSERT_EQ(r.status, Status::ok) << r.message << to_text(r.errors);

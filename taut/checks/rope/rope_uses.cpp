@@ -32,22 +32,72 @@ Vector3 axis_of(const machine::State& state, const machine::Node& node) {
   return node.at.body == machine::ground ? node.axis : Vector3(state.bodies[node.at.body].orientation * node.axis);
 }
 
+machine::State described_places(const machine::Model& model) {
+  machine::State state;
+  for (const machine::Body& body : model.bodies) state.bodies.push_back({body.position, body.orientation});
+  return state;
+}
+
+/// Directions along the path at the ends of a branch.
+std::pair<Vector3, Vector3> ends_of(const machine::State& state, const solve::BranchResult& b) {
+  const machine::BranchState& known = state.branches[b.reeving][b.from];
+  if (known.leaves != Vector3::Zero() && known.arrives != Vector3::Zero()) return {known.leaves, known.arrives};
+  const Vector3 straight = (b.end - b.start).normalized();
+  return {straight, straight};
+}
+
+/// Notes how a state turns the rope there.
+void turn(rope::Bend& bend, const Vector3& about) {
+  if (bend.wrap == 0) {
+    bend.about = about;  // the first state that bends it
+  } else if (bend.about.dot(about) < 0) {
+    bend.both_ways = true;
+  }
+}
+
+/// Of branches in the order of the paths; of a rope in segments the whole of its first or last branch.
+template <class Branches, class Ends>
+BesideDrum beside_drum(const Branches& branches, int reeving, bool at_end, const Ends& ends_of) {
+  BesideDrum found;
+  Vector3 start = Vector3::Zero(), end = Vector3::Zero();
+  bool met = false;
+  int from = 0;
+  for (const auto& b : branches) {
+    if (b.reeving != reeving || (met && !at_end && b.from != from)) continue;
+    if (!met || (at_end && b.from != from)) {
+      start = b.start;
+      found.leaves = ends_of(b).first;
+    }
+    met = true;
+    from = b.from;
+    end = b.end;
+    found.arrives = ends_of(b).second;
+    found.next = at_end ? b.from : b.to;
+  }
+  found.length = (end - start).norm();
+  if (at_end) {
+    std::swap(found.leaves, found.arrives);
+    found.leaves *= -1;
+    found.arrives *= -1;
+  }
+  return found;
+}
+
 /// Largest angle of the rope between a drum and the next round out of the plane of either of them, the rope at one
-/// flange or the other, rad.
-double fleet_angle_of(const machine::State& state, const machine::Node& drum, const machine::Node& next, double face) {
+/// flange or the other, rad. In the middle of the face it runs as it was found, sideways too where the rounds are
+/// askew; beside the middle it has that much farther to go across.
+double fleet_angle_of(const machine::State& state, const machine::Node& drum, const machine::Node& next, double face,
+                      const BesideDrum& rope) {
   const Vector3 axis = axis_of(state, drum);
-  const Vector3 middle = machine::in_ground(state, next.at) - machine::in_ground(state, drum.at);
   double largest = 0;
   for (const double aside : {-face / 2, face / 2}) {
-    const Vector3 way = middle - aside * axis;
-    const auto out_of_plane = [&](const Vector3& normal) {
+    const auto out_of_plane = [&](const Vector3& direction, const Vector3& normal) {
+      const Vector3 way = rope.length * direction - aside * axis;
       const double out = std::abs(way.dot(normal));
-      // the rope leaves the drum along a tangent
-      const double free = std::sqrt(std::max(way.squaredNorm() - out * out - drum.radius * drum.radius, 0.0));
-      return std::atan2(out, free);
+      return std::atan2(out, std::sqrt(std::max(way.squaredNorm() - out * out, 0.0)));
     };
-    largest = std::max(largest, out_of_plane(axis));
-    if (next.radius > 0) largest = std::max(largest, out_of_plane(axis_of(state, next)));
+    largest = std::max(largest, out_of_plane(rope.leaves, axis));
+    if (next.radius > 0) largest = std::max(largest, out_of_plane(rope.arrives, axis_of(state, next)));
   }
   return largest;
 }
@@ -93,10 +143,8 @@ catalogue::RopeRow row_in(const CheckedDeck& deck, const std::string& rope) {
 }
 
 RopeUses::RopeUses(const CheckedDeck& deck, const machine::Model& model)
-    : uses_(model.reevings.size()),
-      lasting_(model.reevings.size()),
-      bends_(model.reevings.size()),
-      axes_(model.reevings.size(), Vector3::Zero()) {
+    : uses_(model.reevings.size()), lasting_(model.reevings.size()), bends_(model.reevings.size()) {
+  const machine::State described = described_places(model);
   for (std::size_t i = 0; i < uses_.size(); ++i) {
     uses_[i].name = model.reevings[i].name;
     uses_[i].closed = model.reevings[i].closed;
@@ -107,7 +155,7 @@ RopeUses::RopeUses(const CheckedDeck& deck, const machine::Model& model)
       const bool turns = node.kind == machine::NodeKind::contact || node.kind == machine::NodeKind::drive;
       if (node.drum || node.kind == machine::NodeKind::anchor) continue;
       if (node.radius > 0) {
-        bend_at(i, node, met[node.name]++);
+        bend_at(i, node, met[node.name]++, axis_of(described, node));
       } else if (turns && !machine::is_saddle(node) && !machine::rides(model, node)) {
         uses_[i].unmeasured.push_back(fmt::format("'{}'", node.name));
       }
@@ -131,7 +179,7 @@ void RopeUses::add_end(std::size_t reeving, const machine::Model& model, bool at
                                            .diameter = 2 * model.drums[*node.drum].core_radius + rope.diameter,
                                            .tension = 0,
                                            .wrap = whole_turn,
-                                           .side = sense_in(reeving, node)},
+                                           .about = node.side * axis_of(described_places(model), node)},
                                   .order = at_end ? std::numeric_limits<int>::max() : -1});
   auto& drums = uses_[reeving].drums;
   const auto same = [&](const rope::DrumEnd& one) { return one.name == node.name; };
@@ -148,7 +196,10 @@ void RopeUses::add_end(std::size_t reeving, const machine::Model& model, bool at
 void RopeUses::take(const machine::Model& model, const solve::EquilibriumResult& state, const std::string& words) {
   take_forces(model, state, words);
   Array<solve::DrumResult> ends = solve::drums(model, state);
-  take_drums(model, state.state, ends);
+  for (const solve::DrumResult& d : ends) {
+    const auto directions = [&](const solve::BranchResult& b) { return ends_of(state.state, b); };
+    take_drum(model, state.state, d, beside_drum(state.branches, d.reeving, d.at_end, directions));
+  }
   for (solve::DrumResult& d : ends) d.torque = d.radius * solve::largest_at_end(model, state, d.reeving, d.at_end);
   for (const solve::DrumResult& d : ends) {
     rope::DrumEnd& known = drum_end(model, d);
@@ -178,8 +229,10 @@ void RopeUses::take_forces(const machine::Model& model, const solve::Equilibrium
     machine::Node node = model.reevings[c.reeving].nodes[c.node];
     if (own[c.reeving] < 0 || !(node.radius > 0)) continue;
     if (!state.state.sides.empty()) node.side = state.state.sides[c.reeving][c.node];
-    rope::Bend& bend = bend_at(as_size(own[c.reeving]), node, met[c.reeving][node.name]++);
+    const Vector3 axis = axis_of(state.state, node);
+    rope::Bend& bend = bend_at(as_size(own[c.reeving]), node, met[c.reeving][node.name]++, axis);
     if (c.state == solve::ContactState::lifted) continue;
+    turn(bend, node.side * axis);
     bend.tension = std::max(bend.tension, largest(c));
     bend.wrap = std::max(bend.wrap, c.wrap);
   }
@@ -221,27 +274,16 @@ void RopeUses::take_motion(int reeving, const solve::RopeExtreme& extreme, bool 
   use.peak_where = peak_words;
 }
 
-int RopeUses::sense_in(std::size_t reeving, const machine::Node& node) {
-  Vector3& first = axes_[reeving];
-  if (first.squaredNorm() == 0) first = node.axis;
-  return node.axis.dot(first) < 0 ? -node.side : node.side;
-}
-
-rope::Bend& RopeUses::bend_at(std::size_t reeving, const machine::Node& node, int times) {
+rope::Bend& RopeUses::bend_at(std::size_t reeving, const machine::Node& node, int times, const Vector3& axis) {
   auto& known = bends_[reeving];
   const Met fresh{.bend = {.name = node.name,
                            .kind = kind_of(node),
                            .diameter = 2 * node.radius,
                            .tension = 0,
                            .wrap = 0,
-                           .side = sense_in(reeving, node)},
+                           .about = node.side * axis},
                   .order = static_cast<int>(known.size())};
   return known.try_emplace(fmt::format("{} {}", node.name, times), fresh).first->second.bend;
-}
-
-void RopeUses::take_drums(const machine::Model& model, const machine::State& state,
-                          const Array<solve::DrumResult>& all) {
-  for (const solve::DrumResult& d : all) take_drum(model, state, d);
 }
 
 rope::DrumEnd& RopeUses::drum_end(const machine::Model& model, const solve::DrumResult& d) {
@@ -251,14 +293,15 @@ rope::DrumEnd& RopeUses::drum_end(const machine::Model& model, const solve::Drum
   return *std::find_if(drums.begin(), drums.end(), [&](const rope::DrumEnd& one) { return one.name == node.name; });
 }
 
-void RopeUses::take_drum(const machine::Model& model, const machine::State& state, const solve::DrumResult& d) {
+void RopeUses::take_drum(const machine::Model& model, const machine::State& state, const solve::DrumResult& d,
+                         const BesideDrum& beside) {
   const machine::Reeving& rope = model.reevings[d.reeving];
   const machine::Node& node = d.at_end ? rope.nodes.back() : rope.nodes.front();
-  const machine::Node& next = d.at_end ? rope.nodes[rope.nodes.size() - 2] : rope.nodes[1];
   const machine::Drum& drum = model.drums[d.drum];
   rope::DrumEnd& known = drum_end(model, d);
   if (drum.width > 0) {
-    const double angle = fleet_angle_of(state, node, next, drum.width - rope.diameter);
+    const machine::Node& next = rope.nodes[as_size(beside.next)];
+    const double angle = fleet_angle_of(state, node, next, drum.width - rope.diameter, beside);
     known.fleet_angle = std::max(known.fleet_angle.value_or(0), angle);
   }
   const rope::DrumLayers measures = machine::measures_of(drum, rope.diameter);
@@ -273,23 +316,28 @@ void RopeUses::take_moment(const machine::Model& model, const solve::TransientFr
   Array<double> largest(uses_.size(), 0.0);
   for (const auto& s : frame.branches) largest[s.reeving] = std::max({largest[s.reeving], s.T_from, s.T_to});
   for (std::size_t i = 0; i < largest.size(); ++i) lasting_[i].take(frame.t, largest[i], steps);
+  const machine::State places = places_of(frame);
   std::map<std::pair<int, std::string>, int> met;
   for (const auto& c : frame.contacts) {
     const machine::Node& node = model.reevings[c.reeving].nodes[c.node];
     if (!(node.radius > 0)) continue;
-    rope::Bend& bend = bend_at(as_size(c.reeving), node, met[{c.reeving, node.name}]++);
+    const Vector3 axis = axis_of(places, node);
+    rope::Bend& bend = bend_at(as_size(c.reeving), node, met[{c.reeving, node.name}]++, axis);
     if (c.state == solve::ContactState::lifted) continue;
+    turn(bend, c.side * axis);
     bend.wrap = std::max(bend.wrap, c.wrap);
     if (at_rest) bend.tension = std::max({bend.tension, c.T_in, c.T_out});
   }
   const Array<solve::DrumResult> ends = solve::drums(model, frame);
-  take_drums(model, places_of(frame), ends);
   for (const solve::DrumResult& d : ends) {
+    const auto directions = [](const solve::TransientFrame::Branch& b) { return std::pair(b.leaves, b.arrives); };
+    take_drum(model, places, d, beside_drum(frame.branches, d.reeving, d.at_end, directions));
     const double haul = haul_of(ends, d);
     LastingTension& lasting = lasting_hauls_[{d.reeving, d.at_end}];
     lasting.take(frame.t, haul, steps);
     rope::DrumEnd& known = drum_end(model, d);
     known.haul = std::max({known.haul, lasting.largest(), at_rest ? haul : 0});
+    known.haul_peak = std::max(known.haul_peak, haul);
   }
   for (const auto& s : frame.branches) {
     const machine::Reeving& rope = model.reevings[s.reeving];

@@ -11,6 +11,13 @@
 
 namespace taut::checks {
 
+/// The free rope beside a drum: its directions at the drum and at the next round, away from the drum.
+struct BesideDrum {
+  Vector3 leaves = Vector3::Zero(), arrives = Vector3::Zero();
+  double length = 0;  ///< straight, m
+  int next = 0;       ///< node
+};
+
 /// How each rope of a machine is used, over all states that are shown to it: the largest tension of the whole rope, at
 /// each end, sheave and drum. A bend is known by its name and how often the path has met it before, as a carriage may
 /// stand in another span. At rest the band between both directions of motion counts.
@@ -39,21 +46,19 @@ class RopeUses {
     rope::Bend bend;
     int order = 0;
   };
-  int sense_in(std::size_t reeving, const machine::Node& node);
-  rope::Bend& bend_at(std::size_t reeving, const machine::Node& node, int times);
+  rope::Bend& bend_at(std::size_t reeving, const machine::Node& node, int times, const Vector3& axis);
   void add_end(std::size_t reeving, const machine::Model& model, bool at_end);
   void take_forces(const machine::Model& model, const solve::EquilibriumResult& state, const std::string& words);
   void raise_end(std::size_t reeving, const machine::Node& node, double T);
-  void take_drums(const machine::Model& model, const machine::State& state, const Array<solve::DrumResult>& all);
   rope::DrumEnd& drum_end(const machine::Model& model, const solve::DrumResult& d);
-  void take_drum(const machine::Model& model, const machine::State& state, const solve::DrumResult& d);
+  void take_drum(const machine::Model& model, const machine::State& state, const solve::DrumResult& d,
+                 const BesideDrum& beside);
 
   Array<rope::RopeUse> uses_;                                     // without bends
   Array<LastingTension> lasting_;                                 // of motions
   std::map<std::pair<int, bool>, LastingTension> lasting_hauls_;  // [reeving, its end]
   Array<std::map<std::string, Met>> bends_;                       // [reeving], by name and occurrence
   std::vector<std::string> growing_;
-  Array<Vector3> axes_;  // of the first round of each rope: the senses of the others follow from it
 };
 
 /// The rope of a description with the deck's own figures over those of the catalogue: a breaking force of the deck

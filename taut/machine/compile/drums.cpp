@@ -1,5 +1,7 @@
 #include "taut/machine/compile/drums.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <string>
 #include <utility>
@@ -11,8 +13,8 @@ namespace {
 
 class Checker {
  public:
-  Checker(const description::Drum& drum, std::vector<Complaint>& complaints)
-      : drum_(drum), path_("drums." + drum.name), complaints_(complaints) {}
+  Checker(const description::Drum& drum, double thickest, std::vector<Complaint>& complaints)
+      : drum_(drum), thickest_(thickest), path_("drums." + drum.name), complaints_(complaints) {}
 
   void check() {
     if (drum_.layers) {
@@ -24,6 +26,7 @@ class Checker {
     if (drum_.pitch && !drum_.face_width) {
       complain(".pitch", "gives the turns of a layer and needs the 'face_width' between the flanges");
     }
+    check_pitch();
     if (drum_.flange_diameter && *drum_.flange_diameter <= drum_.core_diameter) {
       complain(".flange_diameter", "is not larger than the core");
     }
@@ -37,20 +40,48 @@ class Checker {
   }
 
  private:
+  /// Turns side by side are no nearer than the rope is thick, layers bedded in each other not much nearer than
+  /// sqrt(3)/2.
+  void check_pitch() {
+    constexpr double bedded = 0.8;
+    if (drum_.pitch && *drum_.pitch < thickest_) {
+      complain(".pitch", fmt::format("the turns of a rope of {:.4g} mm have no room at a pitch of {:.4g} mm",
+                                     1e3 * thickest_, 1e3 * *drum_.pitch));
+    }
+    if (drum_.layer_height && *drum_.layer_height < bedded * thickest_) {
+      complain(".layer_height", fmt::format("layers of a rope of {:.4g} mm are no lower than {:.4g} mm",
+                                            1e3 * thickest_, 1e3 * bedded * thickest_));
+    }
+  }
+
   void complain(const char* key, std::string words) { complaints_.push_back({path_ + key, std::move(words)}); }
   void need(bool there, const char* words) {
     if (!there) complain("", words);
   }
 
   const description::Drum& drum_;
+  double thickest_;  ///< of the ropes on it, m; 0: not known
   std::string path_;
   std::vector<Complaint>& complaints_;
 };
 
+/// The largest diameter of the ropes whose paths begin or end on a drum, m; 0: not known.
+double thickest_on(const Machine& machine, const description::Drum& drum) {
+  double thickest = 0;
+  for (const description::Reeving& reeving : machine.reevings) {
+    const bool on_it =
+        std::any_of(reeving.path.begin(), reeving.path.end(), [&](const auto& stop) { return stop.drum == drum.name; });
+    const auto rope = std::find_if(machine.ropes.begin(), machine.ropes.end(),
+                                   [&](const auto& one) { return one.name == reeving.rope; });
+    if (on_it && rope != machine.ropes.end()) thickest = std::max(thickest, rope->diameter.value_or(0));
+  }
+  return thickest;
+}
+
 }  // namespace
 
 void check_drums(const Machine& machine, std::vector<Complaint>& complaints) {
-  for (const description::Drum& drum : machine.drums) Checker(drum, complaints).check();
+  for (const description::Drum& drum : machine.drums) Checker(drum, thickest_on(machine, drum), complaints).check();
 }
 
 rope::DrumLayers measures_of(const Drum& drum, double rope_diameter) {

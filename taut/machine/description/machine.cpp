@@ -113,7 +113,10 @@ const Description& Body::describe() {
           .field(&Body::centre, "centre", "", si::m, "centre of mass relative to the origin")
           .at_least(-farthest)
           .at_most(farthest)
-          .field(&Body::free, "free", "degrees of freedom; none: fixed")
+          .field(&Body::free, "free",
+                 "degrees of freedom along and about the axes of the ground, of a body 'on' another along and about "
+                 "those of that "
+                 "one at the start; none: fixed")
           .of({"x", "y", "z", "rx", "ry", "rz"})
           .field(&Body::guide, "guide", "", si::one, "direction of its only translation, a slide")
           .field(&Body::inertia, "inertia", "J", si::kg_m2,
@@ -123,7 +126,8 @@ const Description& Body::describe() {
           .record(&Body::turned, "turned",
                   "rotations about the axes of the ground at the start, right-handed; of a free body a first guess")
           .field(&Body::on, "on",
-                 "the body in whose frame at the start its place, axes and guide are given; default: the ground");
+                 "the body in whose frame at the start its place, axes, freedoms and guide are given; default: the "
+                 "ground");
   return d;
 }
 

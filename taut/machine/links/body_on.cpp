@@ -11,8 +11,14 @@
 namespace taut::machine {
 namespace {
 
+/// Driven by more than constants, which only say where it stands.
+bool is_moved(const Body& body) {
+  return std::any_of(body.driven.begin(), body.driven.end(),
+                     [](const DrivenWay& way) { return !std::holds_alternative<double>(way.signal.law); });
+}
+
 /// The body that each one is on; empty: on none, or on one that can't be.
-Array<std::optional<int>> parents_of(const Machine& machine, std::vector<Complaint>& complaints) {
+Array<std::optional<int>> parents_of(const Machine& machine, const Model& model, std::vector<Complaint>& complaints) {
   std::vector<std::string> names;
   names.reserve(machine.bodies.size());
   for (const auto& body : machine.bodies) names.push_back(body.name);
@@ -30,6 +36,14 @@ Array<std::optional<int>> parents_of(const Machine& machine, std::vector<Complai
     if (given.motion) {
       complaints.push_back({path, "a driven body has its place in the ground frame"});
     }
+    const bool stays = !given.guide && std::none_of(given.free.begin(), given.free.end(),
+                                                    [](const std::string& way) { return way.front() != 'r'; });
+    if (stays && is_moved(model.bodies[*parents[i]])) {
+      complaints.push_back(
+          {path, fmt::format("'{}' has a 'motion', and '{}' would stay behind: 'on' gives its place at the start, no "
+                             "joint. Give it the same 'motion', or 'free' ways and what holds it",
+                             *given.on, given.name)});
+    }
     const auto joined = [&](const auto& beam) { return beam.from == given.name || beam.to == given.name; };
     if (std::any_of(machine.beams.begin(), machine.beams.end(), joined)) {
       complaints.push_back({path, "a beam is joined to this body: give its place in the ground frame"});
@@ -41,7 +55,7 @@ Array<std::optional<int>> parents_of(const Machine& machine, std::vector<Complai
 }  // namespace
 
 void place_bodies_on_others(const Machine& machine, Model& model, std::vector<Complaint>& complaints) {
-  const auto parents = parents_of(machine, complaints);
+  const auto parents = parents_of(machine, model, complaints);
   enum class Now { open, under_way, done };
   Array<Now> now(parents.size(), Now::open);
   for (std::size_t first = 0; first < parents.size(); ++first) {
@@ -66,7 +80,8 @@ void place_bodies_on_others(const Machine& machine, Model& model, std::vector<Co
       body.position = under.position + under.orientation * body.position;
       body.orientation = under.orientation * body.orientation;
       for (Freedom& way : body.free) {
-        if (machine.bodies[i].guide && way.about.norm() == 0) way.along = under.orientation * way.along;
+        way.along = under.orientation * way.along;
+        way.about = under.orientation * way.about;
       }
     }
   }

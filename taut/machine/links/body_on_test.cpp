@@ -51,6 +51,20 @@ TEST(BodyOn, PlacesAxesAndGuidesAreCarriedOver) {
   EXPECT_NEAR((tip.orientation * Vector3::UnitX() - Vector3(c, 0, s)).norm(), 0, 1e-14);
 }
 
+// A crane turned in plan has the same hinge: what is free is free in the axes of the body under it.
+TEST(BodyOn, FreedomsAreCarriedOver) {
+  Machine m = boom();
+  m.bodies[1].guide.reset();
+  m.bodies[1].free = {"x", "ry"};
+  m.bodies[2].motion.reset();
+  m.bodies[2].turned.emplace().rz = M_PI / 3;
+  const auto compiled = compile(m);
+  ASSERT_TRUE(compiled) << compiled.error().front().message;
+  const Vector3 x(0.5, std::sqrt(0.75), 0), y(-std::sqrt(0.75), 0.5, 0);
+  EXPECT_NEAR((compiled->bodies[1].free.at(0).along - x).norm(), 0, 1e-14);
+  EXPECT_NEAR((compiled->bodies[1].free.at(1).about - y).norm(), 0, 1e-14);
+}
+
 TEST(BodyOn, MistakesAreToldAtTheirPlace) {
   const auto reported = [](const Machine& m) {
     const auto compiled = compile(m);
@@ -73,6 +87,15 @@ TEST(BodyOn, MistakesAreToldAtTheirPlace) {
   m.bodies[1].guide.reset();
   m.bodies[1].motion.emplace().x = "1 m";
   EXPECT_EQ(reported(m), "bodies.section.on: a driven body has its place in the ground frame");
+  m = boom();
+  m.bodies[1].guide.reset();
+  m.bodies[1].free = {"ry"};
+  EXPECT_EQ(reported(m), "");  // it stands on a body that a constant turns
+  m.signals.emplace_back().name = "slew";
+  m.signals[0].ramp.emplace().to = "1 rad";
+  m.bodies[2].motion->ry = "slew";
+  EXPECT_NE(reported(m).find("'base' has a 'motion', and 'section' would stay behind"), std::string::npos)
+      << reported(m);
 }
 
 }  // namespace taut::machine::body_on_test

@@ -180,8 +180,10 @@ void add_results(MachineRun& machine, const study::SweepRun& run, const solve::S
   for (const auto& point : s.points) {
     const std::string at =
         fmt::format("sweep, {} = {}, {}", run.parameter, Display().quantity(point.value, run.unit), run.words);
-    machine.checked->take(point.model, point.at, at, checks::analysis_name(run.ending, "sweep"));
+    run.judged_apart ? machine.checked->take_values(point.model, point.at, at)
+                     : machine.checked->take(point.model, point.at, at, checks::analysis_name(run.ending, "sweep"));
   }
+  if (run.judged_apart && machine.checked->judged) machine.judged_apart.push_back(run);
   const solve::SweepPoint& hardest = *std::max_element(
       s.points.begin(), s.points.end(),
       [](const auto& a, const auto& b) { return strain_of(a.model, a.at) < strain_of(b.model, b.at); });

@@ -162,4 +162,40 @@ TEST(SweepAnalysis, TellsEachMistakeAtItsPlace) {
   expect_mistake(run_text(sweep_of("temperature", "0 degC", "20 degC", 3), {"machine={gravity: 9.81 m/s^2}"}), "");
 }
 
+// What the checks read of the machine itself counts at each value, as in a run of the deck that has it.
+TEST(SweepAnalysis, EachValueIsJudgedAsADeckOfItsOwn) {
+  const auto crane = [](const std::string& analysis, const std::vector<std::string>& set = {}) {
+    return run_text(fmt::format(R"(taut: 1
+machine:
+  points: {{hook: {{body: load, at: [0 m, 0 m, 0 m]}}}}
+  ropes: {{hoist: {{rope: "EN 12385-4|6x36-IWRC|20|1960"}}}}
+  bodies: {{load: {{mass: 4 t, at: [0.2 m, 0 m, 1 m], free: [z]}}}}
+  sheaves: {{head: {{at: [0 m, 0 m, 9 m], diameter: 400 mm, efficiency: 0.98}}}}
+  drums: {{winch: {{at: [-6 m, 0 m, 0 m], core_diameter: 400 mm, face_width: 500 mm, length_on_drum: 20 m, layers: auto}}}}
+  reevings: [{{rope: hoist, path: [{{drum: winch}}, {{over: head}}, {{anchor: hook}}], length: 18.6 m, haul: to_start}}]
+analyses: [{}]
+checks: {{ropes: {{hoist: {{field: crane_running, class: M4, drum: grooved, rated_pull: 60 kN}}}}}}
+)",
+                                analysis),
+                    set);
+  };
+  for (const auto& [parameter, to] : std::vector<std::pair<std::string, std::string>>{
+           {"sheaves.head.diameter", "150 mm"}, {"drums.winch.core_diameter", "200 mm"}}) {
+    SCOPED_TRACE(parameter);
+    const Result swept =
+        crane(fmt::format("sweep: {{parameter: {}, from: 400 mm, to: {}, steps: 2, motion: in}}", parameter, to));
+    ASSERT_EQ(swept.status, Status::ok) << swept.message << to_text(swept.errors);
+    for (const std::string& value : {std::string("400 mm"), to}) {
+      const Result one = crane("equilibrium: {motion: in}", {fmt::format("machine.{}={}", parameter, value)});
+      ASSERT_FALSE(one.checks.empty()) << one.message << to_text(one.errors);
+      for (const taut::Check& c : one.checks) {
+        const taut::Check& worst = check_of(swept, c.name);
+        if (!std::isnan(c.utilisation)) EXPECT_GE(worst.utilisation, c.utilisation * (1 - 1e-7)) << c.name;
+        if (!c.passes) EXPECT_FALSE(worst.passes) << c.name;
+      }
+    }
+    EXPECT_FALSE(check_of(swept, parameter.front() == 's' ? "hoist.sheave_ratio" : "hoist.drum_ratio").passes);
+  }
+}
+
 }  // namespace sweep_analysis_test

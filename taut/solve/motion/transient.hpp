@@ -168,6 +168,7 @@ struct TransientFrame {
     double flow = 0;             ///< stretched rope along the path relative to the body, m/s
     double slip = 0;             ///< rope less rim, m/s
     ContactState state = ContactState::stuck;
+    int side = 1;                     ///< machine::Node::side, as found where the motion begins
     Vector3 force = Vector3::Zero();  ///< of the rope (one copy) on it, N
   };
   struct Drum {

@@ -35,6 +35,7 @@ TransientFrame::Contact contact_of(const Mechanism& m, const Values& v, std::siz
   TransientFrame::Contact c;
   c.reeving = contact.reeving;
   c.node = contact.node;
+  c.side = m.model->reevings[contact.reeving].nodes[contact.node].side;
   c.T_in = in.end_T[1];
   c.T_out = out.end_T[0];
   c.wrap = wrap_of(m, i, v);
