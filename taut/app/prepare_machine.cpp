@@ -374,6 +374,17 @@ std::optional<ReadMachine> read_machine(const io::Node& input, const Display& di
   return read;
 }
 
+Outcome renew_checks(const design::DesignSpace& space, MachineDeck& deck) {
+  // what is free is read as the first of its candidates
+  const MachineDeck first = deck.design ? with_design(deck, space, design::first_place(space)) : deck;
+  const auto model = machine::compile(first.machine);
+  if (!model) return infeasible(model.error().front().message);
+  std::vector<Complaint> complaints;
+  deck.asked = checks::resolve(first, *model, complaints);
+  if (complaints.empty()) return {};
+  return infeasible(fmt::format("{}: {}", complaints.front().path, complaints.front().message));
+}
+
 Result run_machine(const MachineDeck& deck, RunDepth depth, const std::function<bool(const Progress&)>& progress,
                    const OneOfMany& many) {
   auto model = machine::compile(deck.machine, use_of(deck));

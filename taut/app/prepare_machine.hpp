@@ -46,6 +46,10 @@ struct OneOfMany {
   std::set<std::string>* judged = nullptr;
 };
 
+/// What the checks of a deck name holds their numbers: it is found anew after one of them was changed. Infeasible where
+/// the checks would be a mistake with these numbers. `space`: of its design.
+Outcome renew_checks(const design::DesignSpace& space, MachineDeck& deck);
+
 /// Runs a deck whose mistakes were told when it was read, with other numbers than it had then. Infeasible where a
 /// number makes no machine.
 Result run_machine(const MachineDeck& deck, RunDepth depth, const std::function<bool(const Progress&)>& progress = {},

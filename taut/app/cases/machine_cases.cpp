@@ -13,6 +13,8 @@
 #include "taut/app/cases/case_values.hpp"
 #include "taut/app/design/design_machine.hpp"
 #include "taut/base/suggest.hpp"
+#include "taut/checks/rope/rope_rules.hpp"
+#include "taut/checks/rope/rope_uses.hpp"
 #include "taut/design/design.hpp"
 #include "taut/study/deck/parameter.hpp"
 #include "taut/study/deck/temperature.hpp"
@@ -66,10 +68,9 @@ struct DeckPart {
 };
 
 struct MachineModel {
-  MachineDeck deck;
-  design::DesignSpace space;
+  MachineOfCase base;
   std::vector<CaseInput> inputs;
-  DeckParameters<MachineDeck> parameters;
+  DeckParameters<MachineOfCase> parameters;
   std::vector<DeckPart> parts;
   std::size_t outputs = 0;
   bool plain = false;  ///< each input is one number of the machine that depends on no other: decks can be used again
@@ -114,21 +115,48 @@ void prune(const DeckPart& part, MachineDeck& deck) {
   if (!deck.analyses.empty()) deck.analyses = {std::move(deck.analyses[part.analysis.index])};
 }
 
-/// `deck`: pruned.
-Result run_part(const MachineModel& model, const DeckPart& part, const MachineDeck& deck, const OneOfMany& many) {
+/// The heat of which a deck's checks tell weakens a rope in each analysis, as in a run of the deck.
+void weaken_by_heat(const MachineDeck& deck, Result& r) {
+  const std::size_t asked = deck.checks ? deck.checks->ropes.size() : 0;
+  std::vector<std::pair<std::string, std::string>> ropes;  // by the name of a reeving or guy
+  for (const auto& one : deck.machine.reevings) ropes.emplace_back(name_of(one), one.rope);
+  for (const auto& one : deck.machine.guys) ropes.emplace_back(one.name, one.rope);
+  for (std::size_t k = 0; k < asked; ++k) {
+    const checks::RopeCheckRequest& request = deck.checks->ropes[k];
+    if (!request.temperature) continue;
+    const bool own =
+        std::any_of(ropes.begin(), ropes.end(), [&](const auto& one) { return one.first == request.name; });
+    for (const auto& [name, rope] : ropes) {
+      if ((own ? name : rope) != request.name) continue;
+      const catalogue::RopeRow row = checks::with_request(checks::row_in(deck, rope), request);
+      const auto share = checks::rope_rules(request, deck.asked.ropes.at(k), row).heat_strength;
+      for (Value& value : r.values) {
+        if (share && value.name == name + ".safety_factor") value.value *= share->value;
+      }
+    }
+  }
+}
+
+/// `deck`: pruned of `whole`.
+Result run_part(const MachineOfCase& whole, const DeckPart& part, const MachineDeck& deck, const OneOfMany& many) {
   if (part.kind == DeckPart::Kind::checks) return run_machine(deck, RunDepth::checks, {}, many);
-  if (part.kind == DeckPart::Kind::analysis) return run_machine(deck, RunDepth::values, {}, many);
+  if (part.kind == DeckPart::Kind::analysis) {
+    Result r = run_machine(deck, RunDepth::values, {}, many);
+    weaken_by_heat(whole.deck, r);
+    return r;
+  }
   const auto run = [](const MachineDeck& one, RunDepth depth, const std::function<bool(const Progress&)>& ask) {
     return run_machine(one, std::min(depth, RunDepth::checks), ask);
   };
   const auto no_picture = [](const MachineDeck&, Result&) {};
   return design::run_design(
-      machine_task(std::make_shared<const MachineDeck>(deck), model.space, {.run = run, .picture = no_picture}, {}));
+      machine_task(std::make_shared<const MachineDeck>(deck), whole.space, {.run = run, .picture = no_picture}, {}));
 }
 
 FoundParameter parameter_of(MachineDeck& deck, const std::string& path) {
   return study::parameter_at(MachineDeck::describe(), &deck, path);
 }
+FoundParameter parameter_in(MachineOfCase& one, const std::string& path) { return parameter_of(one.deck, path); }
 
 MachineDeck pruned(const DeckPart& part, MachineDeck deck) {
   prune(part, deck);
@@ -143,11 +171,24 @@ bool is_plain(const CaseInput& input, MachineDeck& deck) {
   return found && found->unit.is_angle == found->field->unit.is_angle;
 }
 
+bool is_of_checks(const CaseInput& input) { return input.place.starts_with("checks."); }
+
+/// What a design chooses from is found when its deck is read: its numbers would change nothing.
+void complain_of_design(const std::vector<CaseInput>& inputs, const CaseQuestion& question, NoCases& wrong) {
+  for (std::size_t i = 0; i < inputs.size(); ++i) {
+    if (!inputs[i].place.starts_with("design.")) continue;
+    wrong.complaints.push_back({question.inputs[i].place,
+                                fmt::format("'{}' says what a design chooses from, which does not vary: let one of the "
+                                            "'parameters' vary that stands there",
+                                            inputs[i].path)});
+  }
+}
+
 std::unique_ptr<Desk> new_desk(const MachineModel& model) {
   auto desk = std::make_unique<Desk>();
   desk->decks.reserve(model.parts.size());
   for (const DeckPart& part : model.parts) {
-    MachineDeck& deck = desk->decks.emplace_back(pruned(part, model.deck));
+    MachineDeck& deck = desk->decks.emplace_back(pruned(part, model.base.deck));
     auto& numbers = desk->numbers.emplace_back();
     for (const CaseInput& input : model.inputs) numbers.push_back(*parameter_of(deck, input.path));
   }
@@ -185,18 +226,18 @@ bool needs(const DeckPart& part, const std::set<std::string>& judged) {
 }
 
 /// The answer of the parts of a deck in turn. `deck_of`: the pruned deck of a part, with the numbers in it; not ok: why
-/// there is none.
+/// there is none. `whole`: the deck with the numbers of its checks, those of its machine may be others.
 template <class DeckOf>
-CaseAnswer answer_by(const MachineModel& model, const DeckOf& deck_of) {
+CaseAnswer answer_by(const MachineModel& model, const MachineOfCase& whole, const DeckOf& deck_of) {
   CaseAnswer answer{.outputs = std::vector<double>(model.outputs, std::nan("")), .outcome = {}};
   std::vector<double> found = answer.outputs;
   for (std::size_t i = 0; i < model.parts.size(); ++i) {
     const DeckPart& part = model.parts[i];
     const tl::expected<const MachineDeck*, Outcome> deck = deck_of(i);
     if (deck) {
-      const Result r = run_part(model, part, **deck, one_of_many(part));
+      const Result r = run_part(whole, part, **deck, one_of_many(part));
       answer.outcome = take_values(r, part.wanted, found);
-      std::vector<CaseFlaw> flaws = part.tells ? flaws_of(r, model.deck.display) : std::vector<CaseFlaw>{};
+      std::vector<CaseFlaw> flaws = part.tells ? flaws_of(r, model.base.deck.display) : std::vector<CaseFlaw>{};
       std::move(flaws.begin(), flaws.end(), std::back_inserter(answer.flaws));
     } else {
       answer.outcome = deck.error();
@@ -210,32 +251,42 @@ CaseAnswer answer_by(const MachineModel& model, const DeckOf& deck_of) {
 }
 
 CaseAnswer answer_at(const MachineModel& model, Desk& desk, std::span<const double> values) {
-  return answer_by(model, [&](std::size_t i) -> tl::expected<const MachineDeck*, Outcome> {
+  return answer_by(model, model.base, [&](std::size_t i) -> tl::expected<const MachineDeck*, Outcome> {
     Outcome outcome = put_all(values, desk.numbers[i]);
     if (!outcome.ok()) return tl::unexpected(std::move(outcome));
     return &desk.decks[i];
   });
 }
 
+/// The deck with these numbers, and with checks that have them.
+tl::expected<MachineOfCase, Outcome> deck_at(const MachineModel& model, std::span<const double> values) {
+  auto one = deck_with(model.base, model.inputs, model.parameters, parameter_in, values);
+  const bool renews = std::any_of(model.inputs.begin(), model.inputs.end(), is_of_checks);
+  if (!one || !renews) return one;
+  if (Outcome outcome = renew_checks(one->space, one->deck); !outcome.ok()) return tl::unexpected(std::move(outcome));
+  return one;
+}
+
 CaseAnswer answer_anew(const MachineModel& model, std::span<const double> values) {
-  const auto deck = deck_with(model.deck, model.inputs, model.parameters, parameter_of, values);
+  const auto one = deck_at(model, values);
   MachineDeck alone;
-  return answer_by(model, [&](std::size_t i) -> tl::expected<const MachineDeck*, Outcome> {
-    if (!deck) return tl::unexpected(deck.error());
-    alone = pruned(model.parts[i], *deck);
+  return answer_by(model, one ? *one : model.base, [&](std::size_t i) -> tl::expected<const MachineDeck*, Outcome> {
+    if (!one) return tl::unexpected(one.error());
+    alone = pruned(model.parts[i], one->deck);
     return &alone;
   });
 }
 
 /// Sorts the outputs by what has to be run for them.
 void sort_outputs(const std::vector<CaseName>& outputs, MachineModel& model, NoCases& wrong) {
+  const MachineDeck& deck = model.base.deck;
   // of a design only its outcome: without a choice the machine has no state
-  const auto analyses = model.deck.design ? std::vector<NamedAnalysis>{} : named_analyses(model.deck.analyses);
+  const auto analyses = deck.design ? std::vector<NamedAnalysis>{} : named_analyses(deck.analyses);
   std::vector<std::string> known;
   known.reserve(analyses.size() + 2);
   for (const NamedAnalysis& one : analyses) known.push_back(one.label);
-  if (model.deck.checks && !model.deck.design) known.emplace_back("checks");
-  if (model.deck.design) known.emplace_back("design");
+  if (deck.checks && !deck.design) known.emplace_back("checks");
+  if (deck.design) known.emplace_back("design");
   for (std::size_t i = 0; i < outputs.size(); ++i) {
     const std::string& name = outputs[i].name;
     const std::string first = name.substr(0, name.find('.'));
@@ -268,13 +319,12 @@ void sort_outputs(const std::vector<CaseName>& outputs, MachineModel& model, NoC
 }  // namespace
 
 MadeCases machine_cases(const ReadMachine& read, const CaseQuestion& question,
-                        const DeckParameters<MachineDeck>& parameters) {
+                        const DeckParameters<MachineOfCase>& parameters) {
   auto model = std::make_shared<MachineModel>();
-  model->deck = *read.deck;
+  model->base = {.deck = *read.deck, .space = read.space};
   // lengths hold at the temperature that the deck has, whatever it is in a case
   const std::optional<double> before = read.deck->machine.temperature;
-  study::keep_references(model->deck.machine, before);
-  model->space = read.space;
+  study::keep_references(model->base.deck.machine, before);
   model->outputs = question.outputs.size();
   CaseModel made;
   NoCases wrong;
@@ -282,15 +332,16 @@ MadeCases machine_cases(const ReadMachine& read, const CaseQuestion& question,
     if (is_parameter(one.name)) {
       add_input(parameters.describe(one.name), one, made, wrong);
     } else {
-      add_input(parameter_of(model->deck, one.name), one, made, wrong);
+      add_input(parameter_of(model->base.deck, one.name), one, made, wrong);
     }
   }
+  if (wrong.complaints.empty()) complain_of_design(made.inputs, question, wrong);
   model->inputs = made.inputs;
   model->parameters = parameters;
   model->parameters.read = [again = parameters.read, before](const std::vector<std::string>& set) {
-    auto deck = again(set);
-    if (deck) study::keep_references(deck->machine, before);
-    return deck;
+    auto one = again(set);
+    if (one) study::keep_references(one->deck.machine, before);
+    return one;
   };
   sort_outputs(question.outputs, *model, wrong);
   if (!wrong.complaints.empty()) return tl::unexpected(std::move(wrong));
@@ -300,7 +351,7 @@ MadeCases machine_cases(const ReadMachine& read, const CaseQuestion& question,
   for (DeckPart& part : model->parts) {
     std::set<std::string> judged;
     const OneOfMany first{.found = &part.states, .judged = &judged};
-    const Result r = run_part(*model, part, pruned(part, model->deck), first);
+    const Result r = run_part(model->base, part, pruned(part, model->base.deck), first);
     add_outputs(r, part.wanted, made, wrong);
     if (!wrong.complaints.empty() || !wrong.outcome.ok()) return tl::unexpected(std::move(wrong));
     // the checks are of the deck with all its analyses
@@ -308,7 +359,7 @@ MadeCases machine_cases(const ReadMachine& read, const CaseQuestion& question,
     part.judges = part.tells || needs(part, judged);
   }
   model->plain = std::all_of(model->inputs.begin(), model->inputs.end(),
-                             [&](const CaseInput& input) { return is_plain(input, model->deck); });
+                             [&](const CaseInput& input) { return is_plain(input, model->base.deck); });
   made.answer = [model = std::shared_ptr<const MachineModel>(model),
                  desks = std::make_shared<Desks>()](std::span<const double> values) {
     if (!model->plain) return answer_anew(*model, values);

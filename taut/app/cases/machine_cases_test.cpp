@@ -4,9 +4,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <iterator>
+#include <optional>
 #include <stdexcept>
 #include <string>
 
@@ -143,6 +145,87 @@ TEST(MachineCases, ChecksAreOfTheWholeDeck) {
   EXPECT_NEAR(a.outputs[1], 3 / factor, 1e-8);
 }
 
+/// The same number by a run of its own and by a case.
+struct SetNumber {
+  const char* path;   ///< of the deck
+  double value;       ///< SI
+  const char* text;   ///< the same
+  const char* check;  ///< that it is seen by
+  bool of_limit = false;
+};
+
+std::optional<Check> check_with(const std::string& text, const SetNumber& one) {
+  const Result r = run(job_of(text, {fmt::format("{}={}", one.path, one.text)}));
+  const auto found =
+      std::find_if(r.checks.begin(), r.checks.end(), [&](const Check& c) { return c.name == one.check; });
+  return found == r.checks.end() ? std::nullopt : std::optional(*found);
+}
+
+TEST(MachineCases, NumbersOfTheChecksAreThoseOfTheCase) {
+  std::string text = deck;
+  text.replace(text.find("checks:"), std::string::npos,
+               "checks:\n"
+               "  ropes:\n"
+               "    sky: {safety_factor: 3, dynamic_safety_factor: 2, dynamic_factor: 1.2, elastic_limit: 0.9,\n"
+               "          temperature: 120 degC, core: FC, termination_efficiency: 0.95,\n"
+               "          diameter: 20 mm}\n"
+               "  anchors:\n"
+               "    head: {strength: 200 kN, safety_factor: 1.5, dynamic_factor: 1.3}\n");
+  std::string hoisted = text;
+  hoisted.replace(hoisted.find("dynamic_factor: 1.2"), 19, "hoist: {class: HC2, speed: 0.2 m/s}");
+  const std::pair<std::string, SetNumber> all[] = {
+      {text, {"checks.ropes.sky.safety_factor", 6, "6", "sky.safety_factor", true}},
+      {text, {"checks.ropes.sky.dynamic_safety_factor", 5, "5", "sky.dynamic_safety_factor", true}},
+      {text, {"checks.ropes.sky.dynamic_factor", 2, "2", "sky.dynamic_safety_factor"}},
+      {text, {"checks.ropes.sky.elastic_limit", 0.5, "0.5", "sky.elastic_limit", true}},
+      {text, {"checks.ropes.sky.temperature", 423.15, "150 degC", "sky.temperature"}},
+      {text, {"checks.ropes.sky.termination_efficiency", 0.5, "0.5", "sky.termination"}},
+      {hoisted, {"checks.ropes.sky.hoist.speed", 1, "1 m/s", "sky.dynamic_safety_factor"}},
+      {text, {"checks.anchors.head.strength", 150e3, "150 kN", "head.anchor_strength"}},
+      {text, {"checks.anchors.head.dynamic_factor", 2, "2", "head.anchor_strength"}}};
+  for (const auto& [machine, one] : all) {
+    const auto expected = check_with(machine, one);
+    ASSERT_TRUE(expected.has_value()) << one.path;
+    const std::string output = fmt::format("checks.{}", one.check);
+    const CaseModel m = model_of(machine, question_of({one.path}, {output, output + ".utilisation"}));
+    const CaseAnswer a = m.answer(std::vector<double>{one.value});
+    ASSERT_TRUE(a.outcome.ok()) << one.path << ": " << a.outcome.message;
+    EXPECT_NEAR(a.outputs[0], expected->value, 1e-8 * expected->value) << one.path;
+    EXPECT_NEAR(a.outputs[1], expected->utilisation, 1e-8 * expected->utilisation) << one.path;
+    const std::size_t seen = one.of_limit ? 1 : 0;
+    EXPECT_GT(std::abs(a.outputs[seen] / m.outputs[seen].base - 1), 0.01) << one.path << " changes nothing";
+  }
+}
+
+// In a run of the deck the factor of a rope at 300 degC is 0.75 of that of the cold one.
+TEST(MachineCases, TheHeatOfARopeWeakensItInEachAnalysis) {
+  std::string text = deck;
+  text.replace(text.find("safety_factor: 3"), 16, "safety_factor: 3, core: IWRC, temperature: 40 degC");
+  const std::string only = "analyses=[{equilibrium: {motion: at_rest}}]";
+  for (const char* path : {"checks.ropes.sky.temperature", "machine.loads[0].mass"}) {
+    const bool heated = path[0] == 'c';
+    const std::string set = heated ? "=300 degC" : "=2 t";
+    const std::string own = heated ? text : text.replace(text.find("40 degC"), 7, "300 degC");
+    const CaseModel m = model_of(own, question_of({path}, {"equilibrium.sky.safety_factor"}));
+    const CaseAnswer a = m.answer(std::vector<double>{heated ? 573.15 : 2000});
+    ASSERT_TRUE(a.outcome.ok()) << a.outcome.message;
+    const Result r = run(job_of(own, {only, path + set}));
+    EXPECT_NEAR(a.outputs[0], r.find_value("sky.safety_factor")->value, 1e-8 * a.outputs[0]) << path;
+    const Result cold = run(job_of(own, {only, path + set, "checks.ropes.sky.temperature=40 degC"}));
+    EXPECT_NEAR(a.outputs[0], 0.75 * cold.find_value("sky.safety_factor")->value, 1e-3 * a.outputs[0]);
+  }
+}
+
+TEST(MachineCases, ChecksThatAreAMistakeWithTheNumbersOfACaseHaveNoAnswer) {
+  std::string text = deck;
+  text.replace(text.find("safety_factor: 3"), 16, "safety_factor: 3, breaking_force: 300 kN");
+  const CaseModel m = model_of(text, question_of({"checks.ropes.sky.breaking_force"}, {"checks.sky.safety_factor"}));
+  EXPECT_TRUE(m.answer(std::vector<double>{300e3}).outcome.ok());
+  const CaseAnswer a = m.answer(std::vector<double>{400e3});
+  EXPECT_EQ(a.outcome.status, Status::infeasible);
+  EXPECT_THAT(a.outcome.message, HasSubstr("checks.ropes.sky.breaking_force: the rope has another value already"));
+}
+
 TEST(MachineCases, ParametersAreReadAnewBesideOtherNumbers) {
   const CaseModel m = model_of(deck, question_of({"parameters.height", "machine.loads[0].mass"},
                                                  {"equilibrium.sky.T_max", "equilibrium.car.z"}));
@@ -203,6 +286,23 @@ TEST(MachineCases, OfADesignOnlyItsOutcomeIsAsked) {
   EXPECT_LT(a.outputs[0], m.outputs[0].base);
   const Result r = run(job_of(text, {"machine.loads[0].mass=10 t"}));
   EXPECT_NEAR(a.outputs[0], r.find_value("design_cost")->value, 1e-9 * a.outputs[0]);
+}
+
+TEST(MachineCases, WhatADesignChoosesFromVariesByParametersOnly) {
+  std::ifstream file(taut_test::source_dir() / "examples/design/crane_hoist.yaml");
+  std::string text{std::istreambuf_iterator<char>(file), {}};
+  text.replace(text.find("taut: 1"), 7, "taut: 1\nparameters: {thin: 12 mm}");
+  text.replace(text.find("core: IWRC, grade"), 11, "core: IWRC, least_diameter: = thin,");
+  const auto read = read_cases(job_of(text));
+  ASSERT_TRUE(read.has_value()) << to_text(read.error().errors);
+  const auto design = read->cases(question_of({"design.ropes.hoist.least_diameter"}, {"design.design_cost"}));
+  ASSERT_FALSE(design.has_value());
+  EXPECT_THAT(design.error().complaints.front().message, HasSubstr("let one of the 'parameters' vary"));
+  const CaseModel m = model_of(text, question_of({"parameters.thin"}, {"design.design_cost"}));
+  const CaseAnswer a = m.answer(std::vector<double>{0.015});
+  ASSERT_TRUE(a.outcome.ok()) << a.outcome.message;
+  EXPECT_NEAR(a.outputs[0], run(job_of(text, {"parameters.thin=15 mm"})).find_value("design_cost")->value, 1e-9);
+  EXPECT_GT(a.outputs[0], 1.2 * m.outputs[0].base);
 }
 
 TEST(MachineCases, WithoutAnAnswerOfTheDeckItselfThereAreNoCases) {

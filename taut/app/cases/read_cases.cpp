@@ -62,10 +62,11 @@ MadeCases ReadCases::cases(const CaseQuestion& question) const {
     return described_parameter(parameters, path);
   };
   if (const auto* machine = std::get_if<ReadMachine>(&of)) {
-    const auto again = [job = job](const std::vector<std::string>& set) -> tl::expected<MachineDeck, Outcome> {
+    const auto again = [job = job](const std::vector<std::string>& set) -> tl::expected<MachineOfCase, Outcome> {
       const auto read = read_with(job, set);
       if (!read) return tl::unexpected(read.error());
-      return *std::get<ReadMachine>(read->of).deck;
+      const auto& one = std::get<ReadMachine>(read->of);
+      return MachineOfCase{.deck = *one.deck, .space = one.space};
     };
     return machine_cases(*machine, question, {.describe = describe, .read = again});
   }
