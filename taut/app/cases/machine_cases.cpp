@@ -277,6 +277,12 @@ CaseAnswer answer_anew(const MachineModel& model, std::span<const double> values
   });
 }
 
+void add_new(const std::vector<std::string>& more, std::vector<std::string>& all) {
+  for (const std::string& one : more) {
+    if (std::find(all.begin(), all.end(), one) == all.end()) all.push_back(one);
+  }
+}
+
 /// Sorts the outputs by what has to be run for them.
 void sort_outputs(const std::vector<CaseName>& outputs, MachineModel& model, NoCases& wrong) {
   const MachineDeck& deck = model.base.deck;
@@ -356,6 +362,8 @@ MadeCases machine_cases(const ReadMachine& read, const CaseQuestion& question,
     if (!wrong.complaints.empty() || !wrong.outcome.ok()) return tl::unexpected(std::move(wrong));
     // the checks are of the deck with all its analyses
     part.tells = part.kind != DeckPart::Kind::analysis || !all_analyses;
+    add_new(r.exempt, made.exempt);
+    add_new(r.left_out, made.left_out);
     part.judges = part.tells || needs(part, judged);
   }
   model->plain = std::all_of(model->inputs.begin(), model->inputs.end(),

@@ -320,6 +320,8 @@ Result study_result(const Study& study, const StudyData& data, const StudyOption
   r.deck_name = study.deck_name;
   r.deck_hash = study.hash;
   r.overrides = study.overrides;
+  r.exempt = study.model.exempt;
+  r.left_out = study.model.left_out;
   add_given(study, r);
   Summary summary;
   if (study.points) {

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "taut/calc/verdict.hpp"
 #include "test/support/machine_decks.hpp"
 #include "test/support/made_study.hpp"
 
@@ -128,6 +129,16 @@ TEST(StudyResult, ALimitOfTheStudyTakesThePlaceOfTheDecksOwn) {
   EXPECT_EQ(study_result(study, data, {}).unmade.size(), 1U) << "at a factor of 2.5 nothing counts it";
   data.outputs[0][3] = 0.9;
   EXPECT_TRUE(study_result(study, data, {}).unmade.empty());
+}
+
+TEST(StudyResult, WhatTheDeckTakesOutOfTheVerdictIsSaid) {
+  Study study = products(0);
+  study.limits = {{.output = 0, .limit = {.bound = chance::Bound::at_most, .value = 100}, .allowed = {}}};
+  study.model.exempt = {"drop"};
+  study.model.left_out = {"equilibrium mid"};
+  const Result r = study_result(study, data_of(study), {});
+  EXPECT_EQ(r.exempt, study.model.exempt);
+  EXPECT_THAT(verdict_of(r)->reason, HasSubstr("left out by 'judge: false': equilibrium mid"));
 }
 
 TEST(StudyResult, AGridTellsItsExtremesAndWhereTheyAre) {
