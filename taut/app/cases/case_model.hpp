@@ -7,6 +7,7 @@
 
 #include "taut/calc/field.hpp"
 #include "taut/calc/outcome.hpp"
+#include "taut/calc/result.hpp"
 #include "taut/units/unit.hpp"
 
 namespace taut::app {
@@ -44,9 +45,13 @@ struct CaseOutput {
 struct CaseFlaw {
   enum class Kind { unsafe, unmade, fails };
   Kind kind = Kind::unsafe;
-  std::string check = {};  ///< of `fails`: the name of the check, "skyline.T_max"; else empty
-  std::string words = {};  ///< why, one sentence
-  bool fact = false;       ///< of `fails`: no limit of the deck can allow it: breaking force, yield, ground
+  std::string check = {};        ///< of `fails`: the name of the check, "skyline.T_max"; else empty
+  std::string words = {};        ///< why, one sentence
+  bool fact = false;             ///< of `fails`: no limit of the deck can allow it: breaking force, yield, ground
+  Sense sense = Sense::at_most;  ///< of `fails`: on which side of its limit the check holds its value
+  /// The analysis whose states it is about, as outputs name it: "equilibrium_2"; empty: all that the verdict sees, or
+  /// of a method.
+  std::string analysis = {};
 };
 
 /// One case. Not ok: it has no answer, and the outputs are NaN.

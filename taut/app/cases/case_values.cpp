@@ -152,8 +152,11 @@ std::vector<CaseFlaw> flaws_of(const Result& r, const Display& display) {
   std::vector<CaseFlaw> flaws;
   for (const Check& c : r.checks) {
     if (c.passes || c.refused) continue;
-    flaws.push_back(
-        {.kind = CaseFlaw::Kind::fails, .check = c.name, .words = against_limit(c, display), .fact = !c.limits});
+    flaws.push_back({.kind = CaseFlaw::Kind::fails,
+                     .check = c.name,
+                     .words = against_limit(c, display),
+                     .fact = !c.limits,
+                     .sense = c.sense});
   }
   if (std::string words = unmade_in(r); !words.empty()) {
     flaws.push_back({.kind = CaseFlaw::Kind::unmade, .check = {}, .words = std::move(words)});

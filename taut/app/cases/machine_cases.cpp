@@ -27,6 +27,7 @@ struct NamedAnalysis {
   std::string label;   ///< "equilibrium", "load_path_sag"
   std::string ending;  ///< "", "_sag", "_2"
   std::size_t index = 0;
+  bool judged = true;
 };
 
 std::vector<NamedAnalysis> named_analyses(const std::vector<study::AnalysisRequest>& all) {
@@ -39,7 +40,7 @@ std::vector<NamedAnalysis> named_analyses(const std::vector<study::AnalysisReque
       const std::string ending = request->name ? "_" + *request->name
                                  : before == 0 ? std::string{}
                                                : fmt::format("_{}", before + 1);
-      named.push_back({.label = kind + ending, .ending = ending, .index = i});
+      named.push_back({.label = kind + ending, .ending = ending, .index = i, .judged = request->judge});
     };
     add("equilibrium", all[i].equilibrium);
     add("load_path", all[i].load_path);
@@ -64,6 +65,7 @@ struct DeckPart {
   std::vector<WantedValue> wanted;  ///< by output
   States states = {};               ///< of the deck as it is
   bool judges = true;               ///< whether the verdict has to see its states
+  std::string about = {};           ///< the analysis whose states its flaws are about, as of a CaseFlaw
   bool tells = true;                ///< whether it tells the flaws of a case: no part does that runs more than it
 };
 
@@ -238,6 +240,7 @@ CaseAnswer answer_by(const MachineModel& model, const MachineOfCase& whole, cons
       const Result r = run_part(whole, part, **deck, one_of_many(part));
       answer.outcome = take_values(r, part.wanted, found);
       std::vector<CaseFlaw> flaws = part.tells ? flaws_of(r, model.base.deck.display) : std::vector<CaseFlaw>{};
+      for (CaseFlaw& one : flaws) one.analysis = part.about;
       std::move(flaws.begin(), flaws.end(), std::back_inserter(answer.flaws));
     } else {
       answer.outcome = deck.error();
@@ -281,6 +284,15 @@ void add_new(const std::vector<std::string>& more, std::vector<std::string>& all
   for (const std::string& one : more) {
     if (std::find(all.begin(), all.end(), one) == all.end()) all.push_back(one);
   }
+}
+
+/// The analysis whose states a part sees. Its checks are about all that are judged, which may be one.
+std::string analysis_seen(const DeckPart& part, const MachineDeck& deck) {
+  if (part.kind == DeckPart::Kind::design) return "design";
+  if (part.kind == DeckPart::Kind::analysis) return part.analysis.label;
+  std::vector<NamedAnalysis> judged = named_analyses(deck.analyses);
+  std::erase_if(judged, [](const NamedAnalysis& one) { return !one.judged; });
+  return judged.size() == 1 ? judged.front().label : std::string{};
 }
 
 /// Sorts the outputs by what has to be run for them.
@@ -362,6 +374,7 @@ MadeCases machine_cases(const ReadMachine& read, const CaseQuestion& question,
     if (!wrong.complaints.empty() || !wrong.outcome.ok()) return tl::unexpected(std::move(wrong));
     // the checks are of the deck with all its analyses
     part.tells = part.kind != DeckPart::Kind::analysis || !all_analyses;
+    part.about = analysis_seen(part, model->base.deck);
     add_new(r.exempt, made.exempt);
     add_new(r.left_out, made.left_out);
     part.judges = part.tells || needs(part, judged);

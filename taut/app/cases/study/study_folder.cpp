@@ -97,12 +97,19 @@ const char* word_of(CaseFlaw::Kind kind) {
   return "fails";
 }
 
+const char* word_of(Sense sense) { return sense == Sense::at_least ? "at_least" : "at_most"; }
+
 /// What is said against a case as one text; empty: nothing.
 std::string text_of(const std::vector<CaseFlaw>& flaws) {
   if (flaws.empty()) return {};
   Json all = Json::array();
   for (const CaseFlaw& one : flaws) {
-    all.push_back({{"kind", word_of(one.kind)}, {"check", one.check}, {"words", one.words}, {"fact", one.fact}});
+    all.push_back({{"kind", word_of(one.kind)},
+                   {"check", one.check},
+                   {"words", one.words},
+                   {"fact", one.fact},
+                   {"sense", word_of(one.sense)},
+                   {"analysis", one.analysis}});
   }
   return all.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
@@ -114,11 +121,13 @@ std::optional<std::vector<CaseFlaw>> flaws_in(const std::string& text) {
   const Json all = Json::parse(text, nullptr, false);
   if (!all.is_array()) return std::nullopt;
   for (const Json& one : all) {
-    if (!one.is_object()) return std::nullopt;
+    if (!one.is_object() || !one.contains("sense")) return std::nullopt;  // before it had one: of another program
     CaseFlaw flaw{.kind = CaseFlaw::Kind::unsafe,
                   .check = one.value("check", ""),
                   .words = one.value("words", ""),
-                  .fact = one.value("fact", false)};
+                  .fact = one.value("fact", false),
+                  .sense = one.value("sense", "") == word_of(Sense::at_least) ? Sense::at_least : Sense::at_most,
+                  .analysis = one.value("analysis", "")};
     const std::string kind = one.value("kind", "");
     for (const auto known : {CaseFlaw::Kind::unmade, CaseFlaw::Kind::fails}) {
       if (kind == word_of(known)) flaw.kind = known;

@@ -135,6 +135,7 @@ TEST_F(Folder, KeepsWhatIsSaidAgainstACase) {
   auto rows = rows_of(folder->parts().of(1));
   rows[5].answer.flaws = {
       {.kind = CaseFlaw::Kind::fails, .check = "sky.T_max", .words = "\"11 kN\", limit 10 kN", .fact = true},
+      {.kind = CaseFlaw::Kind::fails, .check = "sky.safety_factor", .sense = Sense::at_least, .analysis = "cycle_2"},
       {.kind = CaseFlaw::Kind::unmade, .words = "no angle"},
       {.kind = CaseFlaw::Kind::unsafe, .words = "a rope of \xC3\xBC is slack"}};
   ASSERT_TRUE(folder->write(1, study, rows).has_value());
@@ -142,13 +143,15 @@ TEST_F(Folder, KeepsWhatIsSaidAgainstACase) {
   ASSERT_TRUE(again.has_value()) << again.error().message;
   EXPECT_TRUE(again->at(4).answer.flaws.empty());
   const auto& flaws = again->at(5).answer.flaws;
-  ASSERT_EQ(flaws.size(), 3U);
-  for (std::size_t i = 0; i < 3; ++i) {
+  ASSERT_EQ(flaws.size(), 4U);
+  for (std::size_t i = 0; i < flaws.size(); ++i) {
     const CaseFlaw& own = rows[5].answer.flaws[i];
     EXPECT_EQ(flaws[i].kind, own.kind);
     EXPECT_EQ(flaws[i].check, own.check);
     EXPECT_EQ(flaws[i].words, own.words);
     EXPECT_EQ(flaws[i].fact, own.fact);
+    EXPECT_EQ(flaws[i].sense, own.sense);
+    EXPECT_EQ(flaws[i].analysis, own.analysis);
   }
 }
 

@@ -181,35 +181,56 @@ void add_failed(const Study& study, const StudyData& data, Result& r) {
   r.tables.push_back(std::move(each));
 }
 
-/// Whether a limit of that output speaks of a check, by their names: of the value checked, or of the same under another
-/// name. `output`: behind the name of its analysis.
-bool speaks_of(const std::string& output, const std::string& check) {
-  static const std::map<std::string, std::vector<std::string>> other_names = {
-      {"T_max", {"safety_factor"}}, {"safety_factor", {"T_max"}}, {"ground", {"clearance"}}};
-  static const std::map<std::string, std::vector<std::string>> of_all_parts = {
-      {"T_max", {"T_max"}}, {"ground", {"clearance_min", "rope_clearance_min"}}};
-  std::vector<std::string> names = {check};
-  const std::size_t dot = check.rfind('.');
+/// A value, and the side of it on which a limit is.
+struct LimitedValue {
+  std::string name;
+  chance::Bound bound = chance::Bound::at_most;
+};
+
+/// What a limit has to be about to speak of a check that fails: the value checked, or the same under another name, on
+/// the side of the check. A pull of 10 kN at least says nothing of a rope that has too much.
+std::vector<LimitedValue> limits_like(const CaseFlaw& flaw) {
+  using chance::Bound;
+  using ByKind = std::map<std::string, std::vector<LimitedValue>>;
+  static const ByKind other_names = {{"T_max", {{"safety_factor", Bound::at_least}}},
+                                     {"safety_factor", {{"T_max", Bound::at_most}}},
+                                     {"ground", {{"clearance", Bound::at_least}}}};
+  static const ByKind of_all_parts = {
+      {"T_max", {{"T_max", Bound::at_most}}},
+      {"ground", {{"clearance_min", Bound::at_least}, {"rope_clearance_min", Bound::at_least}}}};
+  std::vector<LimitedValue> values = {{flaw.check, flaw.sense == Sense::at_least ? Bound::at_least : Bound::at_most}};
+  const std::size_t dot = flaw.check.rfind('.');
   if (dot != std::string::npos) {
-    const std::string part = check.substr(0, dot), kind = check.substr(dot + 1);
+    const std::string part = flaw.check.substr(0, dot), kind = flaw.check.substr(dot + 1);
     if (const auto found = other_names.find(kind); found != other_names.end()) {
-      for (const std::string& one : found->second) names.push_back(fmt::format("{}.{}", part, one));
+      for (const auto& [name, bound] : found->second) values.push_back({fmt::format("{}.{}", part, name), bound});
     }
     if (const auto found = of_all_parts.find(kind); found != of_all_parts.end()) {
-      names.insert(names.end(), found->second.begin(), found->second.end());
+      values.insert(values.end(), found->second.begin(), found->second.end());
     }
   }
-  return std::any_of(names.begin(), names.end(),
-                     [&](const std::string& name) { return output == name || output == name + ".utilisation"; });
+  for (std::size_t i = 0, names = values.size(); i < names; ++i) {
+    values.push_back({values[i].name + ".utilisation", Bound::at_most});
+  }
+  return values;
+}
+
+/// Whether an output is that value of all states that a flaw is about. Those of `checks` are of all analyses, those of
+/// a method have none.
+bool covers(const std::string& output, const std::string& value, const std::string& analysis) {
+  return output == value || output == "checks." + value || (!analysis.empty() && output == analysis + "." + value);
 }
 
 /// Whether a limit of the study counts that failure. It takes the place of a limit of the deck on the same value; what
 /// no limit can allow it has to count as beyond itself.
 bool counted(const Study& study, const StudyData& data, const FlawedCase& one) {
+  const std::vector<LimitedValue> like = limits_like(one.flaw);
   return std::any_of(study.limits.begin(), study.limits.end(), [&](const StudyLimit& limit) {
-    const std::string& name = study.model.outputs[limit.output].name;
-    const std::string value = name.substr(name.find('.') + 1);
-    if (!speaks_of(value, one.flaw.check) && !speaks_of(name, one.flaw.check)) return false;
+    const std::string& output = study.model.outputs[limit.output].name;
+    const bool speaks = std::any_of(like.begin(), like.end(), [&](const LimitedValue& value) {
+      return value.bound == limit.limit.bound && covers(output, value.name, one.flaw.analysis);
+    });
+    if (!speaks) return false;
     return !one.flaw.fact || chance::margin(limit.limit, data.outputs[limit.output][one.index]) < 0;
   });
 }

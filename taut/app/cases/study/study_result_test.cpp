@@ -121,7 +121,9 @@ TEST(StudyResult, ALimitOfTheStudyTakesThePlaceOfTheDecksOwn) {
   StudyData data;
   data.outputs = {std::vector<double>(100, 2.5)};
   data.flawed = {
-      {.index = 3, .flaw = {.kind = CaseFlaw::Kind::fails, .check = "sky.safety_factor", .words = "below 3"}}};
+      {.index = 3,
+       .flaw = {
+           .kind = CaseFlaw::Kind::fails, .check = "sky.safety_factor", .words = "below 3", .sense = Sense::at_least}}};
   EXPECT_TRUE(study_result(study, data, {}).unmade.empty());
   data.flawed[0].flaw.check = "mainline.safety_factor";
   EXPECT_EQ(study_result(study, data, {}).unmade.size(), 1U) << "of another rope";
@@ -129,6 +131,60 @@ TEST(StudyResult, ALimitOfTheStudyTakesThePlaceOfTheDecksOwn) {
   EXPECT_EQ(study_result(study, data, {}).unmade.size(), 1U) << "at a factor of 2.5 nothing counts it";
   data.outputs[0][3] = 0.9;
   EXPECT_TRUE(study_result(study, data, {}).unmade.empty());
+}
+
+/// A study with one limit that all its cases are beyond, where one case fails a check.
+struct OneLimit {
+  const char* output;
+  chance::Bound bound;
+  const char* check;
+  Sense sense;
+  const char* analysis;  ///< of the failure
+  bool counts;
+};
+
+// A pull of 10 kN at least, or the pull in another analysis, says nothing of a rope that has too much.
+TEST(StudyResult, ALimitCountsAFailureOfItsOwnSideAndAnalysisOnly) {
+  using enum chance::Bound;
+  const Sense least = Sense::at_least, most = Sense::at_most;
+  const OneLimit all[] = {
+      {"equilibrium.sky.T_max", at_most, "sky.safety_factor", least, "equilibrium", true},
+      {"equilibrium.sky.T_max", at_least, "sky.safety_factor", least, "equilibrium", false},
+      {"equilibrium.sky.T_max", at_most, "sky.T_max", most, "equilibrium", true},
+      {"equilibrium.sky.T_max", at_least, "sky.T_max", most, "equilibrium", false},
+      {"equilibrium.sky.safety_factor", at_least, "sky.T_max", most, "equilibrium", true},
+      {"equilibrium.sky.safety_factor", at_most, "sky.T_max", most, "equilibrium", false},
+      {"equilibrium.T_max", at_most, "sky.T_max", most, "equilibrium", true},
+      {"equilibrium.T_max", at_least, "sky.T_max", most, "equilibrium", false},
+      {"equilibrium.sky.T_max.utilisation", at_most, "sky.safety_factor", least, "equilibrium", true},
+      {"equilibrium.sky.T_max.utilisation", at_least, "sky.safety_factor", least, "equilibrium", false},
+      {"equilibrium.rope_clearance_min", at_least, "sky.ground", least, "equilibrium", true},
+      {"equilibrium.rope_clearance_min", at_most, "sky.ground", least, "equilibrium", false},
+      // of another analysis, of all of them, of a method
+      {"equilibrium.sky.T_max", at_most, "sky.safety_factor", least, "equilibrium_mid", false},
+      {"equilibrium.sky.T_max", at_most, "sky.safety_factor", least, "", false},
+      {"checks.sky.safety_factor", at_least, "sky.safety_factor", least, "", true},
+      {"checks.sky.safety_factor", at_least, "sky.safety_factor", least, "equilibrium_mid", true},
+      {"checks.sky.safety_factor", at_most, "sky.safety_factor", least, "", false},
+      {"sky.safety_factor", at_least, "sky.safety_factor", least, "", true}};
+  for (const OneLimit& one : all) {
+    Study study = of_cases(10);
+    study.model.outputs[0].name = one.output;
+    const double value = one.bound == at_least ? 1 : 3;
+    study.limits = {{.output = 0, .limit = {.bound = one.bound, .value = 2}, .allowed = 0.1}};
+    StudyData data;
+    data.outputs = {std::vector<double>(10, value)};
+    for (const bool fact : {false, true}) {
+      data.flawed = {{.index = 3,
+                      .flaw = {.kind = CaseFlaw::Kind::fails,
+                               .check = one.check,
+                               .words = "beyond",
+                               .fact = fact,
+                               .sense = one.sense,
+                               .analysis = one.analysis}}};
+      EXPECT_EQ(study_result(study, data, {}).unmade.empty(), one.counts) << one.output << ", " << one.analysis;
+    }
+  }
 }
 
 TEST(StudyResult, WhatTheDeckTakesOutOfTheVerdictIsSaid) {

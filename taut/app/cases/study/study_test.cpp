@@ -344,6 +344,42 @@ TEST(Study, AGridWithABrokenRopeFails) {
   EXPECT_THAT(verdict_of(r)->reason, HasSubstr("cases that fail sky.T_max"));
 }
 
+/// A deck whose rope has a factor of less than 4 in its analysis `mid` alone, and a grid over it.
+std::string two_places(const std::string& limit, const std::string& of = "checks.sky.safety_factor") {
+  std::string text = deck_with(fmt::format("  points: grid\n  vary: {{'machine.loads[0].mass': {{list: [1 t, 3 t]}}}}\n"
+                                           "  of: [equilibrium.sky.T_max, equilibrium.sky.safety_factor, {}]\n"
+                                           "  limit: {{{}}}\n",
+                                           of, limit),
+                               "checks: {ropes: {sky: {safety_factor: 4}}}\n");
+  const std::string own = "[{equilibrium: {motion: at_rest}}]";
+  return text.replace(text.find(own), own.size(),
+                      "[{equilibrium: {carriage: car, x: 2 m, held: true}},\n"
+                      "  {equilibrium: {name: mid, carriage: car, x: 100 m, held: true}}]");
+}
+
+TEST(Study, ALimitOnOneAnalysisLeavesTheChecksOfAllToJudge) {
+  const Result r = whole(two_places("equilibrium.sky.safety_factor: {at_least: 4}"));
+  ASSERT_EQ(r.status, Status::ok) << r.message << to_text(r.errors);
+  EXPECT_GT(value(r, "equilibrium.sky.safety_factor.least"), 4) << "the limit is kept";
+  EXPECT_LT(value(r, "checks.sky.safety_factor.least"), 4);
+  EXPECT_EQ(verdict_of(r)->kind, VerdictKind::fails);
+  EXPECT_THAT(verdict_of(r)->reason, HasSubstr("cases that fail sky.safety_factor"));
+  // of all analyses, or where there is no other one that is judged, it takes the place of the check
+  EXPECT_NE(verdict_of(whole(two_places("checks.sky.safety_factor: {at_least: 2}")))->kind, VerdictKind::fails);
+  std::string alone = two_places("equilibrium.sky.safety_factor: {at_least: 2}");
+  alone.replace(alone.find("name: mid"), 9, "name: mid, judge: false");
+  const Result one = whole(alone);
+  EXPECT_NE(verdict_of(one)->kind, VerdictKind::fails);
+  EXPECT_THAT(verdict_of(one)->reason, HasSubstr("left out by 'judge: false': mid"));
+}
+
+TEST(Study, ALimitOfTheOtherSideLeavesAFailedCheckToJudge) {
+  const Result r = whole(two_places("equilibrium_mid.sky.T_max: {at_least: 10 kN}",
+                                    "equilibrium_mid.sky.T_max, checks.sky.safety_factor"));
+  ASSERT_EQ(r.status, Status::ok) << r.message << to_text(r.errors);
+  EXPECT_EQ(verdict_of(r)->kind, VerdictKind::fails);
+}
+
 TEST(Study, WhatTheDeckTakesOutOfTheVerdictStaysOutOfIt) {
   const std::string study =
       std::string(half_break) + "  limit: {equilibrium.car.z: {at_least: -100 m, allowed: 0.05}}\n";
