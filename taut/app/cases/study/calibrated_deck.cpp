@@ -14,6 +14,7 @@
 #include "taut/io/deck/override.hpp"
 #include "taut/io/deck/parameters.hpp"
 #include "taut/io/deck/write.hpp"
+#include "taut/units/any_quantity.hpp"
 #include "taut/units/parse.hpp"
 
 namespace taut::app {
@@ -99,6 +100,39 @@ void put_found(const FittedDeck& fit, io::Document& document, Notes& notes) {
       notes.push_back(fmt::format("{}: {} is in its law only, not in the deck: {}", name, value, one.message));
     }
   }
+}
+
+/// The temperature of a machine's deck; nothing where it has none, or of a method.
+std::optional<double> temperature_of(const ReadCases& read) {
+  const auto* machine = std::get_if<ReadMachine>(&read.of);
+  return machine != nullptr ? machine->deck->machine.temperature : std::nullopt;
+}
+
+/// Lengths hold at the temperature that the deck had while it was fitted. With another one in it the new deck has to
+/// name that of each rope and beam.
+void put_references(const FittedDeck& fit, io::Document& document, Notes& notes) {
+  const std::optional<double> before = temperature_of(fit.read);
+  if (!before) return;
+  const Job& job = fit.read.job;
+  const auto after =
+      read_cases({.text = io::to_yaml(document.root), .name = job.name, .set = {}, .progress = {}, .read = job.read});
+  if (after && temperature_of(*after) == before) return;
+  const std::string text = fmt::format("{:.12g} degC", *before - zero_celsius);
+  const auto put = [&](const char* list, const auto& all) {
+    for (const auto& one : all) {
+      if (one.reference_temperature) continue;
+      Diagnostics refused;
+      io::override_value(document, fmt::format("machine.{}.{}.reference_temperature={}", list, one.name, text),
+                         io::deck_keys(), refused);
+      for (const Diagnostic& wrong : refused) {
+        notes.push_back(
+            fmt::format("the length of {} holds at {}, not at the new temperature: {}", one.name, text, wrong.message));
+      }
+    }
+  };
+  const machine::Machine& machine = std::get<ReadMachine>(fit.read.of).deck->machine;
+  put("ropes", machine.ropes);
+  put("beams", machine.beams);
 }
 
 /// The law of a number found: normal, within the bounds of the fit and within what the number may be.
@@ -309,6 +343,7 @@ std::string calibrated_deck(const ReadCases& read, const CaseModel& model,
   put_found(fit, *document, notes);
   erase(root, "calibrate");
   name_files_wholly(root);
+  put_references(fit, *document, notes);
   put_study(fit, at(root, "study"), notes);
   drop_unused_parameters(*document, notes);
   return comments(fs::path(read.job.name).filename().string(), notes) + io::to_yaml(root);

@@ -318,6 +318,36 @@ TEST(CalibratedDeck, AGridBecomesASampleAndItsListsStay) {
   EXPECT_THAT(text, HasSubstr("# - study.points: a grid is made of single values"));
 }
 
+/// The tension that a deck's own run has.
+double tension_of(const std::string& text) {
+  const Result r = run(job_of(text));
+  const Value* T = r.find_value("sky.T_start");
+  if (T == nullptr) throw std::runtime_error(r.message + to_text(r.errors) + text);
+  return T->value;
+}
+
+// 204.6 K found where the deck has 15 degC: the rope of 205 m at 15 degC is 0.2 m shorter.
+TEST(CalibratedDeck, LengthsHoldAtTheTemperatureThatTheDeckHadInTheFit) {
+  const std::string cold = "machine.temperature";
+  const std::string plain = replaced(deck_with(ropes, ""), "machine:\n", "machine:\n  temperature: 15 degC\n");
+  const std::string by_parameter = "parameters: {now: 15 degC}\n" + replaced(plain, "15 degC\n", "= now\n");
+  const std::string own = replaced(plain, "stiffness: 20 MN", "stiffness: 20 MN, reference_temperature: 30 degC");
+  for (const auto& [deck, path] :
+       {std::pair(plain, cold), std::pair(by_parameter, std::string("parameters.now")), std::pair(own, cold)}) {
+    const auto read = read_cases(job_of(deck));
+    ASSERT_TRUE(read.has_value()) << to_text(read.error().errors);
+    const auto cases =
+        read->cases({.inputs = {{path, ""}, {stiffness, ""}}, .outputs = {{"equilibrium.sky.T_start", ""}}});
+    ASSERT_TRUE(cases.has_value());
+    const CaseAnswer fitted = cases->answer(std::vector<double>{204.6, 18e6});
+    ASSERT_TRUE(fitted.outcome.ok()) << fitted.outcome.message;
+    const std::string text = calibrated(job_of(deck), 0.5, {.first = path, .unit = si::K});
+    EXPECT_NEAR(tension_of(text), fitted.outputs[0], 1e-6 * fitted.outputs[0]) << text;
+  }
+  // a deck whose temperature stays needs no reference
+  EXPECT_THAT(calibrated(job_of(plain), 0.5), testing::Not(HasSubstr("reference_temperature")));
+}
+
 // The direction of a vector is no number that a deck has: its components depend on the length, too.
 TEST(CalibratedDeck, SaysWhichValueFoundIsInItsLawOnly) {
   const std::string angle = "machine.loads[0].force.angle";
