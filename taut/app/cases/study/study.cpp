@@ -120,6 +120,11 @@ tl::expected<Study, Result> read_study(const Job& job) {
   }
   Study s;
   s.request = std::move(*read->study);
+  if (s.request.vary.empty()) {
+    return tl::unexpected(
+        refusal({.complaints = {{"study.vary", "names no number: without one that varies all cases are the same"}}},
+                read->blocks()));
+  }
   auto model = read->cases(question_of(s.request));
   if (!model) return tl::unexpected(refusal(model.error(), read->blocks()));
   s.model = std::move(*model);

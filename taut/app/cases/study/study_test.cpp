@@ -415,6 +415,10 @@ TEST(Study, MistakesHaveTheirPlace) {
                       "  of: [equilibrium.sky.T_max, equilibrium.sky.T_max]\n"),
               HasSubstr("deck.yaml:11:31: error: study.of[1]: 'equilibrium.sky.T_max' is the same value as "
                         "'equilibrium.sky.T_max': give it once"));
+  for (const char* points : {"", "  points: grid\n", "  points: lhs\n"}) {
+    EXPECT_THAT(message(std::string("  vary: {}\n  of: [equilibrium.T_max]\n") + points),
+                HasSubstr("deck.yaml:10:9: error: study.vary: names no number"));
+  }
   EXPECT_THAT(message(std::string(usual) + "  points: grid\n"), HasSubstr("a grid is made of lists and steps"));
   EXPECT_THAT(message("  vary: {'machine.loads[0].mass': {list: [1 t, 2 t], weights: [1, 0]}}\n"
                       "  of: [equilibrium.T_max]\n  points: grid\n"),
