@@ -14,6 +14,7 @@
 #include "taut/io/deck/override.hpp"
 #include "taut/io/deck/parameters.hpp"
 #include "taut/io/deck/read.hpp"
+#include "taut/units/any_quantity.hpp"
 #include "taut/units/display.hpp"
 #include "taut/units/parse.hpp"
 
@@ -29,9 +30,11 @@ const Description& ComparedValue::describe() {
           .field(&ComparedValue::value, "value", "name of the result value")
           .required()
           .field(&ComparedValue::published, "published", "as the source prints it, with its unit")
-          .field(&ComparedValue::tolerance, "tolerance", "'2 %' of the published value, or a quantity")
+          .field(&ComparedValue::tolerance, "tolerance",
+                 "'2 %' of the published value, or a quantity; of a temperature in K")
           .field(&ComparedValue::reference, "reference", "of another calculation with the same data, with its unit")
-          .field(&ComparedValue::reference_tolerance, "reference_tolerance", "'2 %' of the reference, or a quantity")
+          .field(&ComparedValue::reference_tolerance, "reference_tolerance",
+                 "'2 %' of the reference, or a quantity; of a temperature in K")
           .field(&ComparedValue::set, "set", "values put over the deck's, as with --set")
           .field(&ComparedValue::note, "note", "a remark");
   return d;
@@ -126,25 +129,36 @@ class DeckRuns {
   std::map<std::string, Result> all_;
 };
 
+enum class Means { value, difference };
+
 /// A quantity of the set, NaN with a mistake at its place.
 double set_quantity(const std::optional<std::string>& text, const Unit& unit, const io::Node& at, const char* key,
-                    Result& r) {
+                    Result& r, Means means = Means::value) {
   if (!text) return no_value;
-  const auto x = parse_quantity(*text, unit);
+  const auto x = means == Means::value ? parse_quantity(*text, unit) : parse_difference(*text, unit);
   if (x) return *x;
   const io::Node* node = at.find(key);
   io::add(r.errors, node != nullptr ? node->spot : at.spot, fmt::format("{}: {}", key, x.error().message));
   return no_value;
 }
 
-/// "2 %" of a value, or a quantity of its kind.
+/// "2 %" of a value, or a difference of its kind. A temperature has no share: it would depend on the zero of its scale.
 double tolerance_of(const std::optional<std::string>& text, double value, const Unit& unit, const io::Node& at,
                     const char* key, Result& r) {
-  if (text && !text->empty() && text->back() == '%') {
+  const bool is_share = text && !text->empty() && text->back() == '%';
+  if (is_share && is_temperature(unit)) {
+    io::place(at,
+              {{.path = key,
+                .message = "a share of a temperature would depend on the zero of its scale: give a difference in K, as "
+                           "in '1 K'"}},
+              r.errors);
+    return no_value;
+  }
+  if (is_share) {
     const auto share = parse_quantity(*text, si::one);
     if (share) return *share * std::abs(value);
   }
-  return set_quantity(text, unit, at, key, r);
+  return set_quantity(text, unit, at, key, r, Means::difference);
 }
 
 struct ComparedRow {
@@ -182,6 +196,11 @@ std::string percent_text(double share, bool with_sign) {
 
 std::string deviation_text(const Display& display, double x, double of, double by, const Unit& unit) {
   if (std::isnan(x) || std::isnan(of)) return "";
+  if (is_temperature(unit)) {
+    const Unit kelvins = difference_of(unit);
+    const std::string off = display.quantity(x - of, kelvins);
+    return std::isnan(by) ? off : fmt::format("{} (may {})", off, display.quantity(by, kelvins));
+  }
   if (of == 0) return display.quantity(x - of, unit);
   const std::string share = percent_text((x - of) / std::abs(of), true);
   return std::isnan(by) ? share : fmt::format("{} (may {})", share, percent_text(by / std::abs(of), false));
@@ -231,7 +250,8 @@ void add_compared_checks(const std::vector<ComparedRow>& rows, Result& r) {
   for (const ComparedRow& row : rows) {
     const auto add = [&](const char* to, double of, double by, const char* rule) {
       if (std::isnan(by)) return;
-      r.checks.push_back(make_check(fmt::format("{} {}", row.what, to), std::abs(row.value - of), row.unit,
+      r.checks.push_back(make_check(fmt::format("{} {}", row.what, to), std::abs(row.value - of),
+                                    difference_of(row.unit),
                                     {.sense = Sense::at_most, .limit = by, .rule = rule, .trust = "user"}));
       r.checks.back().part = case_of_row(row.what);
     };
@@ -251,7 +271,7 @@ void add_deviation_plot(const std::vector<ComparedRow>& rows, Result& r) {
       reference{.label = "reference", .x = {}, .y = {}, .dashed = false, .points_only = true};
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const auto add = [&](Curve& c, double of) {
-      if (std::isnan(rows[i].value) || std::isnan(of) || of == 0) return;
+      if (std::isnan(rows[i].value) || std::isnan(of) || of == 0 || is_temperature(rows[i].unit)) return;
       c.x.push_back(static_cast<double>(i + 1));
       c.y.push_back(rows[i].value / of);
     };

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "test/paths.hpp"
 #include "test/support/machine_decks.hpp"
 
 namespace taut_test::compare_test {
@@ -102,6 +103,26 @@ TEST_F(Compare, ARowOnlyShownWithoutItsValueIsNotJudged) {
   ASSERT_EQ(r.unmade.size(), 1U);
   EXPECT_EQ(r.unmade[0], "b: no value 'T_least'");
   EXPECT_EQ(exit_code(r), 4);
+}
+
+// A deck with a value in degC: a tolerance is a difference of two, whose zero is none of the scale.
+TEST_F(Compare, ATemperatureMayBeOffByADifferenceInKelvin) {
+  const auto row = [](const std::string& published, const std::string& tolerance) {
+    return fmt::format("    - {{what: a, deck: {}, value: sweep_end_cold, published: {}, tolerance: {}}}\n",
+                       (source_dir() / "examples/machines/base_tension.yaml").string(), published, tolerance);
+  };
+  for (const char* tolerance : {"1 K", "1 degC"}) {
+    const taut::Result near = run(row("29.5 degC", tolerance)), far = run(row("0 degC", tolerance));
+    ASSERT_EQ(near.checks.size(), 1U) << near.message << to_text(near.errors);
+    EXPECT_TRUE(near.checks[0].passes);
+    EXPECT_NEAR(near.checks[0].utilisation, 0.5, 1e-9);
+    EXPECT_FALSE(far.checks[0].passes) << tolerance;
+    EXPECT_EQ(text_cell(table_of(far, "compared"), 0, "to_published"), "30 K (may 1 K)");
+    EXPECT_EQ(text_cell(table_of(run(row("0 degC", tolerance), "display: {temperature: degC}\n"), "compared"), 0,
+                        "to_published"),
+              "30 K (may 1 K)");
+  }
+  expect_mistake(run(row("20 degC", "5 %")), "tolerance: a share of a temperature would depend on the zero");
 }
 
 TEST_F(Compare, MistakesAreToldAtTheirPlace) {

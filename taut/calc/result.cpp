@@ -143,7 +143,7 @@ Check make_check(std::string name, double value, const Unit& unit, Bound bound) 
   c.unit = unit;
   c.sense = bound.sense;
   // a share of kelvins says nothing: 20 degC of 100 degC are 0.2
-  const double zero = unit.dimension == si::K.dimension ? zero_celsius : 0;
+  const double zero = is_temperature(unit) ? zero_celsius : 0;
   const double is = value - zero, may = c.limit - zero, over = c.sense == Sense::at_most ? may : is;
   c.utilisation = over > 0 && may > 0 ? (c.sense == Sense::at_most ? is / may : may / is)
                                       : std::numeric_limits<double>::quiet_NaN();

@@ -24,6 +24,24 @@ bool is_celsius(std::string_view text, const Unit& kind) {
 
 bool same_kind(const Unit& a, const Unit& b) { return a.dimension == b.dimension && a.is_angle == b.is_angle; }
 
+bool is_temperature(const Unit& unit) { return unit.dimension == si::K.dimension && unit.kind == si::K.kind; }
+
+Unit difference_of(const Unit& unit) {
+  if (!is_temperature(unit)) return unit;
+  // with a kind of its own, that no `display:` names
+  return {.dimension = unit.dimension,
+          .symbol = "K",
+          .shown = "K",
+          .is_angle = false,
+          .kind = "difference of temperatures"};
+}
+
+tl::expected<double, UnitError> parse_difference(std::string_view text, const Unit& unit) {
+  auto x = parse_quantity(text, unit);
+  if (x && is_celsius(text, unit)) *x -= zero_celsius;
+  return x;
+}
+
 bool counts_from_zero_celsius(const Unit& unit) {
   return unit.dimension == si::K.dimension && unit.shown == celsius.shown;
 }

@@ -22,6 +22,16 @@ tl::expected<AnyQuantity, UnitError> parse_any_quantity(std::string_view text);
 /// Whether its values are temperatures in degC, no differences of them.
 bool counts_from_zero_celsius(const Unit& unit);
 
+/// Whether a unit is that of a temperature, a reading: in K or degC, no difference of two.
+bool is_temperature(const Unit& unit);
+
+/// The unit of a difference of two values, of their deviation or error: of temperatures K, also where `display:` shows
+/// them in degC, whose zero is none of a difference.
+Unit difference_of(const Unit& unit);
+
+/// As `parse_quantity`, a difference of two values: "1 degC" is 1 K there.
+tl::expected<double, UnitError> parse_difference(std::string_view text, const Unit& unit);
+
 /// Whether a value in one of them is a value in the other: the same dimension, both angles or neither.
 bool same_kind(const Unit& a, const Unit& b);
 

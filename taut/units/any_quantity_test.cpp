@@ -3,6 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <map>
+#include <string>
+
+#include "taut/units/display.hpp"
 
 namespace taut::any_quantity_test {
 
@@ -23,6 +27,17 @@ TEST(AnyQuantity, ItsUnitSaysWhatItIs) {
     EXPECT_NEAR(found->value, c.value, 1e-12 * std::abs(c.value)) << c.text;
     EXPECT_TRUE(same_kind(found->unit, c.unit)) << c.text;
   }
+}
+
+TEST(AnyQuantity, ADifferenceOfTemperaturesHasNoZeroInDegreesCelsius) {
+  for (const char* text : {"1 K", "1 degC"}) EXPECT_NEAR(*parse_difference(text, si::K.in("degC")), 1, 1e-12) << text;
+  EXPECT_EQ(*parse_difference("3 kN", si::N), 3e3);
+  EXPECT_FALSE(parse_difference("1 m", si::K));
+  const Unit kelvins = difference_of(si::K.in("degC"));
+  EXPECT_EQ(Display(std::map<std::string, std::string>{{"temperature", "degC"}}).quantity(0.5, kelvins), "0.5 K");
+  EXPECT_TRUE(is_temperature(si::K));
+  EXPECT_FALSE(is_temperature(kelvins));
+  EXPECT_EQ(difference_of(si::N.in("kN")).shown, "kN");
 }
 
 TEST(AnyQuantity, SaysWhyNot) {

@@ -12,6 +12,7 @@
 #include "taut/chance/calibration.hpp"
 #include "taut/io/deck/source.hpp"
 #include "taut/io/file.hpp"
+#include "taut/units/any_quantity.hpp"
 #include "taut/units/parse.hpp"
 
 namespace taut::app {
@@ -150,7 +151,7 @@ void add_parameters(const Calibrating& c, const chance::Calibration& found, Resu
     if (std::isfinite(p.standard_error)) {
       r.values.push_back({input.path + ".standard_error",
                           p.standard_error,
-                          input.unit,
+                          difference_of(input.unit),
                           "",
                           "standard error of " + input.path,
                           {},
@@ -196,8 +197,8 @@ void add_residuals(const Calibrating& c, const chance::Calibration& found, Resul
       state += fmt::format("{}{} {}", k > 0 ? ", " : "", input.path, display.brief(settings[k], input.unit));
     }
     t.rows.push_back({static_cast<double>(m + 1), output.name, state, display.brief(c.measured.values[m], output.unit),
-                      display.brief(found.model[m], output.unit), display.brief(found.residuals[m], output.unit),
-                      found.residuals[m] / sd});
+                      display.brief(found.model[m], output.unit),
+                      display.brief(found.residuals[m], difference_of(output.unit)), found.residuals[m] / sd});
     plot.curves[0].x.push_back(static_cast<double>(m + 1));
     plot.curves[0].y.push_back(found.residuals[m] / sd);
   }
@@ -233,7 +234,7 @@ void add_fit(const Calibrating& c, const chance::Calibration& found, Result& r) 
         {"chi_squared", found.chi_squared, si::one, "chi^2", "sum of squares of difference/sd", {}, true});
   } else if (std::isfinite(found.sd)) {
     // without sd all measurements are of one kind (in_si)
-    const Unit& unit = c.model.outputs[c.measured.output.front()].unit;
+    const Unit unit = difference_of(c.model.outputs[c.measured.output.front()].unit);
     r.values.push_back(
         {"sd", found.sd, unit, "s", "standard deviation of the measurements by their residuals", {}, true});
   }

@@ -6,10 +6,12 @@
 
 #include <cmath>
 #include <fstream>
+#include <map>
 #include <random>
 #include <string>
 
 #include "taut/app/cases/read_cases.hpp"
+#include "taut/units/display.hpp"
 #include "test/paths.hpp"
 #include "test/support/scratch_folder.hpp"
 
@@ -170,6 +172,24 @@ TEST_F(Line, WithoutSdTheScatterHasTheUnitOfTheMeasurements) {
   EXPECT_LE(found->value, 100 * std::sqrt(6. / 4)) << "6 measurements less 2 numbers";
   write(noisy(1));
   EXPECT_NE(fit().find_value("chi_squared"), nullptr);
+}
+
+TEST_F(Line, TheErrorOfATemperatureIsADifference) {
+  const auto replaced = [](std::string text, const std::string& part, const std::string& by) {
+    return text.replace(text.find(part), part.size(), by);
+  };
+  std::string deck = replaced(deck_of(), "machine:\n", "machine:\n  temperature: 15 degC\n");
+  deck = replaced(deck, "    machine.reevings.sky.length: [203 m, 207 m]\n",
+                  "    machine.temperature: [-220 degC, 80 degC]\n");
+  write(noisy(1));
+  const Result r = calibrate({.text = deck, .name = path("deck.yaml"), .set = {}, .progress = {}}, 2);
+  ASSERT_EQ(r.status, Status::ok) << r.message << to_text(r.errors);
+  const Value* error = r.find_value("machine.temperature.standard_error");
+  ASSERT_NE(error, nullptr);
+  const std::string shown =
+      Display(std::map<std::string, std::string>{{"temperature", "degC"}}).brief(error->value, error->unit);
+  EXPECT_THAT(shown, testing::EndsWith(" K"));
+  EXPECT_THAT(shown, testing::Not(testing::StartsWith("-")));
 }
 
 TEST_F(Line, MistakesHaveTheirPlace) {

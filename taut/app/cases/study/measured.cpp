@@ -62,8 +62,9 @@ Measurements in_si(const MeasuredTable& table, const CaseModel& model, std::size
   Measurements all;
   catalogue::CsvReader csv = reader_of(table);
   while (csv.next()) {
-    const auto number = [&](const std::string& column, const Unit& unit) {
-      const auto x = parse_quantity(csv.required_text(column), unit);
+    const auto number = [&](const std::string& column, const Unit& unit, bool difference = false) {
+      const std::string text = csv.required_text(column);
+      const auto x = difference ? parse_difference(text, unit) : parse_quantity(text, unit);
       if (!x) csv.fail(column, x.error().message);
       return x.value_or(1);
     };
@@ -71,7 +72,7 @@ Measurements in_si(const MeasuredTable& table, const CaseModel& model, std::size
     const CaseOutput& output = model.outputs[static_cast<std::size_t>(at - table.outputs.begin())];
     all.output.push_back(static_cast<std::size_t>(at - table.outputs.begin()));
     all.values.push_back(number("value", output.unit));
-    if (!csv.text("sd").empty()) all.sd.push_back(number("sd", output.unit));
+    if (!csv.text("sd").empty()) all.sd.push_back(number("sd", output.unit, true));
     if (!all.sd.empty() && all.sd.size() != all.values.size()) {
       csv.fail("sd", "some rows have an sd and some have none: give it in all or in none");
       break;

@@ -50,6 +50,20 @@ TEST(Measured, NumbersAreInSiAndRowsOfOneSettingShareItsState) {
   EXPECT_THAT(r.all.states, ElementsAre(ElementsAre(1000), ElementsAre(1500)));
 }
 
+TEST(Measured, TheSdOfATemperatureIsADifference) {
+  CaseModel model = line();
+  model.outputs[0].unit = si::K.in("degC");
+  for (const char* sd : {"2 K", "2 degC"}) {
+    Diagnostics mistakes;
+    const auto table =
+        read_measured(std::string(head) + tension + "20 degC," + sd + ",1 t\n", "measured.csv", mistakes);
+    const Measurements all = in_si(table, model, 1, mistakes);
+    ASSERT_TRUE(mistakes.empty()) << to_text(mistakes);
+    EXPECT_NEAR(all.values.at(0), 293.15, 1e-12);
+    EXPECT_NEAR(all.sd.at(0), 2, 1e-12) << sd;
+  }
+}
+
 TEST(Measured, TellsEachMistakeAtItsPlace) {
   const struct {
     std::string csv, place, words;

@@ -9,6 +9,7 @@
 #include "taut/app/cases/study/study_words.hpp"
 #include "taut/chance/reliability/importance.hpp"
 #include "taut/chance/standard_laws.hpp"
+#include "taut/units/any_quantity.hpp"
 
 namespace taut::app {
 namespace {
@@ -275,7 +276,7 @@ void add_tornado(const Study& study, const StudyData& data, Result& r) {
                         {.name = "to", .unit = si::one},
                         {.name = "at_from", .unit = output.unit},
                         {.name = "at_to", .unit = output.unit},
-                        {.name = "change", .unit = output.unit}},
+                        {.name = "change", .unit = difference_of(output.unit)}},
             .rows = {}};
     for (std::size_t i = 0; i < study.model.inputs.size(); ++i) {
       const Unit& unit = study.model.inputs[i].unit;

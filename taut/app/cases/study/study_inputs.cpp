@@ -8,6 +8,7 @@
 
 #include "taut/base/number.hpp"
 #include "taut/base/suggest.hpp"
+#include "taut/units/any_quantity.hpp"
 #include "taut/units/parse.hpp"
 
 namespace taut::app {
@@ -63,7 +64,7 @@ class LawReader {
   /// A distance on the axis of the input: of temperatures K, never degC.
   double difference(const std::string& text, const std::string& key) {
     const double x = value(text, key);
-    if (input_.unit.dimension == si::K.dimension && text.find("deg") != std::string::npos) {
+    if (is_temperature(input_.unit) && text.find("deg") != std::string::npos) {
       complain(key, "a difference of temperatures is given in K");
     }
     return x;
@@ -73,7 +74,7 @@ class LawReader {
 
   double sd(const MeanRequest& law, const char* name) {
     if (law.sd) return difference(*law.sd, law_key("sd"));
-    if (input_.unit.dimension == si::K.dimension) {
+    if (is_temperature(input_.unit)) {
       complain(fmt::format("{}.cov", name),
                "a share of a temperature would depend on the zero of its scale: give 'sd' in K, as in 'sd: 5 K'");
       return std::nan("");

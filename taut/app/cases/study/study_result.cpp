@@ -13,6 +13,7 @@
 #include "taut/app/cases/study/study_chance.hpp"
 #include "taut/app/cases/study/study_figures.hpp"
 #include "taut/app/cases/study/study_words.hpp"
+#include "taut/units/any_quantity.hpp"
 
 namespace taut::app {
 namespace {
@@ -28,11 +29,13 @@ struct Statistic {
   std::string name;   ///< "mean", "q05"
   std::string words;  ///< "mean", "5 % quantile"
   chance::Estimate estimate;
+  bool is_difference = false;  ///< of two values: of temperatures in K
 };
 
 std::vector<Statistic> statistics_of(const chance::Sample& sample) {
-  std::vector<Statistic> all = {{.name = "mean", .words = "mean", .estimate = chance::sample_mean(sample)},
-                                {.name = "sd", .words = "standard deviation", .estimate = chance::sample_sd(sample)}};
+  std::vector<Statistic> all = {
+      {.name = "mean", .words = "mean", .estimate = chance::sample_mean(sample)},
+      {.name = "sd", .words = "standard deviation", .estimate = chance::sample_sd(sample), .is_difference = true}};
   const std::vector<chance::Estimate> found = chance::quantiles(sample, quantile_shares);
   for (std::size_t i = 0; i < quantile_shares.size(); ++i) {
     const double percent = 100 * quantile_shares[i];
@@ -61,6 +64,20 @@ class Summary {
   Table table_;
 };
 
+/// One row of the table of an output. A difference of temperatures has not the unit of its column.
+void add_row(const Statistic& one, const CaseOutput& output, const Display& display, Table& t) {
+  const chance::Estimate& e = one.estimate;
+  std::vector<Cell> cells = {one.words};
+  for (const double x : {e.value, e.interval.low, e.interval.high}) {
+    if (one.is_difference && is_temperature(output.unit)) {
+      cells.emplace_back(display.brief(x, difference_of(output.unit)));
+    } else {
+      cells.emplace_back(x);
+    }
+  }
+  t.rows.push_back(std::move(cells));
+}
+
 void add_statistics(const Study& study, const StudyData& data, Summary& summary, Result& r) {
   for (std::size_t k = 0; k < study.model.outputs.size(); ++k) {
     const CaseOutput& output = study.model.outputs[k];
@@ -73,12 +90,12 @@ void add_statistics(const Study& study, const StudyData& data, Summary& summary,
                         {.name = "high", .unit = output.unit}},
             .rows = {{std::string("the deck as it is"), output.base, std::nan(""), std::nan("")}}};
     for (const Statistic& one : statistics_of(sample_of(study, data, k))) {
-      const chance::Estimate& e = one.estimate;
-      t.rows.push_back({one.words, e.value, e.interval.low, e.interval.high});
-      summary.add(output.name, one.name, output.unit, e);
+      const Unit unit = one.is_difference ? difference_of(output.unit) : output.unit;
+      add_row(one, output, study.display, t);
+      summary.add(output.name, one.name, unit, one.estimate);
       r.values.push_back({fmt::format("{}.{}", output.name, one.name),
-                          e.value,
-                          output.unit,
+                          one.estimate.value,
+                          unit,
                           one.name,
                           fmt::format("{} of {}", one.words, output.name),
                           {},

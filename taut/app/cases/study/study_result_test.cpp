@@ -59,6 +59,20 @@ TEST(StudyResult, StatisticsOfTheNumbersFromOneToAHundred) {
   EXPECT_EQ(r.find_table("failed"), nullptr);
 }
 
+TEST(StudyResult, TheScatterOfATemperatureIsADifference) {
+  Study study = of_cases(100);
+  study.model.outputs[0].unit = si::K.in("degC");
+  StudyData data;
+  data.outputs = {{}};
+  for (int i = 0; i < 100; ++i) data.outputs[0].push_back(273.15 + (i * 37) % 100 + 1);
+  const Result r = study_result(study, data, {});
+  const Value& sd = *r.find_value("y1.sd");
+  EXPECT_EQ(study.display.brief(sd.value, sd.unit), "29.01 K");
+  EXPECT_EQ(study.display.brief(value_of(r, "y1.mean"), r.find_value("y1.mean")->unit), "50.5 degC");
+  const Table& quantiles = table_of(r, "quantiles");
+  EXPECT_EQ(text_cell(quantiles, row_of(quantiles, "statistic", "standard deviation"), "value"), "29.01 K");
+}
+
 TEST(StudyResult, FailedCasesAreCountedByTheirReasonsAndLeftOutOfTheStatistics) {
   const Study study = of_cases(1500);
   StudyData data;

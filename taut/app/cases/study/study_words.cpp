@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "taut/units/any_quantity.hpp"
+
 namespace taut::app {
 namespace {
 
@@ -37,10 +39,7 @@ class LawWords {
   std::string by_mean(const char* name, double mean, double sd) const {
     return fmt::format("{}, mean {}, sd {}", name, value(mean), difference(sd));
   }
-  /// Of temperatures in K.
-  std::string difference(double x) const {
-    return unit_.dimension == si::K.dimension ? fmt::format("{:.4g} K", x) : value(x);
-  }
+  std::string difference(double x) const { return display_.brief(x, difference_of(unit_)); }
 
   const Display& display_;
   const Unit& unit_;
