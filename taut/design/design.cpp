@@ -32,6 +32,15 @@ std::string place_in_words(const DesignSpace& space, const DesignPlace& place, c
   return choice + (choice.empty() || values.empty() ? "" : " with ") + values;
 }
 
+/// "; load case beyond has no answer for any choice: ..."; empty: each has one for some choice.
+std::string unanswered_in_words(const DesignFound& found) {
+  std::string words;
+  for (const auto& [name, why] : found.unanswered) {
+    words += fmt::format("; load case {} has no answer for any choice: {}", name, why);
+  }
+  return words;
+}
+
 Result no_design(const DesignTask& task, const DesignFound& found) {
   Result r;
   r.method_title = task.method_title;
@@ -48,21 +57,23 @@ Result no_design(const DesignTask& task, const DesignFound& found) {
     r.status = Status::not_converged;
     why = fmt::format("interrupted after {:.0f} trials, before any choice passed", found.trials);
   }
-  r.message = "design: " + why;
+  r.message = "design: " + why + unanswered_in_words(found);
+  const DesignPlace nearest =
+      found.all_but_unanswered.value_or(DesignPlace{.choice = found.nearest.choice, .values = found.nearest_values});
+  const std::string place = place_in_words(task.space, nearest, task.display);
   const design::SizingTrial& last = found.nearest.trial;
-  if (!last.governs.empty()) {
-    const std::string place =
-        place_in_words(task.space, {.choice = found.nearest.choice, .values = found.nearest_values}, task.display);
+  if (found.all_but_unanswered) {
+    r.message += fmt::format("; nothing else stands against {}", place);
+    add_answer_line(r, nearest_label, {place, "passes all cases that have an answer"});
+  } else if (!last.governs.empty() && (found.unanswered.empty() || std::isfinite(last.utilisation))) {
     const std::string use =
         std::isfinite(last.utilisation) ? fmt::format(" (utilisation {:.3g})", last.utilisation) : std::string{};
     r.message += fmt::format("; the nearest, {}, fails by {}{}", place, last.governs, use);
     add_answer_line(r, nearest_label, {place, fmt::format("fails by {}{}", last.governs, use)});
   }
   if (task.picture) {
-    const bool tried = !found.nearest.choice.empty() || !found.nearest_values.empty();
-    task.picture(
-        tried ? DesignPlace{.choice = found.nearest.choice, .values = found.nearest_values} : first_place(task.space),
-        r);
+    const bool tried = !nearest.choice.empty() || !nearest.values.empty();
+    task.picture(tried ? nearest : first_place(task.space), r);
   }
   if (!found.points.empty()) add_runner_ups(task, found.points.front().answer, {}, r);
   if (found.points.size() > 1) add_trade_off(task, found.points, r);

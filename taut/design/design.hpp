@@ -65,10 +65,18 @@ struct DesignPlace {
 /// How much of a calculation is wanted: `quick` may leave the rest out once a check has failed.
 enum class Depth { quick, checks, report };
 
+/// How the load cases of a design have fared, of those that were looked at.
+struct AnswersOfCases {
+  std::vector<std::string> with;                             ///< that have an answer
+  std::vector<std::pair<std::string, std::string>> without;  ///< that have none, and why
+  bool others_pass = false;                                  ///< all were looked at, and those with an answer pass
+};
+
 /// What a design gives. tension: the largest of what least_tension looks at, N; NaN where there is none.
 struct DesignRun {
   Result result;
   double tension = 0;
+  AnswersOfCases cases = {};
 };
 
 /// Lengths of what is paid by length, for values of the unknowns, and what else there is to pay.

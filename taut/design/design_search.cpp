@@ -6,6 +6,8 @@
 #include <cmath>
 #include <map>
 #include <optional>
+#include <set>
+#include <string>
 #include <utility>
 
 #include "taut/design/constrained.hpp"
@@ -58,6 +60,7 @@ class Searching {
   DesignFound search() {
     over_the_grid();
     if (task_.request.refine && !task_.space.unknowns.empty() && !found_.ended) move_on();
+    find_unanswered();
     return std::move(found_);
   }
 
@@ -91,7 +94,30 @@ class Searching {
     found_.trials += 1;
     ++tried_here_;
     if (one.result.interrupted) found_.ended = true;
+    note_cases(place, one.cases);
     return one;
+  }
+
+  void note_cases(const DesignPlace& place, const AnswersOfCases& cases) {
+    answered_.insert(cases.with.begin(), cases.with.end());
+    for (const auto& [name, why] : cases.without) without_.try_emplace(name, why);
+    if (cases.without.empty() || !cases.others_pass) return;
+    std::set<std::string> names;
+    for (const auto& [name, why] : cases.without) names.insert(name);
+    all_but_.try_emplace(std::move(names), place);
+  }
+
+  /// A case that one choice has an answer in is no mistake of the case.
+  void find_unanswered() {
+    for (const auto& [name, why] : without_) {
+      if (answered_.find(name) == answered_.end()) found_.unanswered.emplace(name, why);
+    }
+    for (const auto& [names, place] : all_but_) {
+      const bool never = std::all_of(names.begin(), names.end(), [&](const std::string& name) {
+        return found_.unanswered.find(name) != found_.unanswered.end();
+      });
+      if (never && !found_.all_but_unanswered) found_.all_but_unanswered = place;
+    }
   }
 
   double measure(const DesignRun& one, const SizingTrial& trial) const {
@@ -361,7 +387,10 @@ class Searching {
   std::function<bool(const Progress&)> ask_;
   DesignFound found_;
   std::map<std::vector<std::size_t>, std::pair<SizingCandidate, std::vector<double>>> tried_;
-  CandidateRecord record_;  // of one place of the grid
+  CandidateRecord record_;                                // of one place of the grid
+  std::set<std::string> answered_;                        // load cases that some choice has an answer in
+  std::map<std::string, std::string> without_;            // load cases that some choice has none in, and why
+  std::map<std::set<std::string>, DesignPlace> all_but_;  // by these the first choice that passes all others
   std::map<std::vector<double>, DesignLengths> lengths_;
   double part_ = 0, share_ = 1;  // how far the search is, and what the place it is at adds to it
   int tried_here_ = 0;

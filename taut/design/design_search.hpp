@@ -1,4 +1,7 @@
 #pragma once
+#include <map>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "taut/design/design.hpp"
@@ -23,6 +26,9 @@ struct DesignFound {
   bool refined = false;             ///< its values are not those of the grid
   design::SizingCandidate nearest;  ///< where none passes: what comes nearest
   std::vector<double> nearest_values;
+  std::map<std::string, std::string> unanswered;  ///< load cases that have no answer for any choice, and why
+  /// A choice against which nothing stands but these; nothing: there is none.
+  std::optional<DesignPlace> all_but_unanswered;
   double trials = 0;   ///< calculations of the machine with one choice and one set of values
   bool ended = false;  ///< from outside
 };

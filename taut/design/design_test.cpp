@@ -156,6 +156,26 @@ TEST(Design, no_rope_is_strong_enough) {
   EXPECT_THAT(r.message, HasSubstr("no choice passes all checks; the nearest, skyline: "));
 }
 
+// A case that no choice has an answer in is named, not the choice that another check fails by least.
+TEST(Design, a_case_without_any_answer_is_the_obstacle) {
+  const auto with = [](const std::string& far, const std::string& heavy) {
+    return run_text(line_deck(300, 2000, 15, "{}",
+                              "design:\n  ropes: {skyline: {construction: 6x36, core: IWRC, grade: 1960 MPa}}\n"
+                              "  cases:\n    mid: {'loads[0].mass': " +
+                                  heavy + "}\n    beyond: {'analyses[0].equilibrium.x': " + far + "}\n"));
+  };
+  const Result r = with("310 m", "2 t");
+  EXPECT_EQ(exit_code(r), 3) << r.message << to_text(r.errors);
+  EXPECT_THAT(r.message, HasSubstr("no choice passes all checks; load case beyond has no answer for any choice: "));
+  EXPECT_THAT(r.message, HasSubstr("; nothing else stands against skyline: "));
+  EXPECT_THAT(r.message, testing::Not(HasSubstr("fails by")));
+  // a check that fails first is told as it was
+  const Result both = with("310 m", "2000 t");
+  EXPECT_THAT(both.message, HasSubstr("fails by skyline.safety_factor [mid]"));
+  EXPECT_THAT(both.message, testing::Not(HasSubstr("nothing else")));
+  EXPECT_EQ(exit_code(with("140 m", "2 t")), 0);
+}
+
 // What rests on recalled numbers passes nothing then, and the message says so.
 TEST(Design, refused_as_unverified) {
   std::string deck = line_deck(300, 2000, 15, "{}", "design: {ropes: {skyline: {construction: 6x36, core: IWRC}}}");

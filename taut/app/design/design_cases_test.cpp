@@ -124,6 +124,24 @@ TEST(DesignCases, ACaseWithoutAnAnswerIsNamedAndEndsTheRun) {
   EXPECT_THAT(ask.order, ElementsAre("empty", "loaded"));
 }
 
+// That case may be wrong in the deck: whether it is the only obstacle is known of the others alone.
+TEST(DesignCases, AQuickLookGoesOnBehindACaseWithoutAnAnswer) {
+  Asked ask{.runs = {{"empty", run_with(0.2)}, {"loaded", run_with(0)}, {"storm", run_with(0.9)}}};
+  ask.runs["loaded"].result.status = Status::infeasible;
+  ask.runs["loaded"].result.message = "the rope is too short";
+  DesignRun run = ask(Depth::quick);
+  EXPECT_THAT(ask.order, ElementsAre("empty", "loaded", "storm"));
+  EXPECT_EQ(run.result.message, "case loaded: the rope is too short");
+  EXPECT_THAT(run.cases.with, ElementsAre("empty", "storm"));
+  EXPECT_THAT(run.cases.without, ElementsAre(testing::Pair("loaded", "the rope is too short")));
+  EXPECT_TRUE(run.cases.others_pass);
+  ask.runs["storm"] = run_with(1.2);
+  ask.first = 0;
+  run = ask(Depth::quick);
+  EXPECT_EQ(run.result.status, Status::infeasible) << "what has no answer is worse than what fails";
+  EXPECT_FALSE(run.cases.others_pass);
+}
+
 TEST(DesignCases, AReportIsThatOfTheOneThatGovernsWithATableOfAll) {
   Asked ask{.runs = {{"empty", run_with(0.4)}, {"loaded", run_with(0.7)}, {"storm", run_with(0.95)}}, .first = 1};
   const DesignRun run = ask(Depth::report);

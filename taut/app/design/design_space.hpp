@@ -62,7 +62,8 @@ design::DesignLengths by_the_metre(const design::DesignRequest& request, const d
                                    const std::vector<double>& values);
 
 /// Runs each case and puts them together: the result of the one that governs, with the checks of all, "rope.T_max
-/// [full]". `first`: the case that is tried first, the one that failed last. Without cases one run without any.
+/// [full]". `first`: the case that is tried first, the one that failed last. Without cases one run without any. A quick
+/// look ends at a check that fails, not at a case without an answer.
 design::DesignRun run_cases(const std::vector<design::DesignCase>& cases, design::Depth depth, std::size_t& first,
                             const std::function<design::DesignRun(const design::DesignCase*, design::Depth)>& one);
 
