@@ -59,9 +59,18 @@ export class Drawing {
 
   /** Handles of the deck whose picture is shown. */
   place(handles: Handle[]): void {
-    if (this.drag) return;
     this.all = handles;
+    this.layer.hidden = false;
     this.find();
+  }
+
+  /** The text has changed, and these handles are left; null: none can be moved until the next picture, loads stay. */
+  keep(left: Handle[] | null): void {
+    this.layer.hidden = left === null;
+    if (left) this.all = left;
+    if (left) this.handles = this.handles.filter((h) => left.includes(h));
+    if (this.drag && !left?.includes(this.drag.handle)) this.drag = null;
+    this.draw();
   }
 
   setFrame(frame: number): void {
@@ -76,9 +85,13 @@ export class Drawing {
 
   private find(): void {
     this.handles = placed(this.all, this.scene, this.frame).filter((h) => movable(h, this.second));
+    if (this.drag) {
+      const same = this.handles.find((h) => h.path === this.drag?.handle.path);
+      this.drag = same ? { ...this.drag, handle: same } : null;
+    }
     const largest = largestForce(this.handles);
     // a load that grows in a drag does not shrink again when it is let go
-    if (largest > 1.5 * this.newtons || largest < 0.3 * this.newtons) this.newtons = largest;
+    if (!this.drag && (largest > 1.5 * this.newtons || largest < 0.3 * this.newtons)) this.newtons = largest;
     this.draw();
   }
 
@@ -311,16 +324,15 @@ export class Drawing {
   }
 
   private placeDots(): void {
-    while (this.layer.children.length > this.handles.length) this.layer.lastElementChild?.remove();
-    this.handles.forEach((handle, i) => {
-      let dot = this.layer.children[i] as HTMLElement | undefined;
+    const unused = new Map([...this.layer.children].map((dot) => [(dot as HTMLElement).dataset.path, dot as HTMLElement]));
+    this.handles.forEach((handle) => {
+      let dot = unused.get(handle.path);
+      unused.delete(handle.path);
       if (!dot) {
-        dot = el('button', { class: 'handle', type: 'button' });
+        dot = el('button', { class: 'handle', type: 'button', 'data-path': handle.path });
         this.listen(dot);
         this.layer.append(dot);
       }
-      dot.dataset.index = String(i);
-      dot.dataset.path = handle.path;
       const values = this.drag?.dot === dot ? this.drag.values : valuesOf(handle);
       dot.dataset.kind = handle.kind;
       dot.setAttribute('aria-label', spoken(handle, values));
@@ -328,10 +340,11 @@ export class Drawing {
       const [x, y] = this.where(handle);
       dot.style.transform = `translate(${x}px, ${y}px)`;
     });
+    for (const dot of unused.values()) dot.remove();
   }
 
   private listen(dot: HTMLElement): void {
-    const handle = () => this.handles[Number(dot.dataset.index)];
+    const handle = () => this.handles.find((h) => h.path === dot.dataset.path);
     dot.addEventListener('focus', () => {
       const h = handle();
       if (h) this.chosen(h);

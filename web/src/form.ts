@@ -1,7 +1,7 @@
 // The part under the cursor as a form: one field for each value that the deck gives, with the words of its description.
 import { el } from './dom';
 import type { NewKey } from './complete';
-import type { OutlineNode, Places } from './types';
+import type { OutlineNode } from './types';
 
 export interface Change {
   from: number;
@@ -21,17 +21,21 @@ function onlyCloses(rest: string): boolean {
   return /^[ \t}\],]*(#[^\n]*)?$/.test(rest);
 }
 
+/** The values that stand in a map itself. */
+function valuesIn(part: string, outline: OutlineNode[]): OutlineNode[] {
+  return outline.filter((n) => {
+    const rest = n.path.startsWith(`${part}.`) ? n.path.slice(part.length + 1) : '';
+    return rest !== '' && !/[.[]/.test(rest) && n.kind === 'scalar';
+  });
+}
+
 /** The innermost map around the cursor that has values of its own, and these. */
-function partAt(places: Places, at: number, text: string): { part: OutlineNode; values: OutlineNode[] } | null {
-  const outline = places.outline ?? [];
+function partAt(outline: OutlineNode[], at: number, text: string): { part: OutlineNode; values: OutlineNode[] } | null {
   const around = outline
     .filter((n) => n.kind === 'map' && (n.key?.[0] ?? n.value[0]) <= at && (at <= n.value[1] || onlyCloses(text.slice(n.value[1], at))))
     .sort((a, b) => b.path.length - a.path.length);
   for (const part of around) {
-    const values = outline.filter((n) => {
-      const rest = n.path.startsWith(`${part.path}.`) ? n.path.slice(part.path.length + 1) : '';
-      return rest !== '' && !/[.[]/.test(rest) && n.kind === 'scalar';
-    });
+    const values = valuesIn(part.path, outline);
     if (values.length > 0) return { part, values };
   }
   return null;
@@ -54,6 +58,18 @@ export function added(values: OutlineNode[], text: string, key: NewKey): Change 
   return { from: at, to: at, insert: lead + key.value, select: [from, from + key.value.length] };
 }
 
+/** The deck whose parts a form shows. */
+export interface FormDeck {
+  text(): string;
+  /** Of the text as it stands; null: not known. */
+  outline(): OutlineNode[] | null;
+  /** Puts a value in place of another one. */
+  replace(change: Change): void;
+  /** Puts a new key into the deck. */
+  add(change: Change): void;
+  refuse(words: string): void;
+}
+
 export class Form {
   private shown = '';
 
@@ -61,12 +77,14 @@ export class Form {
     private box: HTMLElement,
     private words: (path: string[]) => Promise<string>,
     private keys: (path: string[]) => Promise<NewKey[]>,
-    private write: (change: Change) => void,
+    private deck: FormDeck,
   ) {}
 
-  /** `places` hold for the text as it stands; null: they do not. */
-  show(places: Places | null, at: number, text: string): void {
-    const found = places ? partAt(places, at, text) : null;
+  /** The part at the cursor. */
+  show(at: number): void {
+    const outline = this.deck.outline();
+    const text = this.deck.text();
+    const found = outline && partAt(outline, at, text);
     this.box.hidden = !found;
     if (!found) {
       this.shown = '';
@@ -84,18 +102,33 @@ export class Form {
         void this.words(steps(v.path)).then((words) => {
           field.title = words;
         });
+        let before = input.value;
         input.addEventListener('change', () => {
           this.shown = '';
-          this.write({ from: v.value[0], to: v.value[1], insert: input.value });
+          const done = this.write(v.path, before, input.value);
+          if (done) before = input.value;
+          input.setAttribute('aria-invalid', String(!done));
         });
         return field;
       }),
     );
-    void this.offer(found.part, found.values, places?.outline ?? [], text);
+    void this.offer(found.part, outline ?? []);
+  }
+
+  /** False where the deck has another value than the field has shown, or its place is not known. */
+  private write(path: string, before: string, value: string): boolean {
+    const nodes = (this.deck.outline() ?? []).filter((n) => n.path === path);
+    const node = nodes[0];
+    if (!node || nodes.length > 1 || this.deck.text().slice(...node.value) !== before) {
+      this.deck.refuse(`The deck has changed meanwhile: ${path} is not written.`);
+      return false;
+    }
+    this.deck.replace({ from: node.value[0], to: node.value[1], insert: value });
+    return true;
   }
 
   /** The keys that the part has not. */
-  private async offer(part: OutlineNode, values: OutlineNode[], outline: OutlineNode[], text: string): Promise<void> {
+  private async offer(part: OutlineNode, outline: OutlineNode[]): Promise<void> {
     const mine = this.shown;
     const has = new Set(outline.filter((n) => n.path.startsWith(`${part.path}.`)).map((n) => n.path.slice(part.path.length + 1)));
     const more = (await this.keys(steps(part.path))).filter((k) => !has.has(k.name));
@@ -107,10 +140,12 @@ export class Form {
     tell();
     add.addEventListener('click', () => {
       const key = more[choice.selectedIndex];
+      const values = valuesIn(part.path, this.deck.outline() ?? []);
       if (!key) return;
+      if (values.length === 0) return this.deck.refuse(`The deck has changed meanwhile: ${key.name} is not added.`);
       this.shown = '';
       add.blur();
-      this.write(added(values, text, key));
+      this.deck.add(added(values, this.deck.text(), key));
     });
     this.box.append(el('span', { class: 'add' }, choice, add));
   }

@@ -12,15 +12,16 @@ import { byId, el } from './dom';
 import { Completer } from './complete';
 import { Drawing, type View } from './drawing';
 import { Engine, Stopped } from './engine';
-import { Form } from './form';
+import { type Change, Form } from './form';
 import { FolderFiles } from './folder';
 import { take, valuesOf, written } from './handles';
+import { TextPlaces, ownWrite } from './places';
 import { Plots } from './plots';
 import { RemoteEngine, served } from './remote';
 import { underPolicy } from './report';
 import { longestLink, packed, unpacked } from './share';
 import { Space } from './space';
-import type { Answer, Deck, Handle, Page, PageEngine, Picture, Places, Scene } from './types';
+import type { Answer, Deck, Handle, Page, PageEngine, Picture, Scene } from './types';
 
 interface Example extends Deck {
   title: string;
@@ -76,7 +77,7 @@ function state(doc: string): EditorState {
       EditorView.contentAttributes.of({ 'aria-label': 'deck' }),
       keymap.of([...completionKeymap, { key: 'Escape', run: leave }, indentWithTab, ...defaultKeymap, ...historyKeymap, ...searchKeymap, ...lintKeymap]),
       EditorView.updateListener.of((u) => {
-        if (u.docChanged) later();
+        if (u.docChanged) changed(u.transactions);
         if (u.docChanged || u.selectionSet) window.setTimeout(showForm);
       }),
     ],
@@ -90,17 +91,27 @@ function leave(view: EditorView): boolean {
   return true;
 }
 
-const form = new Form(byId('form'), (path) => completer.words(path), (path) => completer.keys(path), (change) => {
-  if (editor.state.doc.toString() !== placesOf) return;
-  const selection = change.select && { anchor: change.select[0], head: change.select[1] };
-  editor.dispatch({ changes: change, selection, scrollIntoView: true });
-  if (selection) editor.focus();
+const places = new TextPlaces();
+const form = new Form(byId('form'), (path) => completer.words(path), (path) => completer.keys(path), {
+  text: () => editor.state.doc.toString(),
+  outline: () => places.outline,
+  replace: (changes) => editor.dispatch({ changes, annotations: ownWrite.of({}), scrollIntoView: true }),
+  add: (changes: Change) => {
+    const [anchor, head] = changes.select ?? [changes.from];
+    editor.dispatch({ changes, selection: { anchor, head }, scrollIntoView: true });
+    editor.focus();
+  },
+  refuse: announce,
 });
-/** The text whose places these are. */
-let placesOf = '';
 function showForm(): void {
-  const text = editor.state.doc.toString();
-  form.show(text === placesOf ? places : null, editor.state.selection.main.head, text);
+  form.show(editor.state.selection.main.head);
+}
+
+/** Handles and form follow the text as far as the page itself has written it. */
+function changed(transactions: readonly Transaction[]): void {
+  for (const t of transactions) if (t.docChanged) places.follow(t.changes, t.annotation(ownWrite));
+  drawing.keep(places.handles);
+  later();
 }
 
 const drawing = new Drawing(byId('picture'), move, choose);
@@ -119,6 +130,8 @@ function setOld(old: boolean): void {
 let waiting = 0;
 
 function later(): void {
+  ++version;
+  announce('');
   setOld(true);
   window.clearTimeout(timer);
   // a drag that does not pause is followed all the same
@@ -130,57 +143,47 @@ function later(): void {
   }, Math.max(0, Math.min(pauseBeforeSolve, firstChange + 3 * pauseBeforeSolve - now)));
 }
 
+/** Of the deck: it counts the changes. */
+let version = 0;
+
 async function solve(): Promise<void> {
-  const asked = deck();
+  const asked = version;
   try {
-    const answer = await engine.solve(asked);
-    if (answer) show(answer, asked.text);
+    const answer = await engine.solve(deck());
+    if (answer && asked === version) show(answer);
   } catch (error) {
     if (!(error instanceof Stopped)) say(`The engine has failed: ${(error as Error).message}`, 'fails');
   }
 }
 
 /** The picture moves with the pointer; the text follows several times a second, and the solve follows the text. */
-function move(handle: Handle, values: number[], done: boolean): void {
+function move({ path }: Handle, values: number[], done: boolean): void {
   window.clearTimeout(writing);
   if (!done) {
     // the editor takes longer than a pointer may be kept waiting
     const pause = Math.max(0, lastMoved + pauseBeforeSolve - performance.now());
-    writing = window.setTimeout(() => write(handle, values), pause);
+    writing = window.setTimeout(() => write(path, values), pause);
     return;
   }
-  write(handle, values);
+  write(path, values);
 }
 let writing = 0;
 
-function write(handle: Handle, values: number[]): void {
+/** Nothing is written for a handle of a text that was changed otherwise meanwhile: its place is not known. */
+function write(path: string, values: number[]): void {
   lastMoved = performance.now();
+  const handle = places.handles?.find((h) => h.path === path);
+  if (!handle) return announce('The deck has changed meanwhile: the number is not written.');
   const text = editor.state.doc.toString();
   const before = valuesOf(handle);
   const changes = handle.numbers
     .map((n, i) => ({ from: n.from, to: n.to, insert: written(values[i]!, n) }))
     .filter((c, i) => values[i] !== before[i] && text.slice(c.from, c.to) !== c.insert);
   if (changes.length === 0) return;
-  if (changes.some((c) => c.to > text.length)) return;
-  editor.dispatch({ changes, annotations: Transaction.userEvent.of('move.handle') });
-  // the text behind has moved: places hold again for the next step of the same drag
-  let shift = 0;
-  handle.numbers.forEach((n) => {
-    const change = changes.find((c) => c.from === n.from && c.to === n.to);
-    const inserted = change ? change.insert.length : n.to - n.from;
-    const from = n.from + shift;
-    shift += inserted - (n.to - n.from);
-    n.from = from;
-    n.to = from + inserted;
-  });
+  editor.dispatch({ changes, annotations: [Transaction.userEvent.of('move.handle'), ownWrite.of({ handle: path })] });
   take(handle, values);
-  if (shift !== 0) places.handles?.forEach((h) => {
-    if (h === handle) return;
-    for (const n of h.numbers) if (n.from > handle.numbers[0]!.from) { n.from += shift; n.to += shift; }
-  });
 }
 let lastMoved = 0;
-let places: Places = {};
 
 function choose(handle: Handle): void {
   const first = handle.numbers[0];
@@ -196,8 +199,8 @@ function say(words: string, kind: string, reason = ''): void {
   verdict.replaceChildren(el('b', {}, words), ...(reason ? [el('span', {}, reason)] : []));
 }
 
-function show(answer: Answer, text: string): void {
-  if (text !== editor.state.doc.toString()) return;
+/** The answer of the deck as it stands. */
+function show(answer: Answer): void {
   if (!answer.page) {
     say(`taut has failed: ${answer.failure ?? ''}`, 'fails', 'Please report it with this deck.');
     return;
@@ -217,15 +220,14 @@ function show(answer: Answer, text: string): void {
   }
   page = answer.page;
   solved += 1;
-  places = answer.places ?? {};
-  placesOf = text;
+  places.set(answer.places ?? {});
   showForm();
   setOld(false);
   say(page.verdict?.words ?? page.status, page.verdict?.kind ?? 'no_answer', page.verdict?.reason ?? page.message);
   byId('took').textContent = `solved in ${Math.round(answer.took)} ms`;
   document.title = `${page.title || name} - taut`;
   scene = page.scenes.find((s) => s.t.length > 1) ?? page.scenes[0] ?? null;
-  byId('drawn').hidden = scene === null && (places.handles ?? []).length === 0;
+  byId('drawn').hidden = scene === null && !places.handles?.length;
   byId('pictures').hidden = !byId('drawn').hidden;
   if (!byId('drawn').hidden) list('figures', []);
   void showPictures();
@@ -424,6 +426,9 @@ function open(d: Deck): void {
   files = { ...d.files };
   name = d.name;
   page = null;
+  window.clearTimeout(writing);
+  places.forget();
+  drawing.keep(null);
   for (const id of ['notes', 'checks', 'values', 'tab-report', 'figures']) list(id, []);
   reportOf = -1;
   byId('deck-name').textContent = name;
