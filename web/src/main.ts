@@ -43,8 +43,12 @@ let page: Page | null = null;
 let scene: Scene | null = null;
 let timer = 0;
 let firstChange = 0;
+/** Changes of the deck so far; the one that the page shown is of (-1: none yet), and the one of the report. */
+let version = 0;
+let shown = -1;
 let reportOf = -1;
-let solved = 0;
+/** The engine has the answer, or the mistake, of the deck as it stands: what else it knows of it can be asked. */
+let answered = false;
 
 const completer = new Completer(() => engine.ask('schema'));
 
@@ -131,6 +135,7 @@ let waiting = 0;
 
 function later(): void {
   ++version;
+  answered = false;
   announce('');
   setOld(true);
   window.clearTimeout(timer);
@@ -143,14 +148,11 @@ function later(): void {
   }, Math.max(0, Math.min(pauseBeforeSolve, firstChange + 3 * pauseBeforeSolve - now)));
 }
 
-/** Of the deck: it counts the changes. */
-let version = 0;
-
 async function solve(): Promise<void> {
-  const asked = version;
+  const mine = version;
   try {
     const answer = await engine.solve(deck());
-    if (answer && asked === version) show(answer);
+    if (answer && mine === version) show(answer);
   } catch (error) {
     if (!(error instanceof Stopped)) say(`The engine has failed: ${(error as Error).message}`, 'fails');
   }
@@ -205,6 +207,7 @@ function show(answer: Answer): void {
     say(`taut has failed: ${answer.failure ?? ''}`, 'fails', 'Please report it with this deck.');
     return;
   }
+  answered = true;
   mark(answer.page);
   if (answer.page.status === 'bad_deck') {
     say(answer.page.message, 'bad', answer.page.errors[0]?.message ?? '');
@@ -216,10 +219,11 @@ function show(answer: Answer): void {
         editor.focus();
       },
     }, `${e.file}:${e.line}:${e.column} ${e.message}`)));
+    if (!page && !byId('tab-report').hidden) void showReport();
     return;
   }
   page = answer.page;
-  solved += 1;
+  shown = version;
   places.set(answer.places ?? {});
   showForm();
   setOld(false);
@@ -297,10 +301,11 @@ let picturesOf = -1;
 /** As images: nothing in them can run or load. They cost time, so they are made when somebody looks. */
 async function showPictures(): Promise<void> {
   const inTab = !byId('drawn').hidden;
-  if (picturesOf === solved || (inTab && byId('tab-plots').hidden)) return;
-  const mine = solved;
-  const all: Picture[] = page?.pictures ? JSON.parse(await engine.ask('pictures')) : [];
-  if (mine !== solved) return;
+  // of a deck that has changed meanwhile the engine has none
+  if (picturesOf === shown || shown !== version || !answered || (inTab && byId('tab-plots').hidden)) return;
+  const mine = shown;
+  const all: Picture[] = page?.pictures ? JSON.parse(await asked('pictures') || '[]') : [];
+  if (mine !== version) return;
   picturesOf = mine;
   const before = imageUrls;
   imageUrls = [];
@@ -387,22 +392,36 @@ function play(): void {
 }
 
 // The report: in a frame in which nothing runs and which is of no origin.
-async function reportText(): Promise<string> {
-  return engine.ask('report');
-}
 async function showReport(): Promise<void> {
-  if (reportOf === solved) return;
-  const mine = solved;
-  const html = await reportText();
-  if (mine !== solved) return;
+  // the report of what else is shown stays, greyed as that is
+  if (reportOf === version || (!answered && reportOf >= 0 && reportOf === shown)) return;
+  reportOf = -1;
+  if (!answered) return list('tab-report', [el('p', { class: 'empty' }, 'The report comes with the answer of this deck.')]);
+  const mine = version;
+  const html = await asked('report');
+  if (mine !== version || !html) return;
   reportOf = mine;
   const frame = el('iframe', { sandbox: '', title: 'report', srcdoc: underPolicy(nonce, html) });
   list('tab-report', [
     el('p', { class: 'tools' },
-      el('button', { type: 'button', onclick: () => save('report.html', html, 'text/html') }, 'Save report'),
-      el('button', { type: 'button', onclick: () => print(html) }, 'Print')),
+      el('button', { type: 'button', onclick: () => void withReport((of) => save('report.html', of, 'text/html')) }, 'Save report'),
+      el('button', { type: 'button', onclick: () => void withReport(print) }, 'Print')),
     frame,
   ]);
+}
+/** Of the deck as it stands, or none: what is shown may be of the deck before. */
+async function withReport(use: (html: string) => void): Promise<void> {
+  const html = answered ? await asked('report') : '';
+  if (html) use(html);
+  else announce('There is no report: the deck as it stands has no answer yet.');
+}
+/** Empty where the engine was stopped meanwhile, or cannot be reached. */
+async function asked(what: string): Promise<string> {
+  try {
+    return await engine.ask(what);
+  } catch {
+    return '';
+  }
 }
 function print(html: string): void {
   const url = URL.createObjectURL(new Blob([underPolicy(nonce, html)], { type: 'text/html' }));
@@ -430,10 +449,14 @@ function open(d: Deck): void {
   places.forget();
   drawing.keep(null);
   for (const id of ['notes', 'checks', 'values', 'tab-report', 'figures']) list(id, []);
+  plots.show([], 'The plots come with the answer of this deck.');
+  shown = -1;
   reportOf = -1;
   byId('deck-name').textContent = name;
+  document.title = `${name} - taut`;
   editor.setState(state(d.text));
   later();
+  if (!byId('tab-report').hidden) void showReport();
 }
 
 async function share(): Promise<void> {
@@ -465,7 +488,7 @@ function tabs(): void {
       byId(one.getAttribute('aria-controls')!).hidden = !on;
     }
     plots.resize();
-    if (tab.id === 'choose-report' && page) void showReport();
+    if (tab.id === 'choose-report') void showReport();
     if (tab.id === 'choose-plots' && page) void showPictures();
   };
   all.forEach((tab, i) => {
@@ -526,9 +549,9 @@ async function begin(): Promise<void> {
   };
   // what a reader wants on paper is the report
   window.addEventListener('keydown', (event) => {
-    if (event.key.toLowerCase() !== 'p' || !(event.ctrlKey || event.metaKey) || event.shiftKey || !page) return;
+    if (event.key.toLowerCase() !== 'p' || !(event.ctrlKey || event.metaKey) || event.shiftKey) return;
     event.preventDefault();
-    void reportText().then(print);
+    void withReport(print);
   });
   window.addEventListener('hashchange', async () => {
     const linked = await unpacked(location.hash);

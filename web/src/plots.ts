@@ -45,11 +45,11 @@ export class Plots {
     new ResizeObserver(() => this.resize()).observe(box);
   }
 
-  show(plots: PlotData[]): void {
+  show(plots: PlotData[], none = 'This deck has no plots.'): void {
     for (const one of this.shown) one.plot.destroy();
     this.shown = [];
     this.box.replaceChildren();
-    if (plots.length === 0) this.box.append(el('p', { class: 'empty' }, 'This deck has no plots.'));
+    if (plots.length === 0) this.box.append(el('p', { class: 'empty' }, none));
     const style = getComputedStyle(this.box);
     const colour = (name: string) => style.getPropertyValue(`--${name}`).trim();
     for (const plot of plots) {
