@@ -1,30 +1,58 @@
 // Curves of the result, as the engine gives them, in the units of the report.
 import uPlot from 'uplot';
 import { el } from './dom';
-import type { PlotData } from './types';
+import type { Curve, PlotData } from './types';
 
 const pens = ['rope', 'highlight', 'second-rope', 'force', 'second-force', 'body', 'ground', 'structure'];
 
-/** Curves over one common axis: uPlot takes no other; gaps where a curve has no point. */
+/** Curves over one common axis, as uPlot takes no other for its scales and its cursor. It has an x as often as one curve
+    has points there, at a jump or where it runs back: none is lost. */
 function joined(plot: PlotData): (number | null)[][] {
-  const all = [...new Set(plot.curves.flatMap((c) => c.x.filter((x): x is number => x != null)))].sort((a, b) => a - b);
-  const index = new Map(all.map((x, i) => [x, i]));
-  const rows: (number | null | undefined)[][] = plot.curves.map((c) => {
+  const places = (c: Curve) => {
+    const seen = new Map<number, number>();
+    return c.x.map((x) => {
+      if (x == null) return null;
+      const k = seen.get(x) ?? 0;
+      seen.set(x, k + 1);
+      return { x, k };
+    });
+  };
+  const most = new Map<number, number>();
+  for (const c of plot.curves) for (const at of places(c)) if (at) most.set(at.x, Math.max(most.get(at.x) ?? 0, at.k + 1));
+  const first = new Map<number, number>();
+  const all: number[] = [];
+  for (const x of [...most.keys()].sort((a, b) => a - b)) {
+    first.set(x, all.length);
+    for (let k = most.get(x)!; k > 0; --k) all.push(x);
+  }
+  const rows = plot.curves.map((c) => {
     const row: (number | null | undefined)[] = new Array(all.length).fill(undefined);
-    c.x.forEach((x, i) => {
-      if (x != null) row[index.get(x)!] = c.y[i] ?? null;
+    places(c).forEach((at, i) => {
+      if (at) row[first.get(at.x)! + at.k] = c.y[i] ?? null;
     });
     return row;
   });
   return [all, ...rows] as (number | null)[][];
 }
 
-/** Whether a curve runs back over places where it has been: as a line over x it would be wrong. */
-function runsBack(plot: PlotData): boolean {
-  return plot.curves.some((c) => {
-    const seen = new Set<number>();
-    return c.x.some((x) => x != null && (seen.has(x) || !seen.add(x)));
-  });
+/** A curve from point to point as the engine gives them: along a height x goes to and fro. */
+function inOwnOrder(curve: Curve): uPlot.Series.PathBuilder {
+  return (u) => {
+    const stroke = new Path2D();
+    let begun = false;
+    curve.x.forEach((x, i) => {
+      const y = curve.y[i];
+      if (x == null || y == null) {
+        begun = false;
+        return;
+      }
+      const at = [u.valToPos(x, 'x', true), u.valToPos(y, 'y', true)] as const;
+      if (begun) stroke.lineTo(...at);
+      else stroke.moveTo(...at);
+      begun = true;
+    });
+    return { stroke };
+  };
 }
 
 /** The scale of a curve that is level but for its last digits: between two of its numbers there is no room for marks,
@@ -58,7 +86,6 @@ export class Plots {
       figure.append(place, el('p', { class: 'caption' }, plot.caption));
       this.box.append(figure);
       const overTime = plot.x.unit === 's';
-      const scattered = runsBack(plot);
       const unit = (a: { label: string; unit: string }) => (a.unit ? `${a.label}, ${a.unit}` : a.label);
       const axis = { stroke: colour('soft'), grid: { stroke: colour('grid'), width: 1 }, ticks: { stroke: colour('grid') } };
       const u = new uPlot(
@@ -76,10 +103,9 @@ export class Plots {
               label: c.label || plot.y.label,
               stroke: colour(pens[i % pens.length]!),
               width: 1.8,
-              spanGaps: false,
               dash: c.dashed ? [6, 4] : undefined,
-              paths: c.points || scattered ? () => null : undefined,
-              points: { show: c.points || scattered ? true : undefined, size: 4 },
+              paths: c.points ? () => null : inOwnOrder(c),
+              points: { show: c.points ? true : undefined, size: 4 },
             })),
           ],
           hooks: {
