@@ -17,6 +17,7 @@ export class Engine {
   private worker: Worker | null = null;
   private module: WebAssembly.Module | undefined;
   private ready: Promise<void> = Promise.resolve();
+  private giveUp: (why: Error) => void = () => {};
   private waiting = new Map<number, Waiting>();
   private next = 1;
   private running: { began: number; done: Promise<unknown> } | null = null;
@@ -30,6 +31,7 @@ export class Engine {
     const worker = new Worker(url);
     this.worker = worker;
     this.ready = new Promise((resolve, reject) => {
+      this.giveUp = reject;
       worker.onerror = (event) => reject(new Error(event.message || 'the engine cannot start'));
       worker.onmessage = (event: MessageEvent) => {
         const m = event.data;
@@ -44,11 +46,12 @@ export class Engine {
           this.waiting.delete(m.id);
           one?.resolve(m.answer);
         } else if (m.kind === 'broken') {
-          reject(new Error(m.text));
           this.end(new Error(m.text));
         }
       };
     });
+    // who waits for it hears of it; nobody may wait
+    this.ready.catch(() => {});
     worker.postMessage({
       kind: 'start',
       module: this.module,
@@ -69,13 +72,17 @@ export class Engine {
     this.worker = null;
     const all = [...this.waiting.values()];
     this.waiting.clear();
+    this.giveUp(why);
     for (const one of all) one.reject(why);
     this.onProgress(null);
   }
 
+  private loaded(): Promise<void> {
+    return this.worker ? this.ready : this.start();
+  }
+
   private async call<T>(message: object): Promise<T> {
-    if (!this.worker) void this.start().catch(() => {});
-    await this.ready;
+    await this.loaded();
     const id = this.next++;
     return new Promise<T>((resolve, reject) => {
       this.waiting.set(id, { resolve: resolve as (answer: unknown) => void, reject });
@@ -86,6 +93,9 @@ export class Engine {
   /** Null: a later deck was given meanwhile. */
   async solve(deck: Deck): Promise<Answer | null> {
     const mine = ++this.latest;
+    // what loads calculates nothing yet: a deck that comes meanwhile takes the place of the one before
+    await this.loaded();
+    if (mine !== this.latest) return null;
     while (this.running) {
       const left = patience - (performance.now() - this.running.began);
       const ended = this.running.done.catch(() => {});

@@ -16,8 +16,9 @@ before(async () => {
 });
 after(() => browser?.close());
 
-/** A page with the network off that has solved its first deck; what it asks for and complains of is kept. */
-export async function opened(hash = '', options = {}, from = address) {
+/** A page with the network off that has solved its first deck; what it asks for and complains of is kept. `meanwhile`:
+    what is done before that. */
+export async function opened(hash = '', options = {}, from = address, meanwhile = async () => {}) {
   const context = await browser.newContext({ viewport: { width: 1280, height: 800 }, offline: true, ...options });
   const page = await context.newPage();
   const asked = [];
@@ -26,6 +27,7 @@ export async function opened(hash = '', options = {}, from = address) {
   page.on('console', (m) => m.type() === 'error' && said.push(m.text()));
   page.on('pageerror', (e) => said.push(e.stack ?? e.message));
   await page.goto(from + hash);
+  await meanwhile(page);
   await settled(page);
   return { page, context, asked, said };
 }
