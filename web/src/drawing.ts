@@ -50,7 +50,7 @@ export class Drawing {
     new ResizeObserver(() => this.draw()).observe(box);
   }
 
-  show(page: Page, scene: Scene | null): void {
+  show(page: Page | null, scene: Scene | null): void {
     this.page = page;
     this.scene = scene;
     this.frame = Math.min(this.frame, (scene?.t.length ?? 1) - 1);

@@ -6,7 +6,7 @@ import type { Deck } from './types';
 export interface Desk {
   open(deck: Deck): void;
   deck(): Deck;
-  renamed(name: string): void;
+  saved(as: string): void;
   announce(words: string): void;
 }
 
@@ -65,7 +65,7 @@ export class FolderFiles {
     try {
       await ask('PUT', `file?name=${encodeURIComponent(name)}`, deck.text, 'text/plain');
       this.mine = name;
-      this.desk.renamed(name);
+      this.desk.saved(name);
       this.desk.announce(`Saved ${name}.`);
       await this.list();
     } catch (error) {

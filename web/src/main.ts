@@ -1,16 +1,12 @@
 // The page: deck at the left, machine at the right; the engine answers for every number that is shown.
-import { autocompletion, completionKeymap } from '@codemirror/autocomplete';
-import { defaultKeymap, history, historyKeymap, indentWithTab } from '@codemirror/commands';
-import { yaml } from '@codemirror/lang-yaml';
-import { HighlightStyle, bracketMatching, syntaxHighlighting } from '@codemirror/language';
-import { type Diagnostic, lintGutter, lintKeymap, setDiagnostics } from '@codemirror/lint';
-import { highlightSelectionMatches, searchKeymap } from '@codemirror/search';
+import { type Diagnostic, setDiagnostics } from '@codemirror/lint';
 import { EditorState, Transaction } from '@codemirror/state';
-import { EditorView, drawSelection, highlightActiveLine, keymap, lineNumbers } from '@codemirror/view';
-import { tags } from '@lezer/highlight';
+import { EditorView } from '@codemirror/view';
 import { byId, el } from './dom';
 import { Completer } from './complete';
+import { Draft } from './draft';
 import { Drawing, type View } from './drawing';
+import { deckIn, extensions, openIn, opens, renameIn } from './editor';
 import { Engine, Stopped } from './engine';
 import { type Change, Form } from './form';
 import { FolderFiles } from './folder';
@@ -36,8 +32,6 @@ const nonce = document.documentElement.dataset.nonce ?? '';
 
 const remote = served ? new RemoteEngine() : null;
 const engine: PageEngine = remote ?? new Engine();
-let files: Record<string, string> = {};
-let name = 'deck.yaml';
 let space: Space | null = null;
 let page: Page | null = null;
 let scene: Scene | null = null;
@@ -52,48 +46,20 @@ let answered = false;
 
 const completer = new Completer(() => engine.ask('schema'));
 
-const colours = HighlightStyle.define([
-  { tag: tags.comment, class: 'tok-comment' },
-  { tag: [tags.propertyName, tags.definition(tags.propertyName)], class: 'tok-key' },
-  { tag: tags.string, class: 'tok-string' },
-]);
-
 const editor = new EditorView({
   parent: byId('editor'),
-  state: state(''),
-});
-
-function state(doc: string): EditorState {
-  return EditorState.create({
-    doc,
+  state: EditorState.create({
     extensions: [
-      EditorView.cspNonce.of(nonce),
-      lineNumbers(),
-      history(),
-      drawSelection(),
-      highlightActiveLine(),
-      highlightSelectionMatches(),
-      bracketMatching(),
-      yaml(),
-      syntaxHighlighting(colours),
-      autocompletion({ override: [(context) => completer.complete(context)] }),
-      lintGutter(),
-      EditorView.contentAttributes.of({ 'aria-label': 'deck' }),
-      keymap.of([...completionKeymap, { key: 'Escape', run: leave }, indentWithTab, ...defaultKeymap, ...historyKeymap, ...searchKeymap, ...lintKeymap]),
+      extensions(nonce, (context) => completer.complete(context)),
       EditorView.updateListener.of((u) => {
         if (u.docChanged) changed(u.transactions);
         if (u.docChanged || u.selectionSet) window.setTimeout(showForm);
       }),
     ],
-  });
-}
-
-/** Tab indents in the editor; after Escape the next Tab goes on to the machine. */
-function leave(view: EditorView): boolean {
-  view.contentDOM.blur();
-  byId('machine').focus();
-  return true;
-}
+  }),
+});
+const deck = () => deckIn(editor);
+const draft = new Draft(deck);
 
 const places = new TextPlaces();
 const form = new Form(byId('form'), (path) => completer.words(path), (path) => completer.keys(path), {
@@ -115,15 +81,14 @@ function showForm(): void {
 function changed(transactions: readonly Transaction[]): void {
   for (const t of transactions) if (t.docChanged) places.follow(t.changes, t.annotation(ownWrite));
   drawing.keep(places.handles);
+  const other = transactions.some(opens);
+  if (other) clear();
   later();
+  if (other) void showReport();
 }
 
 const drawing = new Drawing(byId('picture'), move, choose);
 const plots = new Plots(byId('plots'), (t) => setFrame(nearest(t), false));
-
-function deck(): Deck {
-  return { name, text: editor.state.doc.toString(), files };
-}
 
 /** What is shown is of a text before the one in the editor: verdict, picture and numbers are greyed. */
 function setOld(old: boolean): void {
@@ -219,9 +184,10 @@ function show(answer: Answer): void {
         editor.focus();
       },
     }, `${e.file}:${e.line}:${e.column} ${e.message}`)));
-    if (!page && !byId('tab-report').hidden) void showReport();
+    if (!page) void showReport();
     return;
   }
+  const first = page === null;
   page = answer.page;
   shown = version;
   places.set(answer.places ?? {});
@@ -229,7 +195,7 @@ function show(answer: Answer): void {
   setOld(false);
   say(page.verdict?.words ?? page.status, page.verdict?.kind ?? 'no_answer', page.verdict?.reason ?? page.message);
   byId('took').textContent = `solved in ${Math.round(answer.took)} ms`;
-  document.title = `${page.title || name} - taut`;
+  document.title = `${page.title || deck().name} - taut`;
   scene = page.scenes.find((s) => s.t.length > 1) ?? page.scenes[0] ?? null;
   byId('drawn').hidden = scene === null && !places.handles?.length;
   byId('pictures').hidden = !byId('drawn').hidden;
@@ -237,7 +203,7 @@ function show(answer: Answer): void {
   void showPictures();
   drawing.show(page, scene);
   drawing.place(places.handles ?? []);
-  if (!byId('space').hidden) space?.show(scene, true);
+  if (!byId('space').hidden) space?.show(scene, !first);
   showScale();
   showMotion();
   showChecks();
@@ -249,7 +215,7 @@ function show(answer: Answer): void {
     ...page.warnings.map((w) => el('p', { class: w.unsafe ? 'unsafe' : 'warning' }, w.text)),
   ]);
   plots.show(page.plots);
-  if (!byId('tab-report').hidden) void showReport();
+  void showReport();
 }
 
 function list(id: string, children: Node[]): void {
@@ -264,7 +230,7 @@ function place(line: number, column: number): number {
 
 function mark(p: Page): void {
   const marks: Diagnostic[] = p.errors
-    .filter((e) => e.file === name && e.line > 0)
+    .filter((e) => e.file === deck().name && e.line > 0)
     .map((e) => {
       const from = place(e.line, e.column);
       return { from, to: Math.min(from + Math.max(e.width, 1), editor.state.doc.lineAt(from).to), severity: 'error', message: e.message };
@@ -393,6 +359,7 @@ function play(): void {
 
 // The report: in a frame in which nothing runs and which is of no origin.
 async function showReport(): Promise<void> {
+  if (byId('tab-report').hidden) return;
   // the report of what else is shown stays, greyed as that is
   if (reportOf === version || (!answered && reportOf >= 0 && reportOf === shown)) return;
   reportOf = -1;
@@ -442,21 +409,35 @@ function announce(words: string): void {
 }
 
 function open(d: Deck): void {
-  files = { ...d.files };
-  name = d.name;
+  openIn(editor, d);
+  draft.isSaved();
+}
+
+/** Nothing of the deck before is shown beside another one. */
+function clear(): void {
   page = null;
+  scene = null;
   window.clearTimeout(writing);
-  places.forget();
-  drawing.keep(null);
-  for (const id of ['notes', 'checks', 'values', 'tab-report', 'figures']) list(id, []);
+  drawing.show(null, null);
+  drawing.place([]);
+  space?.show(null, true);
+  showScale();
+  showMotion();
+  byId('took').textContent = '';
+  for (const id of ['notes', 'checks', 'values', 'tab-report', 'pictures', 'figures']) list(id, []);
   plots.show([], 'The plots come with the answer of this deck.');
   shown = -1;
   reportOf = -1;
+  const { name } = deck();
   byId('deck-name').textContent = name;
   document.title = `${name} - taut`;
-  editor.setState(state(d.text));
-  later();
-  if (!byId('tab-report').hidden) void showReport();
+}
+
+/** The deck stands in a file of the folder. */
+function savedAs(name: string): void {
+  renameIn(editor, name);
+  byId('deck-name').textContent = name;
+  draft.isSaved();
 }
 
 async function share(): Promise<void> {
@@ -465,11 +446,11 @@ async function share(): Promise<void> {
   const hash = `#deck=${await packed(deck())}`;
   if (!base) return announce('This page has no web address to link to: save the deck and send it.');
   if (base.length + hash.length > longestLink) return announce('This deck is too long for a link: save it and send the file.');
-  if (location.protocol !== 'file:') history_.replaceState(null, '', hash);
+  if (location.protocol !== 'file:') window.history.replaceState(null, '', hash);
+  draft.isSaved();
   await navigator.clipboard.writeText(base + hash).then(
     () => announce('The link is in the clipboard.'), () => announce('The link is in the address bar.'));
 }
-const history_ = window.history;
 
 async function openFiles(chosen: FileList): Promise<void> {
   const all = await Promise.all([...chosen].map(async (f) => ({ name: f.name, text: await f.text() })));
@@ -532,8 +513,12 @@ async function begin(): Promise<void> {
     const chosen = (event.target as HTMLInputElement).files;
     if (chosen) void openFiles(chosen);
   });
-  const folder = served ? new FolderFiles({ open, deck, announce, renamed: (as) => { name = as; byId('deck-name').textContent = as; } }) : null;
-  byId('save').addEventListener('click', () => folder ? void folder.save() : save(name.split('/').at(-1) ?? name, editor.state.doc.toString(), 'text/yaml'));
+  const folder = served ? new FolderFiles({ open, deck, announce, saved: savedAs }) : null;
+  byId('save').addEventListener('click', () => {
+    if (folder) return void folder.save();
+    save(deck().name.split('/').at(-1) ?? '', deck().text, 'text/yaml');
+    draft.isSaved();
+  });
   byId('share').addEventListener('click', () => void share());
   byId('theme').addEventListener('click', theme);
   byId('play').addEventListener('click', play);
@@ -559,8 +544,11 @@ async function begin(): Promise<void> {
   });
   const started = engine.start();
   const linked = await unpacked(location.hash);
-  const first = linked ?? await remote?.earlier() ?? gallery.find((e) => e.name.endsWith('running_skyline.yaml')) ?? gallery[0];
-  if (first) open(first);
+  const earlier = await remote?.earlier();
+  const first = linked ?? earlier ?? gallery.find((e) => e.name.endsWith('running_skyline.yaml')) ?? gallery[0];
+  const kept = draft.before();
+  if (kept) openIn(editor, kept);
+  else if (first) open(first);
   try {
     await started;
     document.documentElement.dataset.ready = String(Math.round(performance.now()));
