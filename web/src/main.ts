@@ -9,6 +9,7 @@ import { Drawing, type View } from './drawing';
 import { deckIn, extensions, openIn, opens, renameIn } from './editor';
 import { Engine, Stopped } from './engine';
 import { type Change, Form } from './form';
+import { together } from './files';
 import { FolderFiles } from './folder';
 import { take, valuesOf, written } from './handles';
 import { TextPlaces, ownWrite } from './places';
@@ -17,7 +18,7 @@ import { RemoteEngine, served } from './remote';
 import { underPolicy } from './report';
 import { longestLink, packed, unpacked } from './share';
 import { Space } from './space';
-import type { Answer, Deck, Handle, Page, PageEngine, Picture, Scene } from './types';
+import type { Answer, Deck, DeckError, Handle, Page, PageEngine, Picture, Scene } from './types';
 
 interface Example extends Deck {
   title: string;
@@ -176,14 +177,7 @@ function show(answer: Answer): void {
   mark(answer.page);
   if (answer.page.status === 'bad_deck') {
     say(answer.page.message, 'bad', answer.page.errors[0]?.message ?? '');
-    list('notes', answer.page.errors.map((e) => el('button', {
-      type: 'button', class: 'error',
-      onclick: () => {
-        const at = place(e.line, e.column);
-        editor.dispatch({ selection: { anchor: at }, scrollIntoView: true });
-        editor.focus();
-      },
-    }, `${e.file}:${e.line}:${e.column} ${e.message}`)));
+    list('notes', answer.page.errors.map(mistake));
     if (!page) void showReport();
     return;
   }
@@ -222,6 +216,21 @@ function list(id: string, children: Node[]): void {
   byId(id).replaceChildren(...children);
 }
 
+/** Whether its place is in the editor: included decks are not. */
+function isHere(e: DeckError): boolean {
+  return e.file === deck().name && e.line > 0;
+}
+
+function mistake(e: DeckError): HTMLElement {
+  const words = `${e.file}:${e.line}:${e.column} ${e.message}`;
+  if (!isHere(e)) return el('p', { class: 'error' }, words);
+  const go = () => {
+    editor.dispatch({ selection: { anchor: place(e.line, e.column) }, scrollIntoView: true });
+    editor.focus();
+  };
+  return el('button', { type: 'button', class: 'error', onclick: go }, words);
+}
+
 function place(line: number, column: number): number {
   const doc = editor.state.doc;
   const at = doc.line(Math.min(Math.max(line, 1), doc.lines));
@@ -230,7 +239,7 @@ function place(line: number, column: number): number {
 
 function mark(p: Page): void {
   const marks: Diagnostic[] = p.errors
-    .filter((e) => e.file === deck().name && e.line > 0)
+    .filter(isHere)
     .map((e) => {
       const from = place(e.line, e.column);
       return { from, to: Math.min(from + Math.max(e.width, 1), editor.state.doc.lineAt(from).to), severity: 'error', message: e.message };
@@ -452,11 +461,12 @@ async function share(): Promise<void> {
     () => announce('The link is in the clipboard.'), () => announce('The link is in the address bar.'));
 }
 
-async function openFiles(chosen: FileList): Promise<void> {
-  const all = await Promise.all([...chosen].map(async (f) => ({ name: f.name, text: await f.text() })));
-  const main = all.find((f) => /\.ya?ml$/.test(f.name) && !/\.part\.ya?ml$/.test(f.name)) ?? all[0];
-  if (!main) return;
-  open({ ...main, files: Object.fromEntries(all.filter((f) => f !== main).map((f) => [f.name, f.text])) });
+async function openFiles(input: HTMLInputElement): Promise<void> {
+  const chosen = [...(input.files ?? [])];
+  // the same file can be chosen again
+  input.value = '';
+  const found = together(await Promise.all(chosen.map(async (f) => ({ name: f.name, text: await f.text() }))));
+  if (found) open(found);
 }
 
 function tabs(): void {
@@ -509,10 +519,7 @@ async function begin(): Promise<void> {
   });
   tabs();
   byId('open').addEventListener('click', () => byId('file').click());
-  byId<HTMLInputElement>('file').addEventListener('change', (event) => {
-    const chosen = (event.target as HTMLInputElement).files;
-    if (chosen) void openFiles(chosen);
-  });
+  byId('file').addEventListener('change', (event) => void openFiles(event.target as HTMLInputElement));
   const folder = served ? new FolderFiles({ open, deck, announce, saved: savedAs }) : null;
   byId('save').addEventListener('click', () => {
     if (folder) return void folder.save();
