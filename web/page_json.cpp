@@ -199,6 +199,16 @@ Json plot(const Plot& p, const Display& display) {
           {"marks", std::move(marks)}};
 }
 
+/// The style of a figure as on paper: the page shows its image on white, in its own dark theme, too.
+std::string style_on_paper() {
+  constexpr std::string_view dark = "@media screen and (prefers-color-scheme: dark)";
+  std::string css(report::embedded::figure_css);
+  for (std::size_t at = css.find(dark); at != std::string::npos; at = css.find(dark)) {
+    css.replace(at, dark.size(), "@media not all");
+  }
+  return css;
+}
+
 /// A figure that stands alone in a file, with its own style: shown as an image nothing in it can run or load.
 Json picture(const Figure& f, const Display& display) {
   const report::FigureWords words = report::words_of(f);
@@ -207,7 +217,7 @@ Json picture(const Figure& f, const Display& display) {
   const std::size_t end = open == std::string::npos ? open : svg.find('>', open);
   if (end == std::string::npos) return nullptr;
   const bool named = svg.find("xmlns=") != std::string::npos;
-  svg.insert(end + 1, fmt::format("<style>{}</style>", report::embedded::figure_css));
+  svg.insert(end + 1, fmt::format("<style>{}</style>", style_on_paper()));
   if (!named) svg.insert(open + 4, " xmlns=\"http://www.w3.org/2000/svg\"");
   return {{"title", words.title}, {"caption", words.caption}, {"scale", words.scale}, {"svg", std::move(svg)}};
 }

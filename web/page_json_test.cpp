@@ -51,6 +51,21 @@ TEST(PageJson, WhatIsNoNumberOrNoTextIsShownAsSuch) {
   EXPECT_EQ(Json::parse(to_page({})).at("ground"), Json::array());
 }
 
+TEST(PageJson, APictureStandsAloneAsOnPaper) {
+  Result r;
+  Drawing d;
+  d.shapes.emplace_back(Polyline{.points = {{0, 0}, {10, 0}}, .role = Role::rope});
+  r.figures.emplace_back(d);
+  const Json pictures = Json::parse(pictures_of(r));
+  const auto svg = pictures.at(0).at("svg").get<std::string>();
+  // every colour that its style names is given there, and none by the theme of the reader's screen
+  for (std::size_t at = svg.find("var(--"); at != std::string::npos; at = svg.find("var(--", at + 1)) {
+    const std::string name = svg.substr(at + 4, svg.find(')', at) - at - 4);
+    EXPECT_NE(svg.find("--" + name + ":"), std::string::npos) << name;
+  }
+  EXPECT_EQ(svg.find("prefers-color-scheme"), std::string::npos);
+}
+
 TEST(PageJson, PlacesAreGoodToATenthOfAMillimetre) {
   std::mt19937_64 source(5);
   Scene s;
