@@ -194,9 +194,16 @@ Json plot(const Plot& p, const Display& display) {
                      {"level", m.whole_line},
                      {"upright", m.upright}});
   }
-  return {{"name", p.name},           {"title", p.title},  {"caption", p.caption},
-          {"x", axis(p.x, x)},        {"y", axis(p.y, y)}, {"curves", std::move(curves)},
-          {"marks", std::move(marks)}};
+  // what x shows of a second: its unit may be the minute
+  const Json over = p.scene.empty() ? Json(nullptr) : Json{{"scene", p.scene}, {"second", x.of(1)}};
+  return {{"name", p.name},
+          {"title", p.title},
+          {"caption", p.caption},
+          {"x", axis(p.x, x)},
+          {"y", axis(p.y, y)},
+          {"curves", std::move(curves)},
+          {"marks", std::move(marks)},
+          {"over", over}};
 }
 
 /// The style of a figure as on paper: the page shows its image on white, in its own dark theme, too.
@@ -274,14 +281,29 @@ std::string scene_points(const Scene& s) {
   return text;
 }
 
-std::string scene(const Scene& s, const Display& display) {
+/// What happens in the motion that a scene shows; a motion drawn in several views has it in each of them.
+Json events_of(const Scene& s, const std::vector<Figure>& figures) {
+  Json events = Json::array();
+  for (const Figure& f : figures) {
+    const auto* motion = std::get_if<Animation>(&f);
+    if (motion == nullptr || motion->scene != s.name) continue;
+    for (const auto& [t, text] : motion->events) events.push_back({{"t", t}, {"text", text}});
+    break;
+  }
+  return events;
+}
+
+std::string scene(const Scene& s, Json events, const Display& display) {
   Json t = Json::array(), times = Json::array();
   for (const double moment : s.t) {
     t.push_back(number(moment));
     times.push_back(report::value_shown(moment, si::s, display));
   }
-  std::string text = dumped(
-      {{"name", s.name}, {"t", std::move(t)}, {"times", std::move(times)}, {"tension", tension_range(s, display)}});
+  std::string text = dumped({{"name", s.name},
+                             {"t", std::move(t)},
+                             {"times", std::move(times)},
+                             {"events", std::move(events)},
+                             {"tension", tension_range(s, display)}});
   add_entry(text, "lines", scene_lines(s));
   add_entry(text, "points", scene_points(s));
   return text;
@@ -304,7 +326,7 @@ std::string to_page(const Result& r) {
   const Display display = display_of(r);
   Json answers = Json::array();
   for (const Answer& a : r.answers) answers.push_back({{"label", a.label}, {"text", a.text}});
-  Json plots = Json::array(), events = Json::array();
+  Json plots = Json::array();
   std::string ground_line = "[]", scenes;
   std::size_t pictures = 0;
   for (const Figure& f : r.figures) {
@@ -313,12 +335,9 @@ std::string to_page(const Result& r) {
       continue;
     }
     if (const auto* profile = std::get_if<Profile>(&f)) ground_line = ground(*profile);
-    if (const auto* motion = std::get_if<Animation>(&f)) {
-      for (const auto& [t, text] : motion->events) events.push_back({{"t", t}, {"text", text}});
-    }
     ++pictures;
   }
-  PictureNumbers(scenes).list(r.scenes, [&](const Scene& s) { scenes += scene(s, display); });
+  PictureNumbers(scenes).list(r.scenes, [&](const Scene& s) { scenes += scene(s, events_of(s, r.figures), display); });
   std::string page = dumped({{"title", r.title},
                              {"method", r.method},
                              {"status", to_text(r.status)},
@@ -332,7 +351,6 @@ std::string to_page(const Result& r) {
                              {"checks", checks(r, display)},
                              {"plots", std::move(plots)},
                              {"pictures", pictures},
-                             {"events", std::move(events)},
                              {"interrupted", r.interrupted}});
   add_entry(page, "scenes", scenes);
   add_entry(page, "ground", ground_line);

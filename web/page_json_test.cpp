@@ -51,6 +51,38 @@ TEST(PageJson, WhatIsNoNumberOrNoTextIsShownAsSuch) {
   EXPECT_EQ(Json::parse(to_page({})).at("ground"), Json::array());
 }
 
+TEST(PageJson, AMotionHasItsOwnEventsAndPlots) {
+  Result r;
+  for (const char* name : {"motion_quick", "motion_long"}) {
+    Scene s;
+    s.name = name;
+    s.t = {0, 1};
+    r.scenes.push_back(s);
+    for (const char* view : {"", "_plan"}) {
+      Animation a;
+      a.name = std::string(name) + view;
+      a.scene = name;
+      a.events = {{0.5, std::string("break in ") + name}};
+      r.figures.emplace_back(a);
+    }
+    Plot p;
+    p.x = {.label = "time", .unit = si::s};
+    p.scene = name;
+    r.figures.emplace_back(p);
+  }
+  r.figures.emplace_back(Plot{});
+  r.display = {{"time", "min"}};
+  const Json page = Json::parse(to_page(r));
+  for (std::size_t i = 0; i < 2; ++i) {
+    const Json &scene = page.at("scenes").at(i), &over = page.at("plots").at(i).at("over");
+    ASSERT_EQ(scene.at("events").size(), 1U);
+    EXPECT_EQ(scene.at("events").at(0).at("text"), "break in " + scene.at("name").get<std::string>());
+    EXPECT_EQ(over.at("scene"), scene.at("name"));
+    EXPECT_DOUBLE_EQ(over.at("second").get<double>(), 1 / 60.0);
+  }
+  EXPECT_TRUE(page.at("plots").at(2).at("over").is_null());
+}
+
 TEST(PageJson, APictureStandsAloneAsOnPaper) {
   Result r;
   Drawing d;

@@ -122,6 +122,8 @@ struct Plot {
   Axis y;
   std::vector<Curve> curves;
   std::vector<Mark> marks;
+  /// Name of the Scene over whose times x runs; empty: x is no time of one.
+  std::string scene = {};  // NOLINT(readability-redundant-member-init): keeps it optional in a list of initial values
 };
 
 /// A drawing over time, which the report plays. Coordinates as in a Drawing, one set for each time.
@@ -152,6 +154,7 @@ struct Animation {
   std::vector<Round> rounds;
   std::vector<Readout> readouts;
   std::vector<std::pair<double, std::string>> events;  ///< time in s, description
+  std::string scene = {};  ///< name of the Scene of the same motion  NOLINT(readability-redundant-member-init)
 };
 
 /// A line over the ground, seen from its side, and below it over the same x what it bears at each place of the

@@ -1,10 +1,11 @@
-// Edits that are in no file and no link yet: the browser asks before the page goes, and a page that is loaded again has them.
+// Edits that are in no file and no link yet: the browser asks before the page goes, and a page that is loaded again has
+// them.
 import type { Deck } from './types';
 
 const kept = 'taut-draft';
 
 export class Draft {
-  private saved: string | null = null;
+  private saved = '';
 
   constructor(private readonly deck: () => Deck) {
     window.addEventListener('beforeunload', (event) => {
@@ -24,7 +25,7 @@ export class Draft {
     if (how?.type !== 'reload' && how?.type !== 'back_forward') return null;
     try {
       const deck = JSON.parse(sessionStorage.getItem(kept) ?? 'null') as Deck | null;
-      return deck && typeof deck.text === 'string' ? { name: String(deck.name), text: deck.text, files: deck.files ?? {} } : null;
+      return typeof deck?.text === 'string' ? { name: String(deck.name), text: deck.text, files: deck.files ?? {} } : null;
     } catch {
       return null;
     }

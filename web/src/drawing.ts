@@ -324,7 +324,8 @@ export class Drawing {
   }
 
   private placeDots(): void {
-    const unused = new Map([...this.layer.children].map((dot) => [(dot as HTMLElement).dataset.path, dot as HTMLElement]));
+    const dots = [...this.layer.children] as HTMLElement[];
+    const unused = new Map(dots.map((dot) => [dot.dataset.path, dot]));
     this.handles.forEach((handle) => {
       let dot = unused.get(handle.path);
       unused.delete(handle.path);

@@ -1,6 +1,8 @@
 // The editor of the deck: its text, and beside it the deck's name and files, which undo brings back with the text.
 import { type CompletionSource, autocompletion, completionKeymap } from '@codemirror/autocomplete';
-import { defaultKeymap, history, historyKeymap, indentWithTab, invertedEffects, isolateHistory } from '@codemirror/commands';
+import {
+  defaultKeymap, history, historyKeymap, indentWithTab, invertedEffects, isolateHistory,
+} from '@codemirror/commands';
 import { yaml } from '@codemirror/lang-yaml';
 import { HighlightStyle, bracketMatching, syntaxHighlighting } from '@codemirror/language';
 import { lintGutter, lintKeymap } from '@codemirror/lint';
@@ -41,7 +43,8 @@ export function extensions(nonce: string, complete: CompletionSource): Extension
     autocompletion({ override: [complete] }),
     lintGutter(),
     EditorView.contentAttributes.of({ 'aria-label': 'deck' }),
-    keymap.of([...completionKeymap, { key: 'Escape', run: leave }, indentWithTab, ...defaultKeymap, ...historyKeymap, ...searchKeymap, ...lintKeymap]),
+    keymap.of([...completionKeymap, { key: 'Escape', run: leave }, indentWithTab, ...defaultKeymap, ...historyKeymap,
+      ...searchKeymap, ...lintKeymap]),
   ];
 }
 

@@ -1,5 +1,5 @@
-// Files that a reader chooses together: a deck and what it names. A browser tells their names without folders, a deck names
-// them by paths: a path is that of the file with its last name.
+// Files that a reader chooses together: a deck and what it names. A browser tells their names without folders, a deck
+// names them by paths: a path is that of the file with its last name.
 import type { Deck } from './types';
 
 export interface Chosen {
@@ -12,7 +12,8 @@ function pathsTo(file: string, text: string): string[] {
   const plain = text.replace(/^\s*#.*$/gm, '');
   const name = file.replace(/[.*+?^${}()|[\]\\]/g, '\\$&');
   const part = `[^\\s"'\\[\\]{},]`;
-  return [...plain.matchAll(new RegExp(`(?:${part}*/)?(?<![^\\s"'\\[\\]{},:/])${name}(?![\\w.])`, 'g'))].map((found) => found[0]);
+  const path = new RegExp(`(?:${part}*/)?(?<![^\\s"'\\[\\]{},:/])${name}(?![\\w.])`, 'g');
+  return [...plain.matchAll(path)].map((found) => found[0]);
 }
 
 /** Without its dots, but for those in front that lead out of the folder. */

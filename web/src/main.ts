@@ -13,6 +13,7 @@ import { together } from './files';
 import { FolderFiles } from './folder';
 import { take, valuesOf, written } from './handles';
 import { TextPlaces, ownWrite } from './places';
+import { Player } from './player';
 import { Plots } from './plots';
 import { RemoteEngine, served } from './remote';
 import { underPolicy } from './report';
@@ -89,7 +90,12 @@ function changed(transactions: readonly Transaction[]): void {
 }
 
 const drawing = new Drawing(byId('picture'), move, choose);
-const plots = new Plots(byId('plots'), (t) => setFrame(nearest(t), false));
+const plots = new Plots(byId('plots'), (of, t) => player.point(of, t));
+const player = new Player((chosen) => showScene(chosen, true), (frame, of, t, tell) => {
+  drawing.setFrame(frame);
+  if (!byId('space').hidden) space?.setFrame(frame);
+  if (tell && of) plots.setTime(of.name, t);
+});
 
 /** What is shown is of a text before the one in the editor: verdict, picture and numbers are greyed. */
 function setOld(old: boolean): void {
@@ -190,16 +196,13 @@ function show(answer: Answer): void {
   say(page.verdict?.words ?? page.status, page.verdict?.kind ?? 'no_answer', page.verdict?.reason ?? page.message);
   byId('took').textContent = `solved in ${Math.round(answer.took)} ms`;
   document.title = `${page.title || deck().name} - taut`;
-  scene = page.scenes.find((s) => s.t.length > 1) ?? page.scenes[0] ?? null;
+  scene = player.take(page.scenes);
   byId('drawn').hidden = scene === null && !places.handles?.length;
   byId('pictures').hidden = !byId('drawn').hidden;
   if (!byId('drawn').hidden) list('figures', []);
   void showPictures();
-  drawing.show(page, scene);
+  showScene(scene, !first);
   drawing.place(places.handles ?? []);
-  if (!byId('space').hidden) space?.show(scene, !first);
-  showScale();
-  showMotion();
   showChecks();
   showValues();
   list('notes', [
@@ -264,6 +267,15 @@ function setView(view: string): void {
   else drawing.setView(view as View);
 }
 
+/** `keep`: space is looked at as before. */
+function showScene(of: Scene | null, keep: boolean): void {
+  scene = of;
+  drawing.show(page, scene);
+  if (!byId('space').hidden) space?.show(scene, keep);
+  showScale();
+  player.rewind();
+}
+
 function showScale(): void {
   const range = scene?.tension ?? null;
   byId('scale').hidden = range === null;
@@ -319,68 +331,23 @@ function table(heads: string[], rows: HTMLElement[]): HTMLElement {
   return el('table', {}, el('thead', {}, el('tr', {}, ...heads.map((h) => el('th', { scope: 'col' }, h)))), el('tbody', {}, ...rows));
 }
 
-// The motion player.
-let playing = 0;
-function nearest(t: number): number {
-  const all = scene?.t ?? [0];
-  let best = 0;
-  for (let i = 0; i < all.length; ++i) if (Math.abs(all[i]! - t) < Math.abs(all[best]! - t)) best = i;
-  return best;
-}
-function setFrame(frame: number, tell: boolean): void {
-  byId<HTMLInputElement>('time').value = String(frame);
-  byId('now').textContent = scene?.times[frame] ?? '';
-  const t = scene?.t[frame] ?? 0;
-  const last = (page?.events ?? []).filter((e) => e.t <= t).at(-1);
-  byId('event').textContent = last?.text ?? '';
-  drawing.setFrame(frame);
-  if (!byId('space').hidden) space?.setFrame(frame);
-  if (tell) plots.setTime(t);
-}
-function showMotion(): void {
-  const moves = (scene?.t.length ?? 0) > 1;
-  byId('player').hidden = !moves;
-  stopPlaying();
-  byId<HTMLInputElement>('time').max = String((scene?.t.length ?? 1) - 1);
-  setFrame(0, false);
-}
-function stopPlaying(): void {
-  cancelAnimationFrame(playing);
-  playing = 0;
-  byId('play').textContent = 'Play';
-}
-function play(): void {
-  if (playing) return stopPlaying();
-  const all = scene?.t ?? [0];
-  let frame = Number(byId<HTMLInputElement>('time').value);
-  if (frame >= all.length - 1) frame = 0;
-  const began = performance.now();
-  const from = all[frame] ?? 0;
-  byId('play').textContent = 'Pause';
-  const step = () => {
-    const t = from + (performance.now() - began) / 1000;
-    setFrame(nearest(t), true);
-    if (t >= (all.at(-1) ?? 0)) return stopPlaying();
-    playing = requestAnimationFrame(step);
-  };
-  playing = requestAnimationFrame(step);
-}
-
 // The report: in a frame in which nothing runs and which is of no origin.
 async function showReport(): Promise<void> {
   if (byId('tab-report').hidden) return;
   // the report of what else is shown stays, greyed as that is
   if (reportOf === version || (!answered && reportOf >= 0 && reportOf === shown)) return;
   reportOf = -1;
-  if (!answered) return list('tab-report', [el('p', { class: 'empty' }, 'The report comes with the answer of this deck.')]);
+  const none = el('p', { class: 'empty' }, 'The report comes with the answer of this deck.');
+  if (!answered) return list('tab-report', [none]);
   const mine = version;
   const html = await asked('report');
   if (mine !== version || !html) return;
   reportOf = mine;
   const frame = el('iframe', { sandbox: '', title: 'report', srcdoc: underPolicy(nonce, html) });
+  const saved = () => void withReport((of) => save('report.html', of, 'text/html'));
   list('tab-report', [
     el('p', { class: 'tools' },
-      el('button', { type: 'button', onclick: () => void withReport((of) => save('report.html', of, 'text/html')) }, 'Save report'),
+      el('button', { type: 'button', onclick: saved }, 'Save report'),
       el('button', { type: 'button', onclick: () => void withReport(print) }, 'Print')),
     frame,
   ]);
@@ -425,13 +392,9 @@ function open(d: Deck): void {
 /** Nothing of the deck before is shown beside another one. */
 function clear(): void {
   page = null;
-  scene = null;
   window.clearTimeout(writing);
-  drawing.show(null, null);
   drawing.place([]);
-  space?.show(null, true);
-  showScale();
-  showMotion();
+  showScene(player.take([]), true);
   byId('took').textContent = '';
   for (const id of ['notes', 'checks', 'values', 'tab-report', 'pictures', 'figures']) list(id, []);
   plots.show([], 'The plots come with the answer of this deck.');
@@ -528,8 +491,6 @@ async function begin(): Promise<void> {
   });
   byId('share').addEventListener('click', () => void share());
   byId('theme').addEventListener('click', theme);
-  byId('play').addEventListener('click', play);
-  byId('time').addEventListener('input', () => { stopPlaying(); setFrame(Number(byId<HTMLInputElement>('time').value), true); });
   byId('view').addEventListener('change', () => setView(byId<HTMLSelectElement>('view').value));
   byId('stop').addEventListener('click', () => { void engine.stop().then((comes) => comes || say('Stopped', 'no_answer')); });
   engine.onProgress = (p) => {

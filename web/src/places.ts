@@ -1,5 +1,6 @@
-// Where the values of the deck stand in the editor. The engine gives their places in one text; they move on with what the
-// page itself writes. A text that was changed in another way has none until the engine has seen it: a place would be a guess.
+// Where the values of the deck stand in the editor. The engine gives their places in one text; they move on with what
+// the page itself writes. A text that was changed in another way has none until the engine has seen it: a place would
+// be a guess.
 import { Annotation, type ChangeDesc } from '@codemirror/state';
 import type { Handle, OutlineNode, Places } from './types';
 
@@ -37,7 +38,8 @@ export class TextPlaces {
 
   /** A handle that shares a number with the writer, by an anchor of the deck, is not where it was. */
   private left(changes: ChangeDesc, writer: string): Handle[] | null {
-    return this.handles?.filter((h) => h.path === writer || !h.numbers.some((n) => changes.touchesRange(n.from, n.to))) ?? null;
+    const untouched = (h: Handle) => h.numbers.every((n) => !changes.touchesRange(n.from, n.to));
+    return this.handles?.filter((h) => h.path === writer || untouched(h)) ?? null;
   }
 }
 

@@ -5,8 +5,8 @@ import type { Curve, PlotData } from './types';
 
 const pens = ['rope', 'highlight', 'second-rope', 'force', 'second-force', 'body', 'ground', 'structure'];
 
-/** Curves over one common axis, as uPlot takes no other for its scales and its cursor. It has an x as often as one curve
-    has points there, at a jump or where it runs back: none is lost. */
+/** Curves over one common axis, as uPlot takes no other for its scales and its cursor. It has an x as often as one
+    curve has points there, at a jump or where it runs back: none is lost. */
 function joined(plot: PlotData): (number | null)[][] {
   const places = (c: Curve) => {
     const seen = new Map<number, number>();
@@ -18,7 +18,9 @@ function joined(plot: PlotData): (number | null)[][] {
     });
   };
   const most = new Map<number, number>();
-  for (const c of plot.curves) for (const at of places(c)) if (at) most.set(at.x, Math.max(most.get(at.x) ?? 0, at.k + 1));
+  for (const c of plot.curves) {
+    for (const at of places(c)) if (at) most.set(at.x, Math.max(most.get(at.x) ?? 0, at.k + 1));
+  }
   const first = new Map<number, number>();
   const all: number[] = [];
   for (const x of [...most.keys()].sort((a, b) => a - b)) {
@@ -67,9 +69,9 @@ function spread(low: number | null, high: number | null): [number | null, number
 }
 
 export class Plots {
-  private shown: { plot: uPlot; overTime: boolean; box: HTMLElement }[] = [];
+  private shown: { plot: uPlot; over: PlotData['over']; box: HTMLElement }[] = [];
 
-  constructor(private box: HTMLElement, private timeChosen: (t: number) => void) {
+  constructor(private box: HTMLElement, private timeChosen: (scene: string, t: number) => void) {
     new ResizeObserver(() => this.resize()).observe(box);
   }
 
@@ -85,7 +87,7 @@ export class Plots {
       const place = el('div', { class: 'plot', role: 'img', 'aria-label': `${plot.title}. ${plot.caption}` });
       figure.append(place, el('p', { class: 'caption' }, plot.caption));
       this.box.append(figure);
-      const overTime = plot.x.unit === 's';
+      const over = plot.over;
       const unit = (a: { label: string; unit: string }) => (a.unit ? `${a.label}, ${a.unit}` : a.label);
       const axis = { stroke: colour('soft'), grid: { stroke: colour('grid'), width: 1 }, ticks: { stroke: colour('grid') } };
       const u = new uPlot(
@@ -113,7 +115,8 @@ export class Plots {
             setCursor: [
               (u) => {
                 const at = u.cursor.left;
-                if (overTime && at != null && at >= 0 && u.root.matches(':hover')) this.timeChosen(u.posToVal(at, 'x'));
+                if (!over || at == null || at < 0 || !u.root.matches(':hover')) return;
+                this.timeChosen(over.scene, u.posToVal(at, 'x') / over.second);
               },
             ],
           },
@@ -121,15 +124,15 @@ export class Plots {
         joined(plot) as uPlot.AlignedData,
         place,
       );
-      this.shown.push({ plot: u, overTime, box: place });
+      this.shown.push({ plot: u, over, box: place });
     }
   }
 
-  /** The cursor of all plots over time stands at t. */
-  setTime(t: number): void {
-    for (const { plot, overTime } of this.shown) {
-      if (!overTime || plot.root.matches(':hover')) continue;
-      plot.setCursor({ left: plot.valToPos(t, 'x'), top: 10 }, false);
+  /** The cursor of all plots over the times of a scene stands at t, s. */
+  setTime(scene: string, t: number): void {
+    for (const { plot, over } of this.shown) {
+      if (over?.scene !== scene || plot.root.matches(':hover')) continue;
+      plot.setCursor({ left: plot.valToPos(t * over.second, 'x'), top: 10 }, false);
     }
   }
 

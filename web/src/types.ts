@@ -45,6 +45,8 @@ export interface PlotData {
   y: { label: string; unit: string };
   curves: Curve[];
   marks: { x: number | null; y: number | null; label: string; level: boolean; upright: boolean }[];
+  /** The scene over whose times it runs, and what its x shows of a second; null: it runs over something else. */
+  over: { scene: string; second: number } | null;
 }
 
 export interface SceneLine {
@@ -57,6 +59,7 @@ export interface Scene {
   name: string;
   t: number[];
   times: string[];
+  events: { t: number; text: string }[];
   lines: SceneLine[];
   points: { name: string; radius: number; at: [number, number, number][] }[];
   tension: { least: number; most: number; least_text: string; most_text: string } | null;
@@ -77,7 +80,6 @@ export interface Page {
   plots: PlotData[];
   pictures: number;
   scenes: Scene[];
-  events: { t: number; text: string }[];
   ground: (number | null)[];
   interrupted: boolean;
 }

@@ -255,6 +255,7 @@ Animation animation_of(const study::TransientRun& run, const PlaneView& view) {
   a.caption = "Ropes in the colour of their tension. On a screen it plays in real time.";
   a.t = times_of(run);
   a.events = main_events(run);
+  a.scene = scene_name(run);
   for (const auto& frame : frames) {
     const ShownFrame shown{.bodies = body_lines_at(run.model, frame),
                            .ropes = rope_parts(run.model, frame),
@@ -315,6 +316,7 @@ Plot plot_of(const study::TransientRun& run, const std::string& title, const Axi
     p.curves.push_back(std::move(c));
   }
   for (const auto& [at, words] : main_events(run)) p.marks.push_back({at, 0, words, false, true});
+  p.scene = scene_name(run);
   return p;
 }
 

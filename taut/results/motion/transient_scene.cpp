@@ -235,9 +235,11 @@ std::vector<HeldPart> held_parts(const machine::Model& m, const solve::Transient
   return Parts(m, frame, first).all();
 }
 
+std::string scene_name(const study::TransientRun& run) { return "motion" + run.ending; }
+
 Scene scene_of(const study::TransientRun& run) {
   Scene scene;
-  scene.name = "motion" + run.ending;
+  scene.name = scene_name(run);
   for (const auto& frame : run.result.frames) scene.t.push_back(frame.t);
   add_lines(run, scene);
   add_body_lines(run, scene);

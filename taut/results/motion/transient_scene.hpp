@@ -30,7 +30,8 @@ std::vector<RopePart> rope_parts(const machine::Model& model, const solve::Trans
 std::vector<HeldPart> held_parts(const machine::Model& model, const solve::TransientFrame& frame,
                                  const solve::TransientFrame& first);
 
-/// All frames as a scene in space.
+/// All frames as a scene in space, and its name, which the figures of the same motion bear as theirs.
 Scene scene_of(const study::TransientRun& run);
+std::string scene_name(const study::TransientRun& run);
 
 }  // namespace taut::results
