@@ -414,14 +414,25 @@ function savedAs(name: string): void {
 
 async function share(): Promise<void> {
   // an address of taut serve holds its token
-  const base = location.protocol === 'file:' || served ? address : location.href.replace(/#.*$/, '');
+  const own = location.protocol !== 'file:' && !served;
+  const base = own ? location.href.replace(/#.*$/, '') : address;
   const hash = `#deck=${await packed(deck())}`;
   if (!base) return announce('This page has no web address to link to: save the deck and send it.');
   if (base.length + hash.length > longestLink) return announce('This deck is too long for a link: save it and send the file.');
-  if (location.protocol !== 'file:') window.history.replaceState(null, '', hash);
+  if (own) window.history.replaceState(null, '', hash);
   draft.isSaved();
-  await navigator.clipboard.writeText(base + hash).then(
-    () => announce('The link is in the clipboard.'), () => announce('The link is in the address bar.'));
+  if (await copied(base + hash)) return announce('The link is in the clipboard.');
+  announce(own ? 'The link is in the address bar.' : `The browser gives no clipboard. The link: ${base + hash}`);
+}
+
+/** A page that came without encryption has no clipboard at all. */
+async function copied(text: string): Promise<boolean> {
+  try {
+    await navigator.clipboard.writeText(text);
+    return true;
+  } catch {
+    return false;
+  }
 }
 
 async function openFiles(input: HTMLInputElement): Promise<void> {
