@@ -26,7 +26,7 @@ export class FolderFiles {
     void this.list();
   }
 
-  private forget(): void {
+  forget(): void {
     this.mine = '';
     this.choice.value = '';
   }

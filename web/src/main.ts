@@ -63,6 +63,8 @@ const editor = new EditorView({
 const deck = () => deckIn(editor);
 const draft = new Draft(deck);
 
+const folder = served ? new FolderFiles({ open, deck, announce, saved: savedAs }) : null;
+
 const places = new TextPlaces();
 const form = new Form(byId('form'), (path) => completer.words(path), (path) => completer.keys(path), {
   text: () => editor.state.doc.toString(),
@@ -85,6 +87,8 @@ function changed(transactions: readonly Transaction[]): void {
   drawing.keep(places.handles);
   const other = transactions.some(opens);
   if (other) clear();
+  // a deck of elsewhere that comes back may have the name of the file opened last
+  if (other && transactions.some((t) => t.isUserEvent('undo') || t.isUserEvent('redo'))) folder?.forget();
   later();
   if (other) void showReport();
 }
@@ -494,7 +498,6 @@ async function begin(): Promise<void> {
   tabs();
   byId('open').addEventListener('click', () => byId('file').click());
   byId('file').addEventListener('change', (event) => void openFiles(event.target as HTMLInputElement));
-  const folder = served ? new FolderFiles({ open, deck, announce, saved: savedAs }) : null;
   byId('save').addEventListener('click', () => {
     if (folder) return void folder.save();
     save(deck().name.split('/').at(-1) ?? '', deck().text, 'text/yaml');
