@@ -93,7 +93,7 @@ TEST(PageJson, APictureStandsAloneAsOnPaper) {
   // every colour that its style names is given there, and none by the theme of the reader's screen
   for (std::size_t at = svg.find("var(--"); at != std::string::npos; at = svg.find("var(--", at + 1)) {
     const std::string name = svg.substr(at + 4, svg.find(')', at) - at - 4);
-    EXPECT_NE(svg.find("--" + name + ":"), std::string::npos) << name;
+    EXPECT_NE(svg.find("  " + name + ": "), std::string::npos) << name;
   }
   EXPECT_EQ(svg.find("prefers-color-scheme"), std::string::npos);
 }

@@ -1,6 +1,6 @@
 """Made from the descriptions by python/tools/make_stub.py; do not edit. `./dev python stub` makes it again.
 
-schema: 456c0be3a9ba501432d8fa61504cfd9c0175a02343b47ed7775dfad6760b73b7
+schema: 117b65122e6356b2e3d51c8f912fb68045655fe1476f2e7ba375121a0b228f74
 """
 
 from collections.abc import Mapping, Sequence

@@ -1,6 +1,6 @@
 """Made from the descriptions by python/tools/make_stub.py; do not edit. `./dev python stub` makes it again.
 
-schema: 456c0be3a9ba501432d8fa61504cfd9c0175a02343b47ed7775dfad6760b73b7
+schema: 117b65122e6356b2e3d51c8f912fb68045655fe1476f2e7ba375121a0b228f74
 """
 
 from collections.abc import Mapping, Sequence
@@ -72,14 +72,15 @@ class Parts:
 
         at: m. place of its origin; of a free body a first guess (at least -1000000 m and at most 1000000 m).
         mass: kg. mass; its weight acts at the centre of mass (at least 0 kg and at most 1e9 kg). Default: 0 kg.
-        free: degrees of freedom; none: fixed: `x`, `y`, `z`, `rx`, `ry`, `rz`.
+        free: degrees of freedom along and about the axes of the ground, of a body 'on' another along and about those of
+            that one at the start; none: fixed: `x`, `y`, `z`, `rx`, `ry`, `rz`.
         centre: m. centre of mass relative to the origin (at least -1000000 m and at most 1000000 m).
         guide: direction of its only translation, a slide.
         inertia: kg m^2. about the centre of mass: one for all axes, or Ixx, Iyy, Izz; used in motion only (at least 0 kg
             m^2).
         motion: given motion; statics takes its place at the start.
         turned: rotations about the axes of the ground at the start, right-handed; of a free body a first guess.
-        on: the body in whose frame at the start its place, axes and guide are given; default: the ground.
+        on: the body in whose frame at the start its place, axes, freedoms and guide are given; default: the ground.
 
         A number is SI, a text has its unit. Returns the machine; its mistakes are told when it is calculated.
         """

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "taut/app/job.hpp"
+#include "test/support/machine_decks.hpp"
 
 namespace taut::app::second_section_test {
 
@@ -117,7 +118,7 @@ analyses: [{{{}}}]
   };
   EXPECT_TRUE(has(reported(haul("[190 m, 0 m, 62 m]", 300)), "ok")) << reported(haul("[190 m, 0 m, 62 m]", 300));
   // a load path past the guide: the carriage is another node of the haul rope behind it
-  const Result past = run_text(
+  const Result past = taut_test::run_text(
       haul("[250 m, 0 m, 62 m]", 400, "load_path: {carriage: car, from: 210 m, to: X m, steps: 19, motion: in}"));
   EXPECT_NE(past.find_table("load_path"), nullptr) << past.message << to_text(past.errors);
   const std::string words = reported(haul("[0 m, 0 m, 10 m]", 300));

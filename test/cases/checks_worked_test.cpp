@@ -94,14 +94,14 @@ TEST(ChecksWorked, hot_rope) {
 }
 
 // 18 wraps of 16 mm on 300 mm: 22.6 m in the first layer, 47.0 m in two, so that 60 m lie in three, of 200 and 232 mm
-// radius. Fleet angle: 142 mm aside on sqrt(8^2 + 18^2 - 0.232^2) m.
+// radius. Fleet angle: 142 mm aside on the tangent of drum and sheave, sqrt(8^2 + 18^2 - (0.232 - 0.2)^2) m.
 TEST(ChecksWorked, drum) {
   const taut::Result r = run_text(one_fall("{drum: grooved, rated_pull: 35 kN}"));
   EXPECT_EQ(check_of(r, "hoist.drum_layers").value, 3);
   EXPECT_EQ(check_of(r, "hoist.drum_layers").limit, 3);
   EXPECT_NEAR(check_of(r, "hoist.last_layer_pull").value, T, 0.01);
   EXPECT_NEAR(check_of(r, "hoist.last_layer_pull").limit, 35e3 * 200 / 232, 0.01);
-  EXPECT_NEAR(check_of(r, "hoist.fleet_angle").value, std::atan(0.142 / 19.69635), 1e-8);
+  EXPECT_NEAR(check_of(r, "hoist.fleet_angle").value, std::atan(0.142 / 19.69769), 1e-8);
   EXPECT_NEAR(check_of(r, "hoist.fleet_angle").limit, 2 * degree, 1e-12);
   EXPECT_NEAR(check_of(r, "winch.capacity").value, 60, 1e-9);
 }

@@ -1,4 +1,4 @@
-#include "taut/solve/from_middle.hpp"
+#include "taut/solve/rest/from_middle.hpp"
 
 #include "taut/machine/middle.hpp"
 
