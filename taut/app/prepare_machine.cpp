@@ -263,7 +263,7 @@ void judge_apart(const MachineDeck& deck, const results::MachineRun& run, Result
       if (!watch.go_on(words)) break;
       auto machine = study::machine_at(sweep, point.value);
       if (!machine) {
-        verdict.take(refused({{"", machine.error().message}}), words);
+        verdict.take(refused({{.path = "", .message = machine.error().message}}), words);
         continue;
       }
       MachineDeck there = deck;

@@ -58,7 +58,8 @@ Sparse with_ridge(const Sparse& A) {
       all.emplace_back(n + column, row, entry.value());
     }
   }
-  Sparse wide(2 * n, 2 * n);
+  const Eigen::Index rows = 2 * A.cols();
+  Sparse wide(rows, rows);
   wide.setFromTriplets(all.begin(), all.end());
   return wide;
 }
@@ -66,7 +67,7 @@ Sparse with_ridge(const Sparse& A) {
 /// What the matrix takes to nothing, as columns: R [z; -I] = 0.
 Eigen::MatrixXd null_space(const SparseOrthogonal& orthogonal) {
   const Eigen::Index n = orthogonal.cols(), rank = orthogonal.rank();
-  const Sparse R = orthogonal.matrixR();
+  const auto& R = orthogonal.matrixR();
   Eigen::MatrixXd z = R.topRightCorner(rank, n - rank);
   R.topLeftCorner(rank, rank).triangularView<Eigen::Upper>().solveInPlace(z);
   Eigen::MatrixXd all(n, n - rank);

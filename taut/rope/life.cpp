@@ -27,7 +27,8 @@ double length_factor(const std::optional<double>& bent_length, double d) {
   return life_of_length(std::max(length, tested_bent_length));
 }
 
-/// Beyond this angle between the planes in which two neighbours bend a rope the second one bends it back: 120 deg.
+/// Cosine of 120 deg. Where the planes in which two neighbours bend a rope differ by more, the second one bends it
+/// back.
 constexpr double bent_back = -0.5;
 
 bool bends_back(const Bend& before, const Bend& bend) {

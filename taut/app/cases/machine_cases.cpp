@@ -121,6 +121,7 @@ void prune(const DeckPart& part, MachineDeck& deck) {
 void weaken_by_heat(const MachineDeck& deck, Result& r) {
   const std::size_t asked = deck.checks ? deck.checks->ropes.size() : 0;
   std::vector<std::pair<std::string, std::string>> ropes;  // by the name of a reeving or guy
+  ropes.reserve(deck.machine.reevings.size() + deck.machine.guys.size());
   for (const auto& one : deck.machine.reevings) ropes.emplace_back(name_of(one), one.rope);
   for (const auto& one : deck.machine.guys) ropes.emplace_back(one.name, one.rope);
   for (std::size_t k = 0; k < asked; ++k) {

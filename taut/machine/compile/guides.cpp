@@ -46,6 +46,7 @@ void check_round(const Machine& machine, const char* list, const description::Ro
     return;
   }
   std::vector<std::string> known;
+  known.reserve(machine.carriages.size());
   for (const auto& car : machine.carriages) known.push_back(car.name);
   complaints.push_back(
       {path, fmt::format("there is no carriage '{}'{}", words.second, did_you_mean(words.second, known))});

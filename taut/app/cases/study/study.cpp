@@ -122,7 +122,8 @@ tl::expected<Study, Result> read_study(const Job& job) {
   s.request = std::move(*read->study);
   if (s.request.vary.empty()) {
     return tl::unexpected(
-        refusal({.complaints = {{"study.vary", "names no number: without one that varies all cases are the same"}}},
+        refusal({.complaints = {{.path = "study.vary",
+                                 .message = "names no number: without one that varies all cases are the same"}}},
                 read->blocks()));
   }
   auto model = read->cases(question_of(s.request));

@@ -209,13 +209,15 @@ struct LimitedValue {
 std::vector<LimitedValue> limits_like(const CaseFlaw& flaw) {
   using chance::Bound;
   using ByKind = std::map<std::string, std::vector<LimitedValue>>;
-  static const ByKind other_names = {{"T_max", {{"safety_factor", Bound::at_least}}},
-                                     {"safety_factor", {{"T_max", Bound::at_most}}},
-                                     {"ground", {{"clearance", Bound::at_least}}}};
-  static const ByKind of_all_parts = {
-      {"T_max", {{"T_max", Bound::at_most}}},
-      {"ground", {{"clearance_min", Bound::at_least}, {"rope_clearance_min", Bound::at_least}}}};
-  std::vector<LimitedValue> values = {{flaw.check, flaw.sense == Sense::at_least ? Bound::at_least : Bound::at_most}};
+  static const ByKind other_names = {{"T_max", {{.name = "safety_factor", .bound = Bound::at_least}}},
+                                     {"safety_factor", {{.name = "T_max", .bound = Bound::at_most}}},
+                                     {"ground", {{.name = "clearance", .bound = Bound::at_least}}}};
+  static const ByKind of_all_parts = {{"T_max", {{.name = "T_max", .bound = Bound::at_most}}},
+                                      {"ground",
+                                       {{.name = "clearance_min", .bound = Bound::at_least},
+                                        {.name = "rope_clearance_min", .bound = Bound::at_least}}}};
+  std::vector<LimitedValue> values = {
+      {.name = flaw.check, .bound = flaw.sense == Sense::at_least ? Bound::at_least : Bound::at_most}};
   const std::size_t dot = flaw.check.rfind('.');
   if (dot != std::string::npos) {
     const std::string part = flaw.check.substr(0, dot), kind = flaw.check.substr(dot + 1);
