@@ -27,8 +27,8 @@ void SweptVerdict::take(Result at, const std::string& words) {
     all_.checks.push_back(std::move(one));
   }
   for (std::string& one : at.warnings) {
-    if (!is_new(one)) continue;
     const bool unsafe = std::find(at.unsafe.begin(), at.unsafe.end(), one) != at.unsafe.end();
+    if (!is_new((unsafe ? "unsafe " : "warning ") + one)) continue;
     std::string sentence = fmt::format("{}: {}", words, one);
     unsafe ? warn_unsafe(all_, std::move(sentence)) : all_.warnings.push_back(std::move(sentence));
   }

@@ -84,8 +84,8 @@ BesideDrum beside_drum(const Branches& branches, int reeving, bool at_end, const
 }
 
 /// Largest angle of the rope between a drum and the next round out of the plane of either of them, the rope at one
-/// flange or the other, rad. In the middle of the face it runs as it was found, sideways too where the rounds are
-/// askew; beside the middle it has that much farther to go across.
+/// flange or the other, rad. `rope` is that in the middle of the face: where the rounds are askew it runs sideways too.
+/// At a flange it goes half the face farther sideways.
 double fleet_angle_of(const machine::State& state, const machine::Node& drum, const machine::Node& next, double face,
                       const BesideDrum& rope) {
   const Vector3 axis = axis_of(state, drum);
