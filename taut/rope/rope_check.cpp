@@ -229,13 +229,16 @@ class RopeChecker {
 
   void fatigue() {
     if (!rules_.fatigue_history || !rules_.resistance || !has_strength()) return;
-    const double pull = rules_.dynamic_factor * use_.tension;
+    const double by_factor = rules_.dynamic_factor * use_.tension, pull = std::max(by_factor, use_.peak);
+    const std::string words =
+        use_.peak > by_factor
+            ? fmt::format("{}, the peak of the rope ({})", kilonewton(pull), use_.peak_where)
+            : fmt::format("{:.3g} x {}", rules_.dynamic_factor, kilonewton(use_.tension));
     add("fatigue", pull, si::N,
         {.sense = Sense::at_most,
          .limit = fatigue_pull(strength(), rules_.fatigue_factor, *rules_.fatigue_history),
-         .rule = fmt::format(
-             "F_Sd = {:.3g} x {} at most F_u f_f/(7 s_r^(1/3)), f_f = {:.3g}, s_r = {:.4g}: EN 13001-3-2",
-             rules_.dynamic_factor, kilonewton(use_.tension), rules_.fatigue_factor, *rules_.fatigue_history),
+         .rule = fmt::format("F_Sd = {} at most F_u f_f/(7 s_r^(1/3)), f_f = {:.3g}, s_r = {:.4g}: EN 13001-3-2", words,
+                             rules_.fatigue_factor, *rules_.fatigue_history),
          .trust = trust(rules_.resistance->trust)});
   }
 
