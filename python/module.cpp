@@ -21,6 +21,7 @@
 #include "taut/base/suggest.hpp"
 #include "taut/base/version.hpp"
 #include "taut/units/any_quantity.hpp"
+#include "taut/units/display.hpp"
 
 /// The part of the package `taut` in C++: plain data in and out. What a user sees is written in Python beside it.
 namespace taut::python {
@@ -95,10 +96,29 @@ py::tuple quantity(const std::string& text) {
   return py::make_tuple(q.value, q.unit.symbol);
 }
 
-/// An SI value in another unit of its kind.
-double in_unit(double si, const std::string& symbol, const std::string& unit) {
-  const Unit kind = or_throw(parse_any_quantity("1 " + symbol)).unit;
-  return si / or_throw(unit_factor(unit, kind));
+/// The unit of a number by its SI unit and its unit of print.
+Unit unit_of(const std::string& symbol, std::string_view shown) {
+  if (symbol == si::one.symbol) return si::one.in(shown);
+  for (const Unit& unit : display_kinds()) {
+    if (unit.symbol == symbol) return unit.in(shown);
+  }
+  for (const Unit& unit : {si::N_m_s, si::per_K}) {
+    if (unit.symbol == symbol) return unit.in(shown);
+  }
+  return or_throw(parse_any_quantity("1 " + symbol)).unit;
+}
+
+/// An SI value in another unit of its kind, as a report with that unit shows it: an angle in % is a slope, a
+/// temperature in degC counts from its own zero, a frequency in rad/s turns.
+double in_unit(double si, const std::string& symbol, const std::string& shown, const std::string& unit) {
+  const Unit own = unit_of(symbol, shown);
+  if (!own.needs_text()) return si / or_throw(parse_quantity(unit == "1" ? "1" : "1 " + unit, own));
+  const std::string kind(own.kind);
+  if (const auto may = check_display(kind, unit); !may) {
+    if (!may.error().of_kind) throw std::invalid_argument(may.error().message);
+    return si / or_throw(unit_factor(unit, own));
+  }
+  return Display({{kind, unit}}).from_si(si, own);
 }
 
 std::string explain(const std::string& name) { return or_throw(app::explain_name(name)); }

@@ -78,6 +78,13 @@ py::list inputs_of(const NativeCases& cases) {
   return all;
 }
 
+/// The SI value of a text as that input has it.
+double number_of(const NativeCases& cases, std::size_t input, const std::string& text) {
+  const auto value = parse_quantity(text, cases.model.inputs.at(input).unit);
+  if (!value) throw std::invalid_argument(value.error().message);
+  return *value;
+}
+
 py::list outputs_of(const NativeCases& cases) {
   py::list all;
   for (const app::CaseOutput& out : cases.model.outputs) {
@@ -164,6 +171,7 @@ py::tuple calibrate(const std::string& text, const std::string& name, const std:
 void bind_cases(py::module_& m) {
   py::class_<NativeCases, std::shared_ptr<NativeCases>>(m, "NativeCases")
       .def("inputs", inputs_of)
+      .def("number", number_of)
       .def("outputs", outputs_of)
       .def("evaluate", evaluated);
   m.def("make_cases", make_cases);

@@ -13,7 +13,7 @@ from ._deck import Deck, Job, job_of
 from ._errors import Interrupted, NoAnswer, QuestionError, raise_mistakes
 from ._result import Floats
 from ._run import Progress
-from ._units import is_pint, pint_number, si
+from ._units import is_pint, pint_text
 
 
 class Cases:
@@ -113,12 +113,17 @@ class Cases:
         if is_pint(values):
             raise TypeError("give a column for each path: their units differ. [4 * ureg.m, 2 * ureg.kN] is one row")
         if isinstance(values, (list, tuple)) and any(isinstance(one, str) or is_pint(one) for one in values):
-            return np.array([self._number(one, unit) for one, unit in zip(values, self.units, strict=True)])
+            if len(values) != len(self.paths):
+                raise ValueError(f"a row has {len(self.paths)} numbers: {', '.join(self.paths)}; this one {len(values)}")
+            return np.array([self._number(i, one) for i, one in enumerate(values)])
+        if isinstance(values, (list, tuple)) and any(one is None for one in values):
+            raise TypeError("None is no number")
         return np.asarray(values, dtype=np.float64)
 
-    @staticmethod
-    def _number(value: Any, unit: str) -> float:
-        return float(pint_number(value, unit)) if is_pint(value) else si(value, unit)
+    def _number(self, i: int, value: Any) -> float:
+        if is_pint(value):
+            value = pint_text(value)
+        return float(self._native.number(i, value) if isinstance(value, str) else value)
 
     def __repr__(self) -> str:
         return f"<taut.Cases {', '.join(self.paths)} -> {', '.join(self.of)}>"

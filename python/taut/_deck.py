@@ -44,8 +44,10 @@ def job_of(deck: Deck, set: Mapping[str, Any] | None = None) -> Job:
         job = Job(deck, "deck")
     elif isinstance(deck, (str, os.PathLike)):
         job = Job(*_taut.read_file(os.fspath(deck)))
-    else:
+    elif hasattr(deck, "job"):
         job = deck.job()
+    else:
+        raise TypeError(f"a deck is a text, the path of a file, a dict or a Machine, not {type(deck).__name__}")
     if not set:
         return job
     method = method_of(job.text)
@@ -59,7 +61,9 @@ def method_of(text: str) -> str | None:
 
 
 def assignment(path: str, value: Any, method: str | None = None) -> str:
-    """ "path=value" as `--set` has it. A bare number gets the SI unit of its field."""
+    """ "path=value" as `--set` has it. A bare number gets the SI unit of its field; None takes the key out."""
+    if value is None:
+        return f"{path}=null"
     field = _describe.field_at(path, method)
     if field is None and method is None and path.startswith("input."):
         field = _field_of_any(path)

@@ -13,7 +13,7 @@ import numpy.typing as npt
 from . import _describe
 from ._analyses import Analyses
 from ._cases import Cases
-from ._deck import Deck, Job, _flow, assignment, job_of, text_of
+from ._deck import Deck, Job, _flow, assignment, job_of, method_of, text_of
 from ._errors import Mistake
 from ._parts import Parts
 from ._result import Floats, Result
@@ -93,7 +93,7 @@ class Machine(Analyses, Parts):
         path: as the program's --set has it; "machine." may be left away. value: an SI number, a text with its unit, a
         quantity of pint, true or false, a list, a dict; of a later call for the same path the later one.
         """
-        text = assignment(path, value)
+        text = assignment(path, value, method_of(self.job().text))
         self._set.pop(path, None)
         self._set[path] = text
         return self
@@ -144,14 +144,14 @@ class Machine(Analyses, Parts):
     def _add_part(self, key: str, kind: str, name: Union[str, None], fields: Mapping[str, Any]) -> Machine:
         machine = self._machine()
         if kind == "record":
-            machine[key] = dict(fields)
+            machine[key] = copy.deepcopy(dict(fields))
         elif kind == "records":
-            machine.setdefault(key, []).append(dict(fields))
+            machine.setdefault(key, []).append(copy.deepcopy(dict(fields)))
         else:
             named = machine.setdefault(key, {})
             if name in named:
                 raise ValueError(f"{key} has '{name}' already; each name stands for one part")
-            named[name] = dict(fields)
+            named[name] = copy.deepcopy(dict(fields))
         return self
 
     def _run_analysis(
@@ -165,7 +165,7 @@ class Machine(Analyses, Parts):
         more = tuple(assignment(path, value) for path, value in (set or {}).items())
         job = self.job()
         blocks = ("design", "study", "calibrate")  # they may speak of the analyses that are left out
-        without = tuple(f"{block}=null" for block in blocks if re.search(rf"(?m)^({block}|include)\s*:", job.text))
+        without = tuple(f"{block}=null" for block in blocks if re.search(rf"\b({block}|include)['\"]?\s*:", job.text))
         return run_job(job._replace(set=job.set + without + (asked,) + more), progress)
 
     def _run_study(

@@ -61,10 +61,9 @@ def scale_of(unit: tuple[str, str]) -> tuple[float, str]:
     symbol, shown = unit
     if symbol == "1":
         return 1.0, ""
-    try:
-        return _taut.in_unit(1.0, symbol, shown), shown
-    except ValueError:
+    if shown == "degC" or (symbol == "rad" and shown == "%"):
         return 1.0, symbol
+    return _taut.in_unit(1.0, symbol, shown, shown), shown
 
 
 def _named(label: str, unit: str) -> str:

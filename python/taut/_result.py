@@ -50,8 +50,12 @@ class Value(float):
         return self
 
     def to(self, unit: str) -> float:
-        """The number in another unit of its kind: value.to("mm"). Raises ValueError where the unit does not fit."""
-        return _taut.in_unit(float(self), self.unit, unit)
+        """The number in another unit of its kind: value.to("mm"). Raises ValueError where the unit does not fit.
+
+        As a report shows it: an angle in "%" is a slope, a temperature in "degC" counts from its own zero, and what is
+        shown in Hz turns by 2 pi rad a cycle: 1 Hz in "rad/s" is 6.283.
+        """
+        return _taut.in_unit(float(self), self.unit, self.shown, unit)
 
     def pint(self, registry: Any = None) -> Any:
         """The value as a quantity of pint. Needs pint; `registry`: default pint's application registry."""

@@ -50,6 +50,11 @@ def pint_text(value: Any) -> str:
 
     Raises ValueError for dimensions that no deck has: amounts, currents, luminous intensities.
     """
+    if dict(value.dimensionality) == {"[time]": -1}:  # Hz, rpm and rad/s differ by 2 pi from what is in 1/s
+        if "radian" in str(value.to_root_units().units):
+            return f"{number_text(value.to('radian/s').magnitude)} rad/s"
+        unit = "Hz" if "hertz" in str(value.units) else "1/s"
+        return f"{number_text(value.to('1/s').magnitude)} {unit}"
     over: list[str] = []
     under: list[str] = []
     for name, power in value.dimensionality.items():
@@ -79,7 +84,7 @@ def quantity_text(value: Any, field: Field | None) -> str:
     """One number as a deck writes it. `field` says its unit; without one a bare number stays bare."""
     symbol = field.unit if field is not None and field.is_number else None
     if is_pint(value):
-        if field is None or symbol is None:
+        if field is None or symbol is None or symbol == "1/s":
             return pint_text(value)
         value = pint_number(value, symbol)
     text = number_text(value)

@@ -161,6 +161,76 @@ class Machines(unittest.TestCase):
         chooses = taut.Machine(EXAMPLES / "design/saw_take_up.yaml")
         self.assertEqual(chooses.set("machine.ropes.saw.rope", "EN 12385-4|6x36-IWRC|12|1960").solve().status, "ok")
 
+    def test_an_analysis_names_what_it_leaves_out_and_chooses_nothing(self):
+        deck = ("taut: 1\nmachine:\n  points: {top: [0 m, 0 m, 9 m]}\n"
+                "  ropes: {r: {mass: 0 kg/m, stiffness: 10 MN, breaking_force: 40 kN}}\n"
+                "  bodies: {hook: {mass: 1 t, at: [0 m, 0 m, 4 m], free: [x, z]}}\n"
+                "  reevings: [{rope: r, path: [{anchor: top}, {anchor: hook}], length: 5 m}]\n"
+                "analyses:\n  - equilibrium: {}\n"
+                "  - sweep: {name: more, parameter: bodies.hook.mass, from: 1 t, to: 2 t, steps: 2}\n"
+                "checks: {ropes: {r: {safety_factor: 3}}}\n")
+        self.assertEqual(taut.run(deck).verdict, "fails")
+        alone = taut.Machine(deck).solve()
+        self.assertEqual(alone.verdict, "passes")
+        self.assertTrue(any("sweep 'more'" in one for one in alone.warnings), alone.warnings)
+        chooses = deck + '"design": {vary: {machine.ropes.r.breaking_force: [40 kN, 90 kN]}, minimise: r.T_max}\n'
+        self.assertAlmostEqual(taut.Machine(chooses).solve().values["r.safety_factor"], 40e3 / 9806.65, 6)
+
+    def test_what_a_caller_changes_later_changes_no_machine(self):
+        place, path = [0.0, 0.0, 9.0], [taut.anchor("top"), taut.anchor("hook")]
+        machine = taut.Machine().point("top", place).rope("r", mass=0, stiffness=1e7)
+        machine.body("hook", mass=1000, at=[0, 0, 4], free=["x", "z"]).reeve("r", path, length=5)
+        before = machine.text
+        place[2] = 99.0
+        path.append(taut.anchor("top"))
+        self.assertEqual(machine.text, before)
+
+    def test_what_is_no_deck_is_told(self):
+        for one in (5, None, b"taut: 1\n"):
+            with self.assertRaisesRegex(TypeError, "a deck is a text"):
+                taut.run(one)
+        self.assertEqual(taut.run(taut.new("clamped_load"), {"checks": None}).verdict, "not_judged")
+        self.assertEqual(taut.Machine(taut.new("mast_section")).set("input.skyline_force", 1e5).check(), [])
+
+    def test_a_frequency_counts_what_its_unit_says(self):
+        deck = ("taut: 1\nparameters: {f: 1 Hz}\nmachine:\n  points: {a: {at: [0 m, 0 m, 10 m]}}\n"
+                "  signals: {s: {sine: {amplitude: 1 kN, frequency: = f}}}\n"
+                "  ropes: {r: {mass: 1 kg/m, stiffness: 1 MN, damping_ratio: 0.05}}\n"
+                "  bodies: {b: {at: [0 m, 0 m, 0 m], mass: 600 kg, free: [z]}}\n"
+                "  reevings: [{rope: r, path: [{anchor: a}, {anchor: b}], length: 10 m}]\n"
+                "  loads: [{at: b, force: [0 N, 0 N, 1 N], signal: s}]\n"
+                "analyses:\n  - transient: {duration: 1 s, output_step: 20 ms}\n")
+        literal = taut.run(deck.replace("= f", "1 Hz")).values.T_max
+        for text in ("1 Hz", "360 deg/s", "= 0.5 * 2 Hz", "1 1/s"):
+            self.assertAlmostEqual(taut.run(deck, {"parameters.f": text}).values.T_max / literal, 1, 9, text)
+        for path in ("parameters.f", "machine.signals.s.sine.frequency"):
+            cases = taut.cases(deck, [path], ["transient.T_max"])
+            self.assertAlmostEqual(cases(cases.base)[0] / literal, 1, 9, path)
+            for text in ("1 Hz", "360 deg/s"):
+                self.assertAlmostEqual(cases([text])[0] / literal, 1, 9, f"{path}: {text}")
+            with self.assertRaises(TypeError):
+                cases([None])
+        try:
+            import pint
+        except ImportError:
+            return
+        unit = pint.UnitRegistry()
+        for one in (1 * unit.Hz, 60 * unit.rpm, 2 * np.pi * unit.rad / unit.s):
+            self.assertAlmostEqual(taut.run(deck, {"machine.signals.s.sine.frequency": one}).values.T_max / literal, 1, 9)
+
+    def test_a_value_in_another_unit_is_what_a_report_shows(self):
+        from taut._result import Value
+
+        self.assertAlmostEqual(Value(1.5, "f", "1/s", "Hz").to("Hz"), 1.5)
+        self.assertAlmostEqual(Value(1.5, "f", "1/s", "Hz").to("rad/s"), 3 * np.pi)
+        self.assertAlmostEqual(Value(np.pi / 4, "a", "rad", "deg").to("%"), 100)
+        self.assertAlmostEqual(Value(293.15, "T", "K", "degC").to("degC"), 20)
+        self.assertAlmostEqual(Value(0.5, "u").to("%"), 50)
+        self.assertEqual(Value(0.5, "u").to("1"), 0.5)
+        self.assertAlmostEqual(Value(1.2e-5, "a", "1/K", "1/K").to("1/K"), 1.2e-5)
+        with self.assertRaises(ValueError):
+            Value(1.5, "F", "N", "kN").to("m")
+
     def test_a_number_set_is_si_wherever_it_stands(self):
         machine = taut.Machine(SKYLINE)
         for path, number, text in (("machine.loads[0].mass", 2000.0, "2 t"), ("loads[0].mass", 2000, "2 t"),

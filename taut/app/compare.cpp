@@ -413,8 +413,8 @@ Result compare(const Job& job) {
   tell_misses(rows, display, r);
   for (const ComparedRow& row : rows) {
     if (row.message.empty()) continue;
-    // a row of which something is demanded fails
-    if (std::isnan(row.value) && !row.demanded()) r.unmade.push_back(fmt::format("{}: {}", row.what, row.message));
+    // without a value a row of which something is demanded fails
+    if (!std::isnan(row.value) || !row.demanded()) r.unmade.push_back(fmt::format("{}: {}", row.what, row.message));
     std::string reported = fmt::format("{}: {}", row.deck, row.message);  // once for all values of a deck
     if (std::find(r.warnings.begin(), r.warnings.end(), reported) == r.warnings.end())
       r.warnings.push_back(std::move(reported));

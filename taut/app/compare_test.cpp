@@ -105,6 +105,25 @@ TEST_F(Compare, ARowOnlyShownWithoutItsValueIsNotJudged) {
   EXPECT_EQ(exit_code(r), 4);
 }
 
+// The value comes from another analysis of the deck than the one that has no answer.
+TEST_F(Compare, AValueOfADeckWithoutAnAnswerIsNotJudged) {
+  write("line.yaml", R"(taut: 1
+machine:
+  points: {head: [0 m, 0 m, 40 m], tail: [200 m, 0 m, 40 m]}
+  ropes: {skyline: {mass: 1.6 kg/m, stiffness: 20 MN}}
+  carriages: {car: {mass: 300 kg, rides: skyline, hold: clamped}}
+  reevings: [{rope: skyline, path: [{anchor: head}, {through: car}, {anchor: tail}], length: 201 m}]
+analyses:
+  - load_path: {carriage: car, from: 50 m, to: 150 m, steps: 4}
+  - equilibrium: {carriage: car, x: 500 m}
+)");
+  const taut::Result r = run("    - {what: a, deck: line.yaml, value: T_max, published: 20 kN, tolerance: 100 kN}\n");
+  ASSERT_EQ(r.checks.size(), 1U) << r.message << to_text(r.errors);
+  EXPECT_TRUE(r.checks[0].passes);
+  ASSERT_EQ(r.unmade.size(), 1U);
+  EXPECT_EQ(exit_code(r), 4);
+}
+
 // A deck with a value in degC: a tolerance is a difference of two, whose zero is none of the scale.
 TEST_F(Compare, ATemperatureMayBeOffByADifferenceInKelvin) {
   const auto row = [](const std::string& published, const std::string& tolerance) {

@@ -1,7 +1,9 @@
 #include "taut/app/job.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <algorithm>
 #include <functional>
 #include <optional>
 #include <vector>
@@ -37,6 +39,42 @@ Prepared prepare(const Job& job) {
   return p;
 }
 
+bool same(const io::Node& a, const io::Node& b) {
+  return a.kind == b.kind && a.text == b.text &&
+         std::equal(a.items.begin(), a.items.end(), b.items.begin(), b.items.end(), same) &&
+         std::equal(a.entries.begin(), a.entries.end(), b.entries.begin(), b.entries.end(),
+                    [](const io::Entry& x, const io::Entry& y) { return x.key == y.key && same(x.value, y.value); });
+}
+
+/// "sweep 'mass'": the analysis of one entry of `analyses`.
+std::string words_of(const io::Node& analysis) {
+  if (analysis.entries.empty()) return "an analysis";
+  const io::Entry& kind = analysis.entries.front();
+  const io::Node* name = kind.value.find("name");
+  return name == nullptr ? kind.key : fmt::format("{} '{}'", kind.key, name->text);
+}
+
+/// The analyses of the deck that `--set analyses=...` has put others in place of: their checks are not made.
+std::vector<std::string> put_aside(const Job& job, const io::Deck& deck) {
+  const auto replaces = [](const std::string& one) { return one.starts_with("analyses="); };
+  const auto first = std::find_if(job.set.begin(), job.set.end(), replaces);
+  if (first == job.set.end()) return {};
+  std::vector<std::string> others = job.set;
+  others.erase(std::remove_if(others.begin(), others.end(), replaces), others.end());
+  Diagnostics ignored;
+  const auto own = io::read_deck(job.text, job.name, others, method_names(), ignored, job.read);
+  if (!own) return {};
+  const io::Node *before = own->input.find("analyses"), *now = deck.input.find("analyses");
+  if (before == nullptr || now == nullptr) return {};
+  std::vector<std::string> all;
+  for (const io::Node& one : before->items) {
+    const bool stays =
+        std::any_of(now->items.begin(), now->items.end(), [&](const auto& other) { return same(one, other); });
+    if (!stays) all.push_back(words_of(one));
+  }
+  return all;
+}
+
 Result bad_deck(const Prepared& p) {
   Result r;
   r.status = Status::bad_deck;
@@ -60,6 +98,10 @@ Result run(const Job& job) {
   r.display = p.deck->display.units();
   r.deck_hash = fingerprint(job.text, p.deck->reading ? p.deck->reading->texts : std::vector<std::string>{}, job.set);
   r.overrides = job.set;
+  if (const auto aside = put_aside(job, *p.deck); !aside.empty() && r.status == Status::ok) {
+    r.warnings.push_back(fmt::format("the deck's own analyses do not count here, and their checks are not made: {}",
+                                     fmt::join(aside, ", ")));
+  }
   finish_answers(r);
   return r;
 }

@@ -1,6 +1,7 @@
 #include "taut/app/job.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <gtest/gtest.h>
 
 #include <map>
@@ -25,6 +26,24 @@ TEST(Job, RunsADeck) {
   EXPECT_EQ(r.deck_name, "mast.yaml");
   EXPECT_EQ(r.display.at("force"), "N");
   EXPECT_NEAR(r.find_value("N")->value, 162638.979, 1e-3);
+}
+
+// What --set puts in place of the deck's analyses leaves their checks out: that is told, of those that are gone.
+TEST(Job, AnalysesThatArePutAsideAreNamed) {
+  const std::string deck =
+      "taut: 1\nmachine:\n  points: {top: [0 m, 0 m, 9 m]}\n  ropes: {r: {mass: 0 kg/m, stiffness: 10 MN}}\n"
+      "  bodies: {hook: {mass: 1 t, at: [0 m, 0 m, 4 m], free: [x, z]}}\n"
+      "  reevings: [{rope: r, path: [{anchor: top}, {anchor: hook}], length: 5 m}]\n"
+      "analyses:\n  - equilibrium: {}\n"
+      "  - sweep: {name: more, parameter: 'bodies.hook.mass', from: 1 t, to: 2 t, steps: 2}\n";
+  const auto warnings = [&](const std::vector<std::string>& set) {
+    const Result r = run(Job{.text = deck, .name = "d", .set = set});
+    EXPECT_EQ(r.status, Status::ok) << r.message << to_text(r.errors);
+    return fmt::format("{}", fmt::join(r.warnings, "; "));
+  };
+  EXPECT_EQ(warnings({}).find("do not count here"), std::string::npos);
+  const std::string told = warnings({"analyses=[{equilibrium: {}}]"});
+  EXPECT_NE(told.find("do not count here, and their checks are not made: sweep 'more'"), std::string::npos) << told;
 }
 
 TEST(Job, HashFollowsTextAndOverrides) {

@@ -25,6 +25,7 @@
 #include "taut/machine/description/names.hpp"
 #include "taut/results/analyses/analyses.hpp"
 #include "taut/results/answers/machine_answers.hpp"
+#include "taut/results/fixed_loads.hpp"
 #include "taut/results/machine_beams.hpp"
 #include "taut/results/machine_figures.hpp"
 #include "taut/results/machine_run.hpp"
@@ -149,7 +150,7 @@ Outcome put_up(const MachineDeck& deck, machine::Model& model, std::vector<study
     other = std::move(*compiled);
   }
   machine::Model& built = deck.put_up_on ? other : model;
-  if (Outcome outcome = study::install_guys(machine, built); !outcome.ok()) return outcome;
+  if (Outcome outcome = study::install_guys(built); !outcome.ok()) return outcome;
   if (Outcome outcome = study::put_up_lines(built, lines); !outcome.ok()) return outcome;
   if (!deck.put_up_on) return {};
   study::keep_guys(machine, built, model);
@@ -194,7 +195,7 @@ Result compute(const MachineDeck& deck, machine::Model model, study::AskedAll as
   if (report) r.warnings = absurd_machine(deck, run.model);
   results::add_rope_stiffness(deck.machine, r);
   results::warn_of_rope_values(deck.machine, r);
-  for (std::string& text : terrain_warnings(deck.machine, run.model)) r.warnings.push_back(std::move(text));
+  if (auto text = survey_warning(run.model)) warn_unsafe(r, *std::move(text));
   std::vector<study::PutUpLine> lines;
   study::note_failure(r, put_up(deck, run.model, lines), "installation");
   if (r.status != Status::ok) {
@@ -203,6 +204,7 @@ Result compute(const MachineDeck& deck, machine::Model model, study::AskedAll as
   }
   for (std::string& text : results::held_tension_warnings(deck.machine, run.model))
     r.warnings.push_back(std::move(text));
+  for (std::string& text : results::fixed_load_warnings(run.model)) warn_unsafe(r, std::move(text));
   solve_states(deck, run, r);
   if (run.judges || !asked.more.empty()) run.checked = std::make_shared<checks::CheckedParts>(deck, run.model);
   add_payload_limits(asked.more, run);

@@ -8,7 +8,6 @@
 #include <optional>
 #include <vector>
 
-#include "taut/machine/state.hpp"
 #include "taut/units/parse.hpp"
 
 namespace taut::app {
@@ -183,9 +182,6 @@ void read_terrain(std::string_view csv, const std::string& file, machine::descri
   TerrainReader(file, terrain, mistakes).read(csv);
 }
 
-namespace {
-
-/// Of rows of a survey that lie far off the line.
 std::optional<std::string> survey_warning(const machine::Model& model) {
   const machine::OffLine& off = model.terrain_off_line;
   if (off.rows == 0) return std::nullopt;
@@ -193,46 +189,6 @@ std::optional<std::string> survey_warning(const machine::Model& model) {
       "terrain: {} of the {} rows of the survey {} off the line by more than the corridor, row {} the most, by {:.3g} "
       "m at {:.4g} m along the line; their heights are taken for the ground under the line",
       off.rows, model.terrain.size(), off.rows == 1 ? "is" : "are", off.farthest, off.distance, off.chainage);
-}
-
-/// Of a rope with a carriage that runs far from the line: the ground under it is another one.
-std::optional<std::string> rope_warning(const machine::Model& model, double corridor) {
-  const machine::State state = machine::initial_state(model);
-  const std::string* name = nullptr;
-  double most = corridor, chainage = 0;
-  for (const machine::Reeving& rope : model.reevings) {
-    if (std::none_of(rope.nodes.begin(), rope.nodes.end(), [&](const auto& n) { return machine::rides(model, n); })) {
-      continue;
-    }
-    for (int k = 0; k < machine::branch_count(rope); ++k) {
-      const auto at = static_cast<std::size_t>(k);
-      const auto ends = machine::straight_ends(state, rope.nodes[at], rope.nodes[(at + 1) % rope.nodes.size()]);
-      for (const Vector3& place : {ends.first, ends.second}) {
-        const double off = std::abs(model.terrain_along.cross(place - model.terrain_from).z());
-        if (off <= most) continue;
-        most = off;
-        chainage = machine::terrain_x(model, place);
-        name = &rope.name;
-      }
-    }
-  }
-  if (name == nullptr) return std::nullopt;
-  return fmt::format(
-      "terrain: rope '{}' is {:.3g} m off the line of the terrain in plan, at {:.4g} m along it, more than the "
-      "corridor "
-      "of {:.3g} m; the ground under the line is taken for the ground under the rope: give 'between' two points of the "
-      "rope, or a survey of the ground under it",
-      *name, most, chainage, corridor);
-}
-
-}  // namespace
-
-std::vector<std::string> terrain_warnings(const machine::Machine& machine, const machine::Model& model) {
-  std::vector<std::string> warnings;
-  if (!machine.terrain) return warnings;
-  if (auto survey = survey_warning(model)) warnings.push_back(std::move(*survey));
-  if (auto rope = rope_warning(model, machine.terrain->corridor)) warnings.push_back(std::move(*rope));
-  return warnings;
 }
 
 }  // namespace taut::app

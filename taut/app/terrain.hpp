@@ -1,7 +1,7 @@
 #pragma once
+#include <optional>
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include "taut/base/diagnostic.hpp"
 #include "taut/machine/description/machine.hpp"
@@ -18,8 +18,7 @@ namespace taut::app {
 void read_terrain(std::string_view csv, const std::string& file, machine::description::Terrain& terrain,
                   Diagnostics& mistakes);
 
-/// Of rows of a survey, and of ropes with a carriage, that lie off the line in plan by more than the corridor: the
-/// ground under such a rope is not that of the line.
-std::vector<std::string> terrain_warnings(const machine::Machine& machine, const machine::Model& model);
+/// Of rows of a survey that lie off the line in plan by more than the corridor; none where there are none.
+std::optional<std::string> survey_warning(const machine::Model& model);
 
 }  // namespace taut::app

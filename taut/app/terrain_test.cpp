@@ -1,6 +1,9 @@
 #include "taut/app/terrain.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
+
+#include <algorithm>
 
 #include "test/support/machine_decks.hpp"
 
@@ -121,12 +124,133 @@ TEST(Terrain, WarnsOfARopeThatRunsFarFromItsLine) {
     EXPECT_NE(r.status, Status::bad_deck) << to_text(r.errors);
     std::string all;
     for (const std::string& one : r.warnings) all += one + "\n";
+    const auto off = [](const std::string& one) {
+      return one.find("off the line of the terrain") != std::string::npos;
+    };
+    EXPECT_EQ(std::count_if(r.unmade.begin(), r.unmade.end(), off),
+              std::count_if(r.warnings.begin(), r.warnings.end(), off))
+        << "a clearance is asked";
     return all;
   };
   const std::string wrong = warned("x: [0 m, 0 m, 0 m], y: [0 m, 80 m, 200 m], z: [0 m, 20 m, 0 m]");
   EXPECT_NE(wrong.find("terrain: rope 'r' is 200 m off the line of the terrain in plan"), std::string::npos) << wrong;
   const std::string right = warned("x: [0 m, 80 m, 200 m], y: [0 m, 0 m, 0 m], z: [0 m, 10 m, 0 m]");
   EXPECT_EQ(right.find("off the line of the terrain"), std::string::npos) << "3 m: within the corridor\n" << right;
+}
+
+// A side force holds the carriage 13 m off the line, which was in the corridor as it was described.
+TEST(Terrain, LooksAtTheCorridorInEachState) {
+  const auto text = [](const std::string& asked) {
+    return "taut: 1\nmachine:\n  points: {head: [0 m, 0 m, 40 m], tail: [200 m, 0 m, 40 m]}\n"
+           "  ropes: {skyline: {mass: 1.6 kg/m, stiffness: 20 MN, breaking_force: 300 kN}}\n"
+           "  carriages: {car: {mass: 300 kg, rides: skyline, hold: clamped}}\n"
+           "  reevings: [{rope: skyline, path: [{anchor: head}, {through: car}, {anchor: tail}], length: 201 m}]\n"
+           "  loads: [{name: logs, at: car, force: [0 N, 30 kN, -10 kN]}]\n"
+           "  terrain: {x: [0 m, 200 m], z: [0 m, 0 m]}\n" +
+           asked;
+  };
+  const std::string safe = "checks: {ropes: {skyline: {safety_factor: 2}}";
+  const std::string state = "analyses: [{equilibrium: {carriage: car, x: 100 m}}]\n";
+  const Result plain = taut_test::run_text(text(state + safe + "}\n"));
+  ASSERT_EQ(plain.unsafe.size(), 1U) << plain.message;
+  EXPECT_NE(plain.unsafe[0].find("is 13.2 m off the line"), std::string::npos) << plain.unsafe[0];
+  EXPECT_TRUE(plain.unmade.empty());
+  const Result check = taut_test::run_text(text(state + safe + ", lines: {skyline: {least_clearance: 5 m}}}\n"));
+  EXPECT_EQ(check.unmade.size(), 1U);
+  const Result payload =
+      taut_test::run_text(text("analyses: [{payload: {carriage: car, from: 90 m, to: 110 m, limits: {skyline: "
+                               "{safety_factor: 2}, clearance: 5 m}}}]\n" +
+                               safe + "}\n"));
+  EXPECT_EQ(payload.unmade.size(), 1U);
+  const Result wide = taut_test::run_text(text(state + safe + "}\n"), {"machine.terrain.corridor=14 m"});
+  EXPECT_TRUE(wide.unsafe.empty());
+}
+
+/// A span of 640 m with a carriage at 300 kg, over ground with these corners from 306 m on.
+std::string knoll(const std::string& x, const std::string& z, const std::string& asked) {
+  return "taut: 1\nmachine:\n  points: {head: [0 m, 0 m, 60 m], tail: [640 m, 0 m, 60 m]}\n"
+         "  ropes: {skyline: {mass: 1.6 kg/m, stiffness: 20 MN, breaking_force: 300 kN}}\n"
+         "  carriages: {car: {mass: 300 kg, rides: skyline, hold: clamped}}\n"
+         "  reevings: [{rope: skyline, path: [{anchor: head}, {through: car}, {anchor: tail}], length: 642 m}]\n"
+         "  terrain: {x: [0 m, 306 m, " +
+         x + ", 640 m], z: [0 m, 0 m, " + z + ", 0 m]}\nanalyses: [" + asked + "]\n";
+}
+
+std::string carried(const std::string& from, const std::string& to, const char* steps) {
+  return "{payload: {carriage: car, from: " + from + ", to: " + to + ", steps: " + steps +
+         ", limits: {skyline: {safety_factor: 3}, clearance: 15.5 m}}}";
+}
+
+// A knoll of 10 m between the places 307.5 m and 320 m: 1.745 t passed where 0.482 t are carried. A broad hill whose
+// top is between two places; one of many points, as a survey from the air has it.
+TEST(Terrain, APayloadKnowsTheTopsBetweenItsPlaces) {
+  std::string hill_x, hill_z;
+  for (int i = 1; i < 80; ++i) {
+    const double u = (i - 40) / 40.0;
+    hill_x += fmt::format("{}{:.1f} m", i > 1 ? ", " : "", 306 + 0.5 * i);
+    hill_z += fmt::format("{}{:.4f} m", i > 1 ? ", " : "", 12 * (1 - u * u));
+  }
+  const std::pair<std::string, std::string> grounds[] = {{"308 m, 312 m, 315 m, 319 m", "0 m, 10 m, 10 m, 0 m"},
+                                                         {"326 m, 346 m", "12 m, 0 m"},
+                                                         {hill_x + ", 346 m", hill_z + ", 0 m"}};
+  for (const auto& [x, z] : grounds) {
+    const Result coarse = taut_test::run_text(knoll(x, z, carried("20 m", "620 m", "48")));
+    ASSERT_EQ(coarse.status, Status::ok) << coarse.message << to_text(coarse.errors);
+    const Result fine = taut_test::run_text(knoll(x, z, carried("306 m", "347 m", "164")));
+    const double least = taut_test::value_of(fine, "payload_min");
+    EXPECT_NEAR(taut_test::value_of(coarse, "payload_min") / least, 1, 1e-3) << x;
+    EXPECT_NEAR(taut_test::value_of(coarse, "clearance_min"), 15.5, 1e-6);
+    const Table& t = taut_test::table_of(coarse, "payload");
+    EXPECT_LE(t.rows.size(), 52U);
+    for (std::size_t i = 1; i < t.rows.size(); ++i)
+      EXPECT_LT(taut_test::cell(t, i - 1, "x"), taut_test::cell(t, i, "x"));
+    const Result back = taut_test::run_text(knoll(x, z, carried("620 m", "20 m", "48")));
+    EXPECT_NEAR(taut_test::value_of(back, "payload_min") / taut_test::value_of(coarse, "payload_min"), 1, 1e-6);
+  }
+}
+
+// The load path: the peak of 29.5 m at 316 m between two places.
+TEST(Terrain, ALoadPathKnowsTheTopsBetweenItsPlaces) {
+  const char* path = "{load_path: {carriage: car, from: 20 m, to: 620 m, steps: 48}}";
+  const Result r = taut_test::run_text(knoll("314 m, 316 m, 318 m", "0 m, 12 m, 0 m", path));
+  ASSERT_EQ(r.status, Status::ok) << r.message;
+  const Result there =
+      taut_test::run_text(knoll("314 m, 316 m, 318 m", "0 m, 12 m, 0 m", "{equilibrium: {carriage: car, x: 316 m}}"));
+  EXPECT_NEAR(taut_test::value_of(r, "clearance_min"), taut_test::value_of(there, "clearance_min"), 1e-6);
+  const Table& t = taut_test::table_of(r, "load_path");
+  ASSERT_EQ(t.rows.size(), 50U);
+  EXPECT_NEAR(taut_test::cell(t, 24, "x"), 316, 1e-9);
+  const Result level = taut_test::run_text(knoll("320 m", "0 m", path));
+  EXPECT_EQ(taut_test::table_of(level, "load_path").rows.size(), 49U) << "where no top is there is no other place";
+}
+
+/// A line over a support at 100 m, that stands on a ridge with a cliff beside it at 104 m.
+std::string ridge(const std::string& asked) {
+  return "taut: 1\nmachine:\n  points: {head: [0 m, 0 m, 30 m], tail: [200 m, 0 m, 30 m]}\n"
+         "  ropes: {skyline: {mass: 1.6 kg/m, stiffness: 20 MN, breaking_force: 300 kN}}\n"
+         "  supports: {saddle: {at: [100 m, 0 m, 40 m]}}\n"
+         "  carriages: {car: {mass: 300 kg, rides: skyline, hold: clamped}}\n"
+         "  reevings: [{rope: skyline, path: [{anchor: head}, {through: car}, {over: saddle}, {anchor: tail}], "
+         "length: 202 m}]\n"
+         "  terrain: {x: [0 m, 90 m, 100 m, 104 m, 105 m, 200 m], z: [0 m, 0 m, 25 m, 34 m, 0 m, 0 m]}\n"
+         "analyses: [" +
+         asked + "]\n";
+}
+
+// The places 95 m and 105 m are in two spans.
+TEST(Terrain, ATopBetweenASupportAndTheNextPlaceIsAPlaceToo) {
+  const auto there = taut_test::run_text(ridge("{equilibrium: {carriage: car, x: 104 m}}"));
+  ASSERT_EQ(there.status, Status::ok) << there.message << to_text(there.errors);
+  const double clearance = taut_test::value_of(there, "clearance_min");
+  const Result path = taut_test::run_text(ridge("{load_path: {carriage: car, from: 15 m, to: 185 m, steps: 17}}"));
+  EXPECT_NEAR(taut_test::value_of(path, "clearance_min"), clearance, 1e-6);
+  EXPECT_EQ(taut_test::table_of(path, "load_path").rows.size(), 19U);
+  const std::string limits = ", limits: {skyline: {safety_factor: 4}, clearance: 3 m}}}";
+  const Result payload =
+      taut_test::run_text(ridge("{payload: {carriage: car, from: 185 m, to: 15 m, steps: 17" + limits));
+  const Result alone = taut_test::run_text(ridge("{payload: {carriage: car, from: 104 m, to: 104 m" + limits));
+  EXPECT_NEAR(taut_test::value_of(payload, "payload_min"), taut_test::value_of(alone, "payload_min"), 1e-3);
+  EXPECT_NEAR(taut_test::value_of(payload, "payload_min_x"), 104, 1e-9);
 }
 
 // As a spreadsheet of a country with decimal commas writes it: "170,00;33,00" are two numbers.

@@ -69,7 +69,8 @@ struct Bound {
   std::string rule;
   std::string trust;
 };
-/// A check with utilisation and passes computed. A NaN value never passes. Temperatures count from 0 degC. Where limit
+/// A check with utilisation and passes computed. A value within 1e-9 of its limit lies on it, and passes. A NaN value
+/// never passes. Temperatures count from 0 degC. Where limit
 /// or value are no measure of each other (a limit of 0, a value below 0), the utilisation is NaN.
 Check make_check(std::string name, double value, const Unit& unit, Bound bound);
 

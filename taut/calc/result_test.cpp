@@ -48,6 +48,12 @@ struct Output {
 TEST(Check, PassesUpToTheLimitIncluded) {
   EXPECT_TRUE(make_check("c", 2, si::one, {Sense::at_most, 2, "r", "verified"}).passes);
   EXPECT_FALSE(make_check("c", 2.1, si::one, {Sense::at_most, 2, "r", "verified"}).passes);
+  // 300 kN over the given tension of 100 kN comes out as 2.9999999999999996
+  const Check on = make_check("c", 3 * (1 - 1e-12), si::one, {Sense::at_least, 3, "r", "verified"});
+  EXPECT_TRUE(on.passes);
+  EXPECT_LE(on.utilisation, 1);
+  EXPECT_FALSE(make_check("c", 3 * (1 - 1e-8), si::one, {Sense::at_least, 3, "r", "verified"}).passes);
+  EXPECT_FALSE(make_check("c", 1e-12, si::one, {Sense::at_most, 0, "r", "verified"}).passes);
   const Check c =
       make_check("c", 22, si::one, {.sense = Sense::at_least, .limit = 20, .rule = "D/d", .trust = "verified"});
   EXPECT_TRUE(c.passes);

@@ -235,8 +235,13 @@ std::string CsvReader::required_text(std::string_view column) {
 std::string CsvReader::unique(std::string_view column) {
   std::string found = required_text(column);
   if (found.empty()) return found;
-  const auto [first, fresh] = seen_[std::string(column)].emplace(found, record_place_.line);
-  if (!fresh) fail(column, fmt::format("{} {} is already in line {}", column, in_quotes(found), first->second));
+  const auto [first, fresh] =
+      seen_[std::string(column)].emplace(normalised(found), Seen{.text = found, .line = record_place_.line});
+  if (!fresh) {
+    const bool same = first->second.text == found;
+    fail(column, fmt::format("{} {} is already in line {}{}", column, in_quotes(found), first->second.line,
+                             same ? "" : "; capitals and blanks make no other name"));
+  }
   return found;
 }
 

@@ -90,7 +90,11 @@ class CsvReader {
   Place place_{.line = 1, .column = 1};
   Place record_place_;
   bool stopped_ = false;
-  std::unordered_map<std::string, std::unordered_map<std::string, int>> seen_;  // column -> text -> line
+  struct Seen {
+    std::string text;
+    int line = 0;
+  };
+  std::unordered_map<std::string, std::unordered_map<std::string, Seen>> seen_;  // column -> normalised text
   Diagnostics diagnostics_;
 };
 

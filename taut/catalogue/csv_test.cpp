@@ -95,6 +95,9 @@ TEST(Csv, cells_that_are_not_what_they_should_be) {
   EXPECT_EQ(mistakes("id,d_mm\nA,\n"), Texts{"2:3 'd_mm' is empty"});
   EXPECT_EQ(mistakes("id,d_mm\n,16\n"), Texts{"2:1 'id' is empty"});
   EXPECT_EQ(mistakes("id,d_mm\nA,16\nB,18\nA,20\n"), Texts{"4:1 id 'A' is already in line 2"});
+  // a name is looked up without its case and blanks
+  EXPECT_EQ(mistakes("id,d_mm\nA 1,16\na1,20\n"),
+            Texts{"3:1 id 'a1' is already in line 2; capitals and blanks make no other name"});
 }
 
 TEST(Csv, records_of_the_wrong_shape) {

@@ -204,8 +204,10 @@ void DriveUses::take_moment(const machine::Model& m, const solve::TransientFrame
   std::vector<Check> made;
   check_capacities(m, drums, made);
   for (const auto& [drum, load] : loads_of(drums, {})) {
+    if (!m.drums[drum].brake) continue;
+    if (frame.drums[drum].braked) add_brake_check(m.drums[drum], load, made);
     // a motion lets a drum stand whatever that takes, but in a brake that is set
-    if (!m.drums[drum].brake || !frame.drums[drum].held) continue;
+    if (!frame.drums[drum].held) continue;
     // one that is driven at other times stands without a load before it takes one: that shows nothing
     if (m.drums[drum].drive.kind == machine::DriveKind::held || load.torque > 0)
       add_brake_check(m.drums[drum], load, made);

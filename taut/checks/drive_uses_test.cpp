@@ -389,10 +389,15 @@ analyses: [{transient: {duration: 8 s, output_step: 0.5 s, tolerance: 1e-3}}]
                     {"machine.signals.F.table.value[2]=" + force, "machine.signals.F.table.value[3]=" + force});
   };
   EXPECT_TRUE(pulled("2 kN").unsafe.empty());
+  // while it stands in its brake that holds the pull of the moment: 1.02 t and 4 kN at 0.5 m are 7 kN m
+  const Check holds = taut_test::check_of(pulled("4 kN"), "w.brake_torque");
+  EXPECT_NEAR(holds.value, (1020 * 9.80665 + 4000) / 2, 250) << holds.where;
+  EXPECT_TRUE(holds.passes);
   const Result r = pulled("15 kN");
-  ASSERT_EQ(r.unsafe.size(), 1U) << r.message << to_text(r.errors);
-  EXPECT_NE(r.unsafe[0].find("'w' slips in its brake, which is set and had stopped it, by 7."), std::string::npos)
-      << r.unsafe[0];
+  const std::string slips = "'w' slips in its brake, which is set and had stopped it, by 7.";
+  EXPECT_TRUE(std::any_of(r.unsafe.begin(), r.unsafe.end(),
+                          [&](const std::string& words) { return words.find(slips) != std::string::npos; }))
+      << r.message << to_text(r.errors);
 }
 
 /// A boom on a cylinder that stands: 4 t at 6 m and 2 t at 3 m need 147 kN at a lever of 2 m.

@@ -372,6 +372,14 @@ void Judge::take(const machine::Model& m, const solve::TransientResult& motion, 
   }
   take_peaks(m, motion, words);
   take_stop(motion, words);
+  for (const solve::TransientEvent& event : motion.events) {
+    if (event.what != "unstable") continue;
+    warn("unstable " + words,
+         fmt::format("{}: at t = {:.4g} s the machine rests in an equilibrium that it does not stay in: at the least "
+                     "push {}; the motion, which nothing pushes there, does not show it",
+                     words, event.t, event.where),
+         true);
+  }
   // Before the machine has broken nothing is thrown about: a rope that goes slack, or leaves its support, is news.
   for (const solve::TransientEvent& event : motion.events) {
     const bool slack = event.what == "slack";
@@ -443,6 +451,9 @@ void Judge::take_moment(const machine::Model& m, const solve::TransientResult& s
     const auto by_x = [&](const Vector3& a, const Vector3& b) { return terrain_x(m, a) < terrain_x(m, b); };
     const auto [low, high] = std::minmax_element(one.places.begin(), one.places.end(), by_x);
     take_gap(rope.name, study::terrain_gap(m, terrain_x(m, *low), terrain_x(m, *high)));
+    if (needs_corridor(m, one.reeving)) {
+      for (const Vector3& place : one.places) take_off_line(m, one.reeving, place, when);
+    }
     const study::RopeClearance own = clearance_of(m, one);
     const std::string part =
         fmt::format("{} between {} and {}", rope.name, rope.nodes[one.from].name, rope.nodes[one.to].name);
@@ -527,6 +538,7 @@ void Judge::add_values(Result& r) const {
   add_tensions(r);
   add_heights(r);
   add_gaps(r);
+  add_off_line(r);
   for (const Warned& one : warned_) {
     if (one.unsafe) {
       warn_unsafe(r, one.text);

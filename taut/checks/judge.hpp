@@ -120,6 +120,11 @@ class Judge {
   struct Beyond {
     double low = std::numeric_limits<double>::infinity(), high = -low;
   };
+  /// Where a rope, or a carriage on it, has been farthest off the line of the terrain in plan.
+  struct OffLine {
+    double distance = 0, x = 0;  ///< m; m along the terrain
+    std::string where;
+  };
   struct Warned {
     std::string text;
     bool unsafe = false;
@@ -135,6 +140,10 @@ class Judge {
                      const std::string& where);
   void take_gap(const std::string& rope, const study::TerrainGap& gap);
   void add_gaps(Result& r) const;
+  /// Whether a rope should be over the line of the terrain: it carries a carriage, or its clearance is asked for.
+  bool needs_corridor(const machine::Model& model, int reeving) const;
+  void take_off_line(const machine::Model& model, int reeving, const Vector3& place, const std::string& where);
+  void add_off_line(Result& r) const;
   void warn_of_buried(const machine::Model& model, const std::string& words);
   void take_beams(const solve::EquilibriumResult& state, const std::string& words);
   /// `once`: what it is of, whatever the state; of several states the one with the largest `size`, else the first.
@@ -164,6 +173,7 @@ class Judge {
   std::map<std::string, Height> carriages_, rope_heights_;
   std::set<std::string> slack_over_ground_;  ///< ropes that were slack over terrain: how low they hang is not known
   std::map<std::string, Beyond> beyond_;     ///< carriages
+  std::map<std::string, OffLine> off_line_;  ///< ropes
   std::map<std::string, study::TerrainGap> gaps_;  ///< of ropes, the largest of one state
   std::vector<BeamWorst> beams_;
   OffGroove off_groove_;

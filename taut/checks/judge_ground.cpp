@@ -20,7 +20,36 @@ bool asks_clearance(const std::optional<ChecksRequest>& checks, const std::strin
          });
 }
 
+/// Whether a payload that counts has to keep a carriage on this rope, or the rope itself, clear of the ground.
+bool limits_clearance(const std::vector<study::AnalysisRequest>& analyses, const machine::Model& model,
+                      const std::string& rope) {
+  return std::any_of(analyses.begin(), analyses.end(), [&](const study::AnalysisRequest& one) {
+    if (!one.payload || !one.payload->judge) return false;
+    const study::LimitsRequest& limits = one.payload->limits;
+    const bool own = std::any_of(limits.named.begin(), limits.named.end(),
+                                 [&](const auto& named) { return named.name == rope && named.clearance; });
+    const bool rides = std::any_of(model.carriages.begin(), model.carriages.end(), [&](const machine::Carriage& car) {
+      return car.name == one.payload->carriage && model.reevings[car.reeving].name == rope;
+    });
+    return own || (rides && (limits.clearance || limits.rope_clearance));
+  });
+}
+
+bool carries(const machine::Model& m, int reeving) {
+  return std::any_of(m.carriages.begin(), m.carriages.end(), [&](const auto& car) { return car.reeving == reeving; });
+}
+
 }  // namespace
+
+bool Judge::needs_corridor(const machine::Model& m, int reeving) const {
+  return carries(m, reeving) || asks_clearance(deck_->checks, m.reevings[reeving].name);
+}
+
+void Judge::take_off_line(const machine::Model& m, int reeving, const Vector3& place, const std::string& where) {
+  const double off = std::abs(m.terrain_along.cross(place - m.terrain_from).z());
+  OffLine& worst = off_line_[m.reevings[reeving].name];
+  if (off > worst.distance) worst = {.distance = off, .x = terrain_x(m, place), .where = where};
+}
 
 void Judge::take_height(const std::string& part, const std::string& words, double height, double x,
                         const std::string& where, std::map<std::string, Height>& all) {
@@ -32,6 +61,7 @@ void Judge::take_height(const std::string& part, const std::string& words, doubl
 void Judge::take_carriage(const machine::Model& m, const machine::Carriage& car, const Vector3& place,
                           const std::string& where) {
   const double x = terrain_x(m, place), ground = study::ground_height(m.terrain, x);
+  take_off_line(m, car.reeving, place, where);
   take_height(car.name, "carriage " + car.name, place.z() - ground, x, where, carriages_);
   if (!std::isnan(ground)) return;
   Beyond& beyond = beyond_[car.name];
@@ -53,6 +83,9 @@ void Judge::take_heights(const machine::Model& m, const solve::EquilibriumResult
     take_gap(m.reevings[i].name, study::terrain_gap(m, e.branches, static_cast<int>(i)));
   }
   for (const solve::BranchResult& branch : e.branches) {
+    if (needs_corridor(m, branch.reeving)) {
+      for (const Vector3& end : {branch.start, branch.end}) take_off_line(m, branch.reeving, end, words);
+    }
     const study::RopeClearance own = study::rope_clearance(m, branch);
     const std::string& rope = m.reevings[branch.reeving].name;
     if (branch.slack) slack_over_ground_.insert(rope);
@@ -103,6 +136,31 @@ void Judge::add_heights(Result& r) const {
   };
   add(carriages_, "clearance_min");
   add(rope_heights_, "rope_clearance_min");
+}
+
+/// The ground under the line is not that under a rope beside it.
+void Judge::add_off_line(Result& r) const {
+  const auto& terrain = deck_->machine.terrain;
+  if (!terrain) return;
+  for (const machine::Reeving& rope : model_->reevings) {
+    const auto found = off_line_.find(rope.name);
+    if (found == off_line_.end() || !(found->second.distance > terrain->corridor)) continue;
+    const OffLine& off = found->second;
+    const bool asked =
+        asks_clearance(deck_->checks, rope.name) || limits_clearance(deck_->analyses, *model_, rope.name);
+    std::string words = fmt::format(
+        "terrain: rope '{}' is {:.3g} m off the line of the terrain in plan, at {:.4g} m along it ({}), more than the "
+        "corridor of {:.3g} m; {}: give 'between' two points of the rope, or a survey of the ground under it",
+        rope.name, off.distance, off.x, off.where, terrain->corridor,
+        asked ? "its clearance is not judged, as the ground under the line is not the ground under the rope"
+              : "the ground under the line is taken for the ground under the rope");
+    if (!asked) {
+      warn_unsafe(r, std::move(words));
+      continue;
+    }
+    r.warnings.push_back(words);
+    r.unmade.push_back(std::move(words));
+  }
 }
 
 /// A guy goes to the ground beside its mast, and a rope may well lie in it near its anchor.

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace taut::checks {
 namespace {
@@ -14,7 +15,31 @@ bool is_wheel(const machine::Model& m, const machine::Node& node) {
          (node.kind == machine::NodeKind::contact && node.law.efficiency > 0);
 }
 
+bool stands(const machine::Model& m, int body) {
+  return body == machine::ground || (m.bodies[body].free.empty() && m.bodies[body].driven.empty());
+}
+
+/// Whether a rope ends at a point of another part than the one that carries the wheel, and one of them moves.
+bool ends_beside(const machine::Model& m, const machine::Node& wheel, const machine::Node& end) {
+  const bool a_point = end.kind == machine::NodeKind::anchor && !end.drum && end.radius == 0;
+  return a_point && is_wheel(m, wheel) && !(stands(m, wheel.at.body) && stands(m, end.at.body));
+}
+
 }  // namespace
+
+/// The free rope between a wheel and its end on another part touches the wheel's rim: it is a leg of a right angle, of
+/// which the radius is the other one.
+void TwoBlocked::take_end(const machine::Model& m, const machine::State& state, const machine::Node& wheel,
+                          const machine::Node& end, const std::string& words) {
+  if (!ends_beside(m, wheel, end)) return;
+  const double distance = (machine::in_ground(state, wheel.at) - machine::in_ground(state, end.at)).norm();
+  const double square = distance * distance - wheel.radius * wheel.radius;
+  const double rope = square > 0 ? std::sqrt(square) : 0;
+  if (rope >= wheel.radius) return;
+  const Worst here = {.gap = rope, .distance = distance, .where = words};
+  const auto [at, is_new] = ends_.try_emplace({wheel.name, end.name}, here);
+  if (!is_new && distance < at->second.distance) at->second = here;
+}
 
 void TwoBlocked::take(const machine::Model& m, const machine::State& state, const std::set<std::string>& broken,
                       const std::string& words) {
@@ -23,7 +48,10 @@ void TwoBlocked::take(const machine::Model& m, const machine::State& state, cons
     const std::size_t count = rope.nodes.size();
     for (std::size_t k = 0; k + (rope.closed ? 0 : 1) < count; ++k) {
       const machine::Node &one = rope.nodes[k], &next = rope.nodes[(k + 1) % count];
-      if (one.at.body == next.at.body || !is_wheel(m, one) || !is_wheel(m, next)) continue;
+      if (one.at.body == next.at.body) continue;
+      take_end(m, state, one, next, words);
+      take_end(m, state, next, one, words);
+      if (!is_wheel(m, one) || !is_wheel(m, next)) continue;
       const double distance = (machine::in_ground(state, one.at) - machine::in_ground(state, next.at)).norm();
       const double gap = distance - one.radius - next.radius;
       if (gap >= 0) continue;
@@ -38,6 +66,12 @@ void TwoBlocked::add_warnings(Result& r) const {
     warn_unsafe(
         r, fmt::format("{}: '{}' and '{}' run into each other: centres {:.3g} m apart, {:.3g} m less than both radii",
                        worst.where, names.first, names.second, worst.distance, -worst.gap));
+  }
+  for (const auto& [names, worst] : ends_) {
+    warn_unsafe(
+        r, fmt::format("{}: '{}' runs into '{}': the free rope between them is {:.3g} m long, less than the radius; "
+                       "{:.3g} m to its centre",
+                       worst.where, names.second, names.first, worst.gap, worst.distance));
   }
 }
 

@@ -65,6 +65,31 @@ TEST(TwoBlocked, SupportsCarriagesAndWheelsOfOneBodyDoNotCount) {
   EXPECT_EQ(at_rest(one), "");
 }
 
+/// A weight that hangs on a sheave of 0.2 m radius at its rim, `below` its centre.
+machine::Model weight(double below) {
+  machine::Model m;
+  m.bodies.push_back(taut_test::body("weight", {0.2, 0, -below}, 100, "z"));
+  m.reevings.push_back(taut_test::reeve(
+      "hoist", {anchor("winch", {-9, 0, -9}), sheave("head", {0, 0, 0}, 0.2, 1), taut_test::anchor_on("eye", 0)}, 30, 0,
+      1e6));
+  return m;
+}
+
+// The free rope is as long as the weight is below; a weight without a round was drawn in until no rope was left.
+TEST(TwoBlocked, AWeightIsDrawnIntoItsSheave) {
+  EXPECT_EQ(at_rest(weight(0.21)), "");
+  EXPECT_EQ(at_rest(weight(0.1)),
+            "there: 'eye' runs into 'head': the free rope between them is 0.1 m long, less than the radius; 0.224 m to "
+            "its centre");
+  machine::Model built = weight(0.1);
+  built.bodies[0].free.clear();
+  EXPECT_EQ(at_rest(built), "") << "neither of them moves";
+  machine::Model beside = weight(0.1);
+  beside.reevings[0].nodes[1].at.body = 0;
+  beside.reevings[0].nodes[1].at.at = {-0.2, 0, 0.1};
+  EXPECT_EQ(at_rest(beside), "") << "parts of one body";
+}
+
 TEST(TwoBlocked, ADrumIsInTheWayToo) {
   machine::Model m = hook(0.1);
   m.reevings[0].nodes.erase(m.reevings[0].nodes.begin());

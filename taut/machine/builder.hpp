@@ -76,7 +76,8 @@ class Builder {
   Builder& load(const std::string& at, double mass);
   /// A force on a point, body or carriage, N, constant in direction.
   Builder& force(const std::string& at, const Triple& force);
-  /// A guy between two points, installed with a tension at its top, N. Its length is constant afterwards.
+  /// A guy between two points, installed with a tension at its top, N. study::put_up_all puts it up; its length is
+  /// constant afterwards.
   Builder& guy(const std::string& name, const std::string& rope, const std::string& from, const std::string& to,
                double tension);
   /// Drives a drum that was added before: `speed` is a text, "0.5 m/s", or the name of a signal. A positive speed takes

@@ -221,6 +221,7 @@ class Compiler {
       const bool top = given.install->at == description::InstallAt::top;
       reeving.given = top ? Given::tension_at_start : Given::tension_at_end;
       reeving.value = given.install->tension;
+      reeving.is_to_install = true;
     } else {
       reeving.value = given.length.value_or(0);
     }

@@ -155,6 +155,14 @@ TEST(Compile, TellsEachMistakeAtItsPath) {
                    "mean 'head'?"},
       {.spoil = [](Machine& m) { m.reevings[0].path[2] = over("head"); },
        .expected = "reevings[0].path[2].over: 'head' is a point; here a sheave or support is named"},
+      {.spoil =
+           [](Machine& m) {
+             m.sheaves.push_back({});
+             m.sheaves.back().name = "head";
+             m.sheaves.back().at = {0, 0, 99};
+           },
+       .expected = "reevings[0].path[0].anchor: 'head' is a point and, at another place, a sheave or support: rename "
+                   "one of them"},
       {.spoil = [](Machine& m) { m.reevings[0].rope = "skylin"; },
        .expected = "reevings[0].rope: there is no rope 'skylin'; did you mean"},
       {.spoil = [](Machine& m) { m.reevings[0].length = {}; }, .expected = "reevings[0]: needs one of length"},

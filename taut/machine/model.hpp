@@ -181,6 +181,9 @@ struct Reeving {
   /// Set until the rope has been put up. `value` is then only the straight length of its path, and no analysis may use
   /// it.
   std::optional<PutUp> put_up = std::nullopt;
+  /// A guy that is installed with the tension `value`, until it has been put up (study/put_up.hpp): no equilibrium
+  /// before that, as its tension would be the same under any load.
+  bool is_to_install = false;
   Array<Guides> guides = {};
 };
 

@@ -1,4 +1,5 @@
 #pragma once
+#include <utility>
 #include <vector>
 
 #include "taut/base/array.hpp"
@@ -17,6 +18,8 @@ class StaticLu {
   int size() const { return size_; }
   /// Where the entry of a row and a column lies in `values`; both have to be in one clique.
   int place(int row, int column) const;
+  /// Its columns, with their places in `values`; those that fill in are among them.
+  const Array<std::pair<int, int>>& row(int i) const { return places_[i]; }
   void set_zero();
   Array<double>& values() { return held_ ? spare_ : values_; }
   const Array<double>& values() const { return values_; }

@@ -230,10 +230,9 @@ class RopeChecker {
   void fatigue() {
     if (!rules_.fatigue_history || !rules_.resistance || !has_strength()) return;
     const double by_factor = rules_.dynamic_factor * use_.tension, pull = std::max(by_factor, use_.peak);
-    const std::string words =
-        use_.peak > by_factor
-            ? fmt::format("{}, the peak of the rope ({})", kilonewton(pull), use_.peak_where)
-            : fmt::format("{:.3g} x {}", rules_.dynamic_factor, kilonewton(use_.tension));
+    const std::string words = use_.peak > by_factor
+                                  ? fmt::format("{}, the peak of the rope ({})", kilonewton(pull), use_.peak_where)
+                                  : fmt::format("{:.3g} x {}", rules_.dynamic_factor, kilonewton(use_.tension));
     add("fatigue", pull, si::N,
         {.sense = Sense::at_most,
          .limit = fatigue_pull(strength(), rules_.fatigue_factor, *rules_.fatigue_history),
@@ -427,7 +426,8 @@ constexpr double still_moves = 0.05;  ///< by which a motion may end above the t
 }  // namespace
 
 bool rest_is_known(const RopeUse& use) {
-  return use.peak <= sudden_load * use.tension && !goes_beyond_rest(use.last, use.tension);
+  const double goes_on = std::max(use.last, use.mean);
+  return use.peak <= sudden_load * use.tension && !goes_beyond_rest(goes_on, use.tension);
 }
 
 bool goes_beyond_rest(double tension, double at_rest) { return tension > (1 + still_moves) * at_rest; }
@@ -436,6 +436,13 @@ std::string why_rest_is_unknown(const RopeUse& use) {
   if (use.peak > sudden_load * use.tension) {
     return fmt::format("the motion reaches {}, more than twice the tension at rest, {}", kilonewton(use.peak),
                        kilonewton(use.tension));
+  }
+  if (goes_beyond_rest(use.mean, use.tension)) {
+    return fmt::format(
+        "the motion has {} on average ({}), more than the largest tension at rest, {}: a load that comes and goes, or "
+        "a "
+        "slow swing",
+        kilonewton(use.mean), use.mean_where, kilonewton(use.tension));
   }
   return fmt::format(
       "the motion ends with {} on average, more than the largest tension at rest, {}, and not for long "

@@ -69,7 +69,8 @@ std::string trust_with_rope(const std::string& limit, const catalogue::RopeRow& 
 
 /// Whether rules for the tension at rest can be applied to the largest one of the states at rest. A load that is put on
 /// an elastic rope at once gives it twice its tension at rest. Where a calculated motion gives it more than that, it
-/// takes loads that no state at rest has. So it may where it ends with more than the tension at rest.
+/// takes loads that no state at rest has. So it may where it ends with more than the tension at rest, or has more on
+/// average for some seconds.
 bool rest_is_known(const RopeUse& use);
 
 /// Where it is not: why, "the motion reaches 64 kN, more than twice the tension at rest, 15 kN".

@@ -49,6 +49,8 @@ struct RopeUse {
   std::string where;        ///< "load path, in, x = 130 m"
   double peak = 0;          ///< the largest of calculated motions, N; 0: none
   std::string peak_where;
+  double mean = 0;  ///< the largest over some seconds of calculated motions, N; 0: none
+  std::string mean_where;
   double last = 0;  ///< on average at the end of calculated motions, the largest, N: what may go on from there; 0: none
   std::vector<Bend> bends;              ///< along its path
   std::vector<std::string> unmeasured;  ///< sheaves that it runs over, of no known diameter, in words

@@ -114,6 +114,15 @@ std::optional<std::string> undetermined_drive(const machine::Model& model) {
   return std::nullopt;
 }
 
+std::optional<std::string> not_ready(const machine::Model& model) {
+  for (const machine::Reeving& rope : model.reevings) {
+    if (rope.is_to_install) {
+      return fmt::format("the guy '{}' has not been put up: call taut::study::put_up_all(model) before", rope.name);
+    }
+  }
+  return undetermined_drive(model);
+}
+
 Array<DriveResult> drives(const machine::Model& model, const EquilibriumResult& result) {
   Array<DriveResult> all;
   for (int r = 0; r < static_cast<int>(model.reevings.size()); ++r) {

@@ -34,6 +34,9 @@ struct DriveResult {
 /// rope need a given torque each, but for one; a wheel with several grooves has one torque for all of them.
 std::optional<std::string> undetermined_drive(const machine::Model& model);
 
+/// Why a machine has no equilibrium before any is sought: a guy has not been put up, or a drive's pull is open.
+std::optional<std::string> not_ready(const machine::Model& model);
+
 /// Of every motor of the model.
 Array<DriveResult> drives(const machine::Model& model, const EquilibriumResult& result);
 

@@ -571,7 +571,7 @@ EquilibriumResult equilibrium(const machine::Model& model, const EquilibriumOpti
   expect_arguments(model, options, start);
   if (auto found = found_from_middle(model, options, start)) return *std::move(found);
   EquilibriumResult result;
-  if (const auto open = options.lengths_kept ? std::nullopt : undetermined_drive(model)) {
+  if (const auto open = options.lengths_kept ? std::nullopt : not_ready(model)) {
     result.outcome = taut::infeasible(*open);
     return result;
   }

@@ -12,7 +12,7 @@
 #include "taut/base/array.hpp"
 #include "taut/math/eigen_general.hpp"
 #include "taut/math/index.hpp"
-#include "taut/solve/motion/run/run.hpp"
+#include "taut/solve/motion/run/still.hpp"
 
 namespace taut::solve::dynamics {
 namespace {
@@ -40,41 +40,6 @@ machine::Model at_rest(const machine::Model& model) {
   still.observed.clear();
   still.measures.clear();
   return still;
-}
-
-/// How a rope is on its contact in a set of modes; whether the two sets differ there.
-bool set_grip(const Contact& contact, bool stuck, ContactValues& is) {
-  if (contact.in < 0 || contact.out < 0) return false;  // drums keep their law
-  const bool grips = contact.spin >= 0 && std::isinf(contact.friction);
-  const bool loses =
-      contact.spin >= 0 ? !grips : contact.friction * std::max(0.0, is.wrap) > 0 && contact.efficiency < 1;
-  is.log_ratio = is.log_by_wrap = 0;
-  is.grip = grips || (stuck && loses) ? Grip::stuck : Grip::equal;
-  return loses;
-}
-
-/// How ropes and bearings are in a set of modes; what the two sets do differently.
-std::set<std::string> set_grips(const Mechanism& m, Sheaves sheaves, Values& v) {
-  std::set<std::string> names;
-  const bool stuck = sheaves == Sheaves::stuck;
-  for (std::size_t i = 0; i < m.contacts.size(); ++i) {
-    const Contact& contact = m.contacts[i];
-    if (!set_grip(contact, stuck, v.contacts[i])) continue;
-    names.insert(m.model->reevings[contact.reeving].nodes[contact.node].name);
-  }
-  for (std::size_t i = 0; i < m.spins.size(); ++i) {
-    SpinValues& is = v.spins[i];
-    is.turns = 0;
-    is.capacity = 0;
-    if (m.spins[i].inertia <= 0 || prescribed(m, m.spins[i], v, v.when)) continue;
-    for (const auto& one : m.spins[i].contacts) {
-      const Contact& contact = m.contacts[one.first];
-      const double capacity = bearing_slope(m, contact, v, v).capacity;
-      if (capacity > 0) names.insert(m.model->reevings[contact.reeving].nodes[contact.node].name);
-      if (stuck) is.capacity += capacity;
-    }
-  }
-  return names;
 }
 
 /// Mass, damping and stiffness by all columns, and which columns stay where they are.
@@ -157,24 +122,6 @@ Eigen::VectorXd real_shape(const Eigen::VectorXcd& y) {
   const Complex turn =
       y.size() > 0 && std::abs(y[largest]) > 0 ? std::conj(y[largest]) / std::abs(y[largest]) : Complex(1);
   return (y * turn).real();
-}
-
-/// The machine moved by a shape of all columns.
-Values displaced_by(Run& run, const Eigen::VectorXd& x, const Values& from) {
-  Values moved = from;
-  Scheme s = run.scheme;
-  s.h = s.reach = 1;
-  s.at_rest = true;
-  begin_step(run.m, s, run.before, run.w);
-  std::fill(moved.rate.begin(), moved.rate.end(), 0.0);
-  for (const Body& body : run.m.bodies) {
-    for (int c = body.first; c < body.first + body.count; ++c) moved.rate[c] = x[c];
-  }
-  for (const Contact& contact : run.m.contacts)
-    moved.q[contact.column] = run.before.q[contact.column] + x[contact.column];
-  for (const Spin& spin : run.m.spins) moved.rate[spin.column] = x[spin.column];
-  follow(run.m, s, run.before, run.w, run.before.t, moved);
-  return moved;
 }
 
 /// Whether every sagging rope still has a length to hang with.
@@ -265,7 +212,7 @@ Mode mode_of(Complex lambda) {
 
 Outcome find_modes(Run& run, const Values& rest, int most, ModeSet& set) {
   Values now = rest;
-  const std::set<std::string> held = set_grips(run.m, set.sheaves, now);
+  const std::set<std::string> held = set_grips(run.m, set.sheaves == Sheaves::stuck, now);
   set.held.assign(held.begin(), held.end());
   const VibrationMatrices a = matrices_of(run, now);
   const VibrationPencil pencil = pencil_of(a);

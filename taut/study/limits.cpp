@@ -68,6 +68,18 @@ void add_supports(const machine::Model& model, const PayloadLimits& limits, cons
   }
 }
 
+/// What hangs on a carriage by other ropes, in kilograms.
+double hung_load(const machine::Model& model, const machine::Carriage& car, const solve::EquilibriumResult& r) {
+  double pull = 0;
+  for (const solve::BranchResult& branch : r.branches) {
+    if (!hung_on(model, car, branch.reeving, branch.from, branch.to)) continue;
+    const machine::Reeving& rope = model.reevings[branch.reeving];
+    const bool starts_there = rope.nodes[branch.from].at.body == car.body;
+    pull -= rope.copies * (starts_there ? rope::force_on_start(branch.shape) : rope::force_on_end(branch.shape)).z();
+  }
+  return model.gravity > 0 ? pull / model.gravity : 0;
+}
+
 /// Of one answer, without its bounds.
 Array<LimitState> own_limits(const machine::Model& model, int body, const PayloadLimits& limits,
                              const solve::EquilibriumResult& r, double payload) {
@@ -108,7 +120,7 @@ Array<LimitState> own_limits(const machine::Model& model, int body, const Payloa
   if (limits.rated_payload) {
     for (const machine::Carriage& car : model.carriages) {
       if (car.body != body) continue;
-      const double load = load_on(model, car) + payload;
+      const double load = load_on(model, car) + hung_load(model, car, r) + payload;
       all.push_back({.kind = LimitKind::rated_payload,
                      .value = load,
                      .limit = *limits.rated_payload,
@@ -136,6 +148,20 @@ Array<LimitState> limits_at(const machine::Model& model, int body, const Payload
     }
   }
   return all;
+}
+
+std::optional<int> hung_on(const machine::Model& model, const machine::Carriage& carriage, int reeving, int from,
+                           int to) {
+  const Array<machine::Node>& nodes = model.reevings[reeving].nodes;
+  const int first = nodes[from].at.body, last = nodes[to].at.body;
+  if (first == last || (first != carriage.body && last != carriage.body)) return std::nullopt;
+  const int other = first == carriage.body ? last : first;
+  if (other == machine::ground) return std::nullopt;
+  const machine::Body& body = model.bodies[other];
+  const bool is_carriage = std::any_of(model.carriages.begin(), model.carriages.end(),
+                                       [&](const machine::Carriage& one) { return one.body == other; });
+  if (is_carriage || body.of_rope || body.beam || body.free.empty()) return std::nullopt;
+  return other;
 }
 
 double load_on(const machine::Model& model, const machine::Carriage& carriage, std::optional<double> t) {

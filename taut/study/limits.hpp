@@ -40,6 +40,11 @@ struct PayloadLimits {
 /// mass of its body, kg. `t`: the time in a motion, in which a signal gives the size of a force, s; none: at rest.
 double load_on(const machine::Model& model, const machine::Carriage& carriage, std::optional<double> t = std::nullopt);
 
+/// The free rope between a carriage and a body that hangs on it, a load on a dropline: which body, none for any other
+/// rope. The ground, another carriage, a section of a beam and a point of a rope where a force acts do not hang.
+std::optional<int> hung_on(const machine::Model& model, const machine::Carriage& carriage, int reeving, int from,
+                           int to);
+
 /// Kind of a limit.
 enum class LimitKind {
   none,

@@ -11,6 +11,7 @@
 #include "taut/base/number.hpp"
 #include "taut/machine/compile/carriage_span.hpp"
 #include "taut/machine/compile/guides.hpp"
+#include "taut/study/line/terrain_tops.hpp"
 
 namespace taut::study {
 
@@ -119,6 +120,84 @@ const machine::Carriage& carriage_on_path(const machine::Model& model, const Loa
 
 double Way::x(int i) const { return step_between(from, to, i, steps); }
 
+namespace {
+
+/// Of a place without equilibrium.
+Outcome no_answer(const machine::Carriage& carriage, const LoadPathPoint& point) {
+  return {.status = point.at.outcome.status,
+          .message = fmt::format("'{}' at x = {:.6g} m: {}", carriage.name, point.x, point.at.outcome.message)};
+}
+
+/// The points of a load path with those between them over the tops of the ground.
+class OverTops {
+ public:
+  /// `model`: with what a condition has varied.
+  OverTops(const machine::Model& model, const LoadPathOptions& options)
+      : model_(model), options_(options), carriage_(model.carriages[options.carriage]) {}
+
+  void add_to(LoadPath& path) {
+    Array<WayPlace> way;
+    way.reserve(path.points.size());
+    for (const LoadPathPoint& point : path.points) way.push_back(place_of(point));
+    Array<LoadPathPoint> all;
+    for (std::size_t i = 0; i < path.points.size(); ++i) {
+      std::optional<LoadPathPoint> between;
+      const bool step = i + 1 < path.points.size() && path.points[i].at.outcome.ok();
+      if (step && path.points[i + 1].at.outcome.ok()) between = least_between(path, way, i);
+      all.push_back(std::move(path.points[i]));
+      if (!between) continue;
+      if (!between->at.outcome.ok() && path.outcome.ok()) path.outcome = no_answer(carriage_, *between);
+      all.push_back(*std::move(between));
+    }
+    path.points = std::move(all);
+  }
+
+ private:
+  WayPlace place_of(const LoadPathPoint& point) const {
+    return way_place(model_, options_.carriage, point.x, point.at);
+  }
+
+  /// The place of a step that is nearest to the ground, or one without an answer; none where that is an end of the
+  /// step.
+  std::optional<LoadPathPoint> least_between(const LoadPath& path, const Array<WayPlace>& way, std::size_t i) {
+    TopsBetween tops(model_, way[i], way[i + 1], bend_of_step(way, i));
+    std::optional<LoadPathPoint> least;
+    while (const auto x = tops.next()) {
+      const bool nearer = std::abs(*x - way[i].x) <= std::abs(*x - way[i + 1].x);
+      LoadPathPoint point = load_path_at(model_, options_, *x, path.points[nearer ? i : i + 1].at.state);
+      if (!point.at.outcome.ok()) return point;
+      tops.take(place_of(point));
+      if (std::isnan(point.clearance)) continue;
+      if (!least || point.clearance < least->clearance) least = std::move(point);
+    }
+    const auto above = [&](const WayPlace& end) { return !(end.clearance <= least->clearance); };
+    return least && above(way[i]) && above(way[i + 1]) ? least : std::nullopt;
+  }
+
+  const machine::Model& model_;
+  const LoadPathOptions& options_;
+  const machine::Carriage& carriage_;
+};
+
+}  // namespace
+
+LoadPathPoint load_path_at(const machine::Model& model, const LoadPathOptions& options, double x,
+                           const std::optional<machine::State>& start) {
+  const machine::Carriage& carriage = carriage_on_path(model, options);
+  LoadPathPoint point;
+  point.x = x;
+  solve::EquilibriumOptions here = options.equilibrium;
+  here.prescribed = machine::Prescribed{.carriage = options.carriage, .x = x, .along = options.along};
+  if (start) point.at = answer_at(model, options, here, start).result;
+  if (!start || !point.at.outcome.ok())
+    point.at = answer_at(standing_at(model, options, x), options, here, std::nullopt).result;
+  if (!point.at.outcome.ok()) return point;
+  const Vector3& place = point.at.state.bodies[carriage.body].position;
+  point.z = place.z();
+  point.clearance = point.z - ground_height(model.terrain, terrain_x(model, place));
+  return point;
+}
+
 LoadPath load_path(const machine::Model& model, const LoadPathOptions& options) {
   const machine::Carriage& carriage = carriage_on_path(model, options);
   LoadPath path;
@@ -147,12 +226,11 @@ LoadPath load_path(const machine::Model& model, const LoadPathOptions& options) 
       point.z = place.z();
       point.clearance = point.z - ground_height(model.terrain, terrain_x(model, place));
     } else if (path.outcome.ok()) {
-      path.outcome = {
-          .status = point.at.outcome.status,
-          .message = fmt::format("'{}' at x = {:.6g} m: {}", carriage.name, point.x, point.at.outcome.message)};
+      path.outcome = no_answer(carriage, point);
     }
     path.points.push_back(std::move(point));
   }
+  OverTops(options.condition ? varied : model, options).add_to(path);
   return path;
 }
 

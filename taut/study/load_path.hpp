@@ -29,7 +29,7 @@ struct WayPart {
 struct LoadPathOptions {
   int carriage = 0;
   double from = 0, to = 0;           ///< first and last x of the body of the carriage along `along`, m, in either order
-  int steps = 1;                     ///< intervals, >= 1: steps + 1 positions
+  int steps = 1;                     ///< intervals, >= 1: steps + 1 positions, and those over tops of the ground
   Vector3 along = Vector3::UnitX();  ///< horizontal unit vector
   solve::EquilibriumOptions equilibrium;
   std::optional<solve::Condition> condition;  ///< replaces the given quantity of one rope, at every position
@@ -55,9 +55,14 @@ const machine::Carriage& carriage_on_path(const machine::Model& model, const Loa
 machine::Model standing_at(const machine::Model& model, const LoadPathOptions& options, double x);
 
 /// The equilibria along a load path. Each search starts from an extrapolation of the positions before it, and where
-/// that leads to none, from the place alone. A position without equilibrium stays in the list with its outcome. Throws
-/// ContractViolation where carriage_on_path does.
+/// that leads to none, from the place alone. A position without equilibrium stays in the list with its outcome. Where
+/// the carriage is nearer to the ground over a top of the terrain within a step than at both its ends, the lowest such
+/// place is in the list too, between them. Throws ContractViolation where carriage_on_path does.
 LoadPath load_path(const machine::Model& model, const LoadPathOptions& options);
+
+/// One position, from a state near it, else from the place alone. Throws as load_path does.
+LoadPathPoint load_path_at(const machine::Model& model, const LoadPathOptions& options, double x,
+                           const std::optional<machine::State>& start = std::nullopt);
 
 /// Height of the ground at x, m, linear between the points of the terrain; NaN outside.
 double ground_height(const Array<machine::GroundPoint>& terrain, double x);

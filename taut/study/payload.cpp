@@ -281,40 +281,6 @@ Payload payload(const machine::Model& model, int body, const PayloadLimits& limi
   return answer;
 }
 
-Array<PayloadPoint> payload_path(const machine::Model& model, const PayloadLimits& limits,
-                                 const LoadPathOptions& options) {
-  const machine::Carriage& carriage = carriage_on_path(model, options);
-  Array<PayloadPoint> points;
-  machine::Model there;
-  std::optional<machine::State> start;
-  double expected = 0;
-  for (int i = 0; i <= options.steps; ++i) {
-    PayloadPoint point;
-    point.x = step_between(options.from, options.to, i, options.steps);
-    if (options.go_on && !options.go_on(point.x)) break;
-    solve::EquilibriumOptions here = options.equilibrium;
-    here.prescribed = machine::Prescribed{.carriage = options.carriage, .x = point.x, .along = options.along};
-    const bool alone = !start && i > 0;
-    if (alone) there = standing_at(model, options, point.x);
-    point.payload = payload(alone ? there : model, carriage.body, limits, here, start, expected);
-    if (start && !point.payload.outcome.ok() && point.payload.limit.fails) {
-      // a step too wide for its start: the place may have an answer by itself
-      there = standing_at(model, options, point.x);
-      Payload by_itself = payload(there, carriage.body, limits, here, std::nullopt, expected);
-      if (by_itself.outcome.ok() || !by_itself.limit.fails) point.payload = std::move(by_itself);
-    }
-    if (point.payload.at.outcome.ok()) {
-      start = point.payload.unloaded;
-      expected = point.payload.mass;
-      const Vector3& place = point.payload.at.state.bodies[carriage.body].position;
-      point.z = place.z();
-      point.clearance = point.z - ground_height(model.terrain, terrain_x(model, place));
-    }
-    points.push_back(std::move(point));
-  }
-  return points;
-}
-
 const Description& RopeLimitRequest::describe() {
   static const Description d =
       Describe<RopeLimitRequest>()
@@ -410,6 +376,68 @@ PayloadRun resolve(const PayloadRequest& request, const std::string& path, Names
   return run;
 }
 
+namespace {
+
+LoadPathOptions options_of(const PayloadRun& run, const WayPart& part) {
+  LoadPathOptions options = path_over(run.way, part);
+  options.equilibrium = run.motion.options(part.model);
+  options.equilibrium.held = run.held;
+  return options;
+}
+
+PayloadPosition position_of(const machine::Model& model, const PayloadRun& run, PayloadPoint point) {
+  const int body = model.carriages[run.way.carriage].body;
+  Array<LimitState> states = limits_at(model, body, run.limits, point.payload.at, point.payload.mass);
+  return {.model = &model, .point = std::move(point), .states = std::move(states), .support = {}};
+}
+
+/// The place between two neighbouring parts that carries least, else is nearest to the ground: where it carries less
+/// than the ends of both, or is nearer to the ground.
+std::optional<PayloadPosition> least_between(const machine::Model& model, PayloadRun& run, const PayloadPoint& before,
+                                             const PayloadPoint& after) {
+  std::optional<PayloadPosition> least;
+  double mass = std::min(before.payload.mass, after.payload.mass);
+  double clearance = std::min(before.clearance, after.clearance);
+  const auto place_of = [&](const PayloadPoint& point) {
+    return way_place(model, run.way.carriage, point.x, point.payload.at);
+  };
+  look_over_tops(model, run.way, place_of(before), place_of(after), [&](machine::Model there, double x) {
+    const machine::Model& kept = run.over_tops.emplace_back(std::move(there));
+    const PayloadPoint point = payload_at(kept, run.limits, options_of(run, {.model = kept}), x);
+    const WayPlace place = place_of(point);
+    const bool lower = point.payload.mass == mass && place.clearance < clearance;
+    if (!point.payload.at.outcome.ok() || point.payload.mass < mass || lower || (!least && place.clearance < clearance))
+      least = position_of(kept, run, point);
+    mass = std::min(mass, point.payload.mass);
+    clearance = std::fmin(clearance, place.clearance);
+    return place;
+  });
+  return least;
+}
+
+/// Puts the places over tops between the parts among them.
+void add_tops(const machine::Model& model, PayloadRun& run) {
+  if (model.terrain.empty()) return;
+  const bool forward = run.way.to > run.way.from;
+  Array<PayloadPosition> all;
+  for (std::size_t i = 0; i < run.positions.size(); ++i) {
+    std::size_t next = i + 1;
+    while (next < run.positions.size() && !run.positions[next].support.empty()) ++next;
+    std::optional<PayloadPosition> top;
+    const bool parts_meet = next < run.positions.size() && run.positions[i].model != run.positions[next].model;
+    if (parts_meet && run.positions[i].answered() && run.positions[next].answered())
+      top = least_between(model, run, run.positions[i].point, run.positions[next].point);
+    all.push_back(std::move(run.positions[i]));
+    if (!top) continue;
+    for (; i + 1 < next && (run.positions[i + 1].point.x < top->point.x) == forward; ++i)
+      all.push_back(std::move(run.positions[i + 1]));
+    all.push_back(*std::move(top));
+  }
+  run.positions = std::move(all);
+}
+
+}  // namespace
+
 void solve(const machine::Model& model, PayloadRun& run, Watch& watch) {
   run.parts = parts_of(model, run.way);
   for (const WayPart& part : run.parts) {
@@ -421,19 +449,14 @@ void solve(const machine::Model& model, PayloadRun& run, Watch& watch) {
       on.point.x = run.way.x(part.first);
       continue;
     }
-    LoadPathOptions options = path_over(run.way, part);
-    options.equilibrium = run.motion.options(part.model);
-    options.equilibrium.held = run.held;
+    LoadPathOptions options = options_of(run, part);
     options.go_on = [&](double x) { return watch.go_on_at(x); };
     auto points = payload_path(part.model, run.limits, options);
     if (part.last == part.first && points.size() > 1) points.resize(1);
-    const int body = part.model.carriages[run.way.carriage].body;
-    for (PayloadPoint& point : points) {
-      Array<LimitState> states = limits_at(part.model, body, run.limits, point.payload.at, point.payload.mass);
-      run.positions.push_back({&part.model, std::move(point), std::move(states), {}});
-    }
+    for (PayloadPoint& point : points) run.positions.push_back(position_of(part.model, run, std::move(point)));
   }
   if (run.one_place && run.positions.size() > 1) run.positions.resize(1);
+  add_tops(model, run);
 }
 
 const Quantities<PayloadPosition>& payload_quantities() {

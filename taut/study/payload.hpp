@@ -1,4 +1,5 @@
 #pragma once
+#include <deque>
 #include <optional>
 #include <string>
 #include <vector>
@@ -84,8 +85,14 @@ struct PayloadPoint {
   double clearance = 0;  ///< m; NaN without terrain there
   Payload payload;
 };
+/// Besides, within a step, the place over a top of the terrain that carries less than both its ends, and the one that
+/// is nearer to the ground than both: at most two, between them.
 Array<PayloadPoint> payload_path(const machine::Model& model, const PayloadLimits& limits,
                                  const LoadPathOptions& options);
+
+/// One position, from a state without payload near it, else from the place alone. `expected`: as for a payload.
+PayloadPoint payload_at(const machine::Model& model, const PayloadLimits& limits, const LoadPathOptions& options,
+                        double x, const std::optional<machine::State>& start = std::nullopt, double expected = 0);
 
 /// A rule of the catalogue, a safety factor, that a rope is checked by.
 struct PayloadRule {
@@ -96,7 +103,7 @@ struct PayloadRule {
 
 /// One place of the carriage.
 struct PayloadPosition {
-  const machine::Model* model = nullptr;  ///< of PayloadRun::parts
+  const machine::Model* model = nullptr;  ///< of PayloadRun::parts or PayloadRun::over_tops
   PayloadPoint point;
   Array<LimitState> states;  ///< of all limits with the payload
   std::string support;       ///< on which it lies, in no span; else empty
@@ -116,6 +123,7 @@ struct PayloadRun {
   PayloadLimits limits;
   std::vector<PayloadRule> rules;
   Array<WayPart> parts;
+  std::deque<machine::Model> over_tops;  ///< of positions over tops of the ground between parts
   Array<PayloadPosition> positions;
 };
 

@@ -80,14 +80,17 @@ Outcome put_up_lines(machine::Model& model, std::vector<PutUpLine>& lines) {
   return draw_equal(model);
 }
 
-Outcome install_guys(const machine::Machine& machine, machine::Model& model) {
-  const std::size_t first = machine.reevings.size();
-  if (model.reevings.size() == first) return {};
+Outcome install_guys(machine::Model& model) {
   machine::Model bare;
   bare.gravity = model.gravity;
   bare.bodies = model.bodies;
   for (machine::Body& body : bare.bodies) body.free.clear();
-  bare.reevings.assign(model.reevings.begin() + static_cast<std::ptrdiff_t>(first), model.reevings.end());
+  for (const machine::Reeving& rope : model.reevings) {
+    if (!rope.is_to_install) continue;
+    bare.reevings.push_back(rope);
+    bare.reevings.back().is_to_install = false;
+  }
+  if (bare.reevings.empty()) return {};
   solve::EquilibriumOptions options;
   options.band = false;
   const auto result = solve::equilibrium(bare, options);
@@ -96,14 +99,24 @@ Outcome install_guys(const machine::Machine& machine, machine::Model& model) {
             .message = fmt::format("the guys can't be put up: {}", result.outcome.message)};
   }
   const machine::Model done = solve::installed(bare, result);
-  std::copy(done.reevings.begin(), done.reevings.end(), model.reevings.begin() + static_cast<std::ptrdiff_t>(first));
+  auto next = done.reevings.begin();
+  for (machine::Reeving& rope : model.reevings) {
+    if (rope.is_to_install) rope = *next++;
+  }
   return {};
+}
+
+Outcome put_up_all(machine::Model& model) {
+  if (Outcome outcome = install_guys(model); !outcome.ok()) return outcome;
+  std::vector<PutUpLine> lines;
+  return put_up_lines(model, lines);
 }
 
 void keep_guys(const machine::Machine& machine, const machine::Model& installed, machine::Model& model) {
   for (std::size_t i = machine.reevings.size(); i < model.reevings.size(); ++i) {
     model.reevings[i].given = installed.reevings[i].given;
     model.reevings[i].value = installed.reevings[i].value;
+    model.reevings[i].is_to_install = installed.reevings[i].is_to_install;
   }
 }
 

@@ -158,6 +158,66 @@ LoadPathRun resolve(const LoadPathRequest& request, const std::string& path, Nam
   return run;
 }
 
+namespace {
+
+LoadPathOptions options_of(const LoadPathRun& run, const WayPart& place) {
+  LoadPathOptions options = path_over(run.way, place);
+  options.equilibrium = run.motion.options(place.model);
+  options.equilibrium.held = run.held;
+  options.condition = run.given;
+  return options;
+}
+
+/// The place nearest to the ground between two neighbouring parts, where it is nearer than the ends of both.
+std::optional<LoadPathPart> least_between(const machine::Model& model, const LoadPathRun& run,
+                                          const LoadPathPoint& before, const LoadPathPoint& after) {
+  if (!before.at.outcome.ok() || !after.at.outcome.ok()) return std::nullopt;
+  std::optional<LoadPathPart> least;
+  double clearance = std::min(before.clearance, after.clearance);
+  const auto place_of = [&](const LoadPathPoint& point) {
+    return way_place(model, run.way.carriage, point.x, point.at);
+  };
+  look_over_tops(model, run.way, place_of(before), place_of(after), [&](machine::Model there, double x) {
+    const LoadPathOptions options = options_of(run, {.model = there});
+    LoadPathPoint point = load_path_at(there, options, x);
+    const WayPlace place = place_of(point);
+    if (place.clearance < clearance || (!point.at.outcome.ok() && !least)) {
+      clearance = std::min(clearance, place.clearance);
+      least = LoadPathPart{.model = std::move(there), .result = {.outcome = point.at.outcome, .points = {point}}};
+    }
+    return place;
+  });
+  return least;
+}
+
+/// Puts the places over tops between the parts among them.
+void add_tops(const machine::Model& model, LoadPathRun& run) {
+  if (model.terrain.empty()) return;
+  const bool forward = run.way.to > run.way.from;
+  std::vector<LoadPathPart> all;
+  for (std::size_t i = 0; i < run.parts.size(); ++i) {
+    // a place on a support is a part without an answer
+    const auto no_answer = [&](const LoadPathPart& part) {
+      return part.result.points.size() == 1 && !part.result.points.front().at.outcome.ok();
+    };
+    std::size_t next = i + 1;
+    while (next < run.parts.size() && no_answer(run.parts[next])) ++next;
+    std::optional<LoadPathPart> top;
+    if (next < run.parts.size()) {
+      top = least_between(model, run, run.parts[i].result.points.back(), run.parts[next].result.points.front());
+    }
+    all.push_back(std::move(run.parts[i]));
+    if (!top) continue;
+    const double x = top->result.points.front().x;
+    for (; i + 1 < next && (run.parts[i + 1].result.points.front().x < x) == forward; ++i)
+      all.push_back(std::move(run.parts[i + 1]));
+    all.push_back(*std::move(top));
+  }
+  run.parts = std::move(all);
+}
+
+}  // namespace
+
 void solve(const machine::Model& model, LoadPathRun& run, Watch& watch) {
   for (WayPart& place : parts_of(model, run.way)) {
     if (watch.ended()) return;
@@ -168,10 +228,7 @@ void solve(const machine::Model& model, LoadPathRun& run, Watch& watch) {
       point.at.outcome = infeasible(fmt::format("the carriage is on '{}'", place.support->name));
       part.result.points.push_back(std::move(point));
     } else {
-      LoadPathOptions options = path_over(run.way, place);
-      options.equilibrium = run.motion.options(place.model);
-      options.equilibrium.held = run.held;
-      options.condition = run.given;
+      LoadPathOptions options = options_of(run, place);
       options.go_on = [&](double x) { return watch.go_on_at(x); };
       part.result = load_path(place.model, options);
       if (part.result.points.empty()) return;
@@ -180,6 +237,7 @@ void solve(const machine::Model& model, LoadPathRun& run, Watch& watch) {
     part.model = std::move(place.model);
     run.parts.push_back(std::move(part));
   }
+  add_tops(model, run);
 }
 
 }  // namespace taut::study

@@ -77,7 +77,7 @@ tl::expected<machine::Model, Outcome> model_at(const SweepRun& run, const machin
   auto model = machine::compile(machine, machine::ModelFor::rest);
   if (!model) return tl::unexpected(infeasible(model.error().front().message));
   if (changes_the_building(*parameter)) {
-    const Outcome outcome = install_guys(machine, *model);
+    const Outcome outcome = install_guys(*model);
     if (!outcome.ok()) return tl::unexpected(outcome);
   } else {
     keep_guys(machine, installed, *model);

@@ -10,14 +10,36 @@ namespace {
 
 constexpr Unit celsius = si::K.in("degC");
 
-/// Whether 0 of what the text is written in is not 0 of the kind: of a temperature in degC alone.
-bool is_celsius(std::string_view text, const Unit& kind) {
-  if (kind.dimension != si::K.dimension) return false;
+/// A frequency or speed of turning by the unit that it is written in, so that it can be written down again.
+constexpr Unit frequency_in(std::string_view unit) {
+  Unit copy = si::per_s.in(unit);
+  copy.symbol = unit;
+  return copy;
+}
+constexpr Unit hertz = frequency_in("Hz"), turning = frequency_in("rad/s");
+
+/// What stands behind the number.
+std::string_view unit_in(std::string_view text) {
   const std::size_t sign = text.substr(0, 1) == "+" ? 1 : 0;
   std::string_view unit = text.substr(sign + number_at_front(text.substr(sign)).length);
   while (!unit.empty() && (unit.front() == ' ' || unit.front() == '\t')) unit.remove_prefix(1);
   while (!unit.empty() && (unit.back() == ' ' || unit.back() == '\t')) unit.remove_suffix(1);
-  return !unit_factor(unit, kind);
+  return unit;
+}
+
+/// Whether 0 of what the text is written in is not 0 of the kind: of a temperature in degC alone.
+bool is_celsius(std::string_view text, const Unit& kind) {
+  return kind.dimension == si::K.dimension && !unit_factor(unit_in(text), kind);
+}
+
+/// The unit of a text that measures something of that kind.
+Unit unit_of(std::string_view text, const Unit& kind) {
+  if (is_celsius(text, kind)) return celsius;
+  if (kind.dimension != si::per_s.dimension) return kind;
+  const std::string_view unit = unit_in(text);
+  // a turn of 2 pi rad is one cycle; 1/s counts as it is for both
+  if (*unit_factor(unit, turning) == *unit_factor(unit, hertz)) return kind;
+  return unit.find("Hz") != std::string_view::npos ? hertz : turning;
 }
 
 }  // namespace
@@ -42,6 +64,10 @@ tl::expected<double, UnitError> parse_difference(std::string_view text, const Un
   return x;
 }
 
+bool is_turning(const Unit& unit) {
+  return unit.dimension == si::per_s.dimension && (counts_cycles(unit) || unit.shown == turning.shown);
+}
+
 bool counts_from_zero_celsius(const Unit& unit) {
   return unit.dimension == si::K.dimension && unit.shown == celsius.shown;
 }
@@ -50,8 +76,9 @@ tl::expected<AnyQuantity, UnitError> parse_any_quantity(std::string_view text) {
   const auto plain = parse_quantity(text, si::one);
   if (plain) return AnyQuantity{.value = *plain, .unit = si::one};
   for (const Unit& unit : display_kinds()) {
-    const auto value = parse_quantity(text, unit);
-    if (value) return AnyQuantity{.value = *value, .unit = is_celsius(text, unit) ? celsius : unit};
+    if (!parse_quantity(text, unit)) continue;
+    const Unit own = unit_of(text, unit);
+    return AnyQuantity{.value = *parse_quantity(text, own), .unit = own};
   }
   // not a number or not a unit: the same reason whatever is asked for
   if (plain.error().message.find("a plain number is expected here") == std::string::npos) {

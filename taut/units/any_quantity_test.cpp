@@ -29,6 +29,20 @@ TEST(AnyQuantity, ItsUnitSaysWhatItIs) {
   }
 }
 
+// What is written down again with its unit means the same, where cycles are asked for and where a speed of turning is.
+TEST(AnyQuantity, AFrequencyKeepsWhatItCounts) {
+  const auto of = [](const char* text) { return *parse_any_quantity(text); };
+  EXPECT_EQ(of("1.5 Hz").value, 1.5);
+  EXPECT_EQ(of("1.5 Hz").unit.symbol, "Hz");
+  EXPECT_NEAR(of("360 deg/s").value, 2 * M_PI, 1e-12);
+  EXPECT_EQ(of("360 deg/s").unit.symbol, "rad/s");
+  EXPECT_EQ(of("3 1/s").unit.symbol, "1/s");
+  EXPECT_TRUE(is_turning(of("0 Hz").unit));
+  EXPECT_TRUE(is_turning(of("3 rad/s").unit));
+  EXPECT_FALSE(is_turning(of("3 1/s").unit));
+  EXPECT_TRUE(same_kind(of("3 Hz").unit, si::per_s));
+}
+
 TEST(AnyQuantity, ADifferenceOfTemperaturesHasNoZeroInDegreesCelsius) {
   for (const char* text : {"1 K", "1 degC"}) EXPECT_NEAR(*parse_difference(text, si::K.in("degC")), 1, 1e-12) << text;
   EXPECT_EQ(*parse_difference("3 kN", si::N), 3e3);

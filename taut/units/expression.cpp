@@ -62,6 +62,9 @@ constexpr const char* no_multiple =
     "two, "
     "as in '(30 degC - 10 degC) / 2'";
 
+constexpr const char* turns_and_not =
+    "one side is a speed of turning (Hz, rad/s), the other one is in 1/s: write both in the same unit";
+
 /// What a function gives, or what is wrong with its values in words.
 using Applied = tl::expected<Measure, std::string>;
 
@@ -224,6 +227,7 @@ class ExpressionParser {
       } else if (!same_measure(left.is, right.is)) {
         fail(fmt::format("the left side is {}, the right one {}", measure_kind(left.is), measure_kind(right.is)), from);
       }
+      if (left.is.turns != right.is.turns) fail(turns_and_not, from);
       const auto kelvins = kelvins_of_sum(left.is.kelvins, right.is.kelvins, plus);
       if (!kelvins) fail(kelvins.error(), from);
       left.is.kelvins = *kelvins;
@@ -247,6 +251,7 @@ class ExpressionParser {
       const bool multiple = is_plain_measure(right.is) || (times && is_plain_measure(left.is));
       const Kelvins kelvins = times && is_plain_measure(left.is) ? right.is.kelvins : left.is.kelvins;
       const bool angle = times ? left.is.is_angle != right.is.is_angle : left.is.is_angle && !right.is.is_angle;
+      const bool turns = multiple ? left.is.turns || right.is.turns : angle;  // "90 deg / 2 s" turns too
       if (varies(left, right)) {
         const int a = place_of(left), b = place_of(right);
         left.operation = add({.kind = times ? Operation::Kind::times : Operation::Kind::over, .a = a, .b = b});
@@ -255,6 +260,7 @@ class ExpressionParser {
       left.is.dimension = times ? left.is.dimension * right.is.dimension : left.is.dimension / right.is.dimension;
       left.is.is_angle = angle && is_plain_number(left.is.dimension);
       left.is.kelvins = multiple ? kelvins : Kelvins::either;
+      left.is.turns = turns && left.is.dimension == si::per_s.dimension;
     }
   }
 
@@ -288,7 +294,8 @@ class ExpressionParser {
     }
     base.is = {.value = std::pow(base.is.value, whole),
                .dimension = power(base.is.dimension, static_cast<int>(whole)),
-               .is_angle = base.is.is_angle && whole == 1};
+               .is_angle = base.is.is_angle && whole == 1,
+               .turns = base.is.turns && whole == 1};
     return base;
   }
 
@@ -442,6 +449,7 @@ class ExpressionParser {
       refuse(one_of_them ? "one temperature is in degC, the other one in K: write both in the same unit" : no_multiple);
     }
     if (!same_kelvins) a.is.kelvins = b.is.kelvins = Kelvins::either;
+    if (a.is.turns != b.is.turns) refuse(turns_and_not);
     if (!varies(a, b)) {
       const Applied applied = function->of(a.is, b.is);
       if (!applied) refuse(applied.error());
@@ -471,10 +479,11 @@ class ExpressionParser {
 }  // namespace
 
 Measure measure_of(const AnyQuantity& quantity) {
-  return {.value = quantity.value,
+  return {.value = counts_cycles(quantity.unit) ? 2 * std::numbers::pi * quantity.value : quantity.value,
           .dimension = quantity.unit.dimension,
           .is_angle = quantity.unit.is_angle,
-          .kelvins = counts_from_zero_celsius(quantity.unit) ? Kelvins::reading : Kelvins::either};
+          .kelvins = counts_from_zero_celsius(quantity.unit) ? Kelvins::reading : Kelvins::either,
+          .turns = is_turning(quantity.unit)};
 }
 
 tl::expected<Measure, UnitError> evaluate(std::string_view text, const NameMeaning& meaning) {
@@ -512,6 +521,7 @@ bool is_free_name(std::string_view name) {
 std::string to_text(const Measure& measure) {
   if (measure.is_angle) return fmt::format("{:.17g} rad", measure.value);
   if (is_reading(measure)) return fmt::format("{:.17g} degC", measure.value - zero_celsius);
+  if (measure.turns) return fmt::format("{:.17g} rad/s", measure.value);
   std::string text = fmt::format("{:.17g}", measure.value);
   const Dimension& d = measure.dimension;
   const std::array<std::pair<int, std::string_view>, 4> parts{

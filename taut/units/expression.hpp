@@ -20,6 +20,9 @@ struct Measure {
   Dimension dimension;
   bool is_angle = false;
   Kelvins kelvins = Kelvins::either;  ///< of a temperature
+  /// Of a frequency: whether it is a speed of turning, in rad/s, that was written in Hz, deg/s or rad/s. Where cycles
+  /// per time are asked for, it is divided by 2 pi; what is in 1/s alone counts as it is, here and there.
+  bool turns = false;
 };
 
 /// A quantity that was read, as a measure.
@@ -79,8 +82,8 @@ tl::expected<FormulaText, UnitError> formula_text(std::string_view text, std::st
 bool is_free_name(std::string_view name);
 
 /// The value as a deck writes it, with its SI unit and every digit: "0.95 m", "1200 kg m^2", "0.3"; an angle in rad.
-/// A reading of a thermometer is in degC. Empty when it has a fraction of a dimension, such as the square root of a
-/// length.
+/// A reading of a thermometer is in degC, a speed of turning in rad/s. Empty when it has a fraction of a dimension,
+/// such as the square root of a length.
 std::string to_text(const Measure& measure);
 
 }  // namespace taut

@@ -124,6 +124,27 @@ TEST(FormulaText, TellsWhatIsWrong) {
 }
 
 /// On paper, in kelvin: -20 degC is 253.15 K, and 5 degC more is 258.15 K.
+// "2 * f" is twice the frequency, where cycles per time are asked for and where a speed of turning is.
+TEST(Expression, AFrequencyKeepsWhatItCounts) {
+  const auto meaning = [](std::string_view) -> tl::expected<Measure, std::string> {
+    return measure_of(*parse_any_quantity("0.5 Hz"));
+  };
+  const auto in = [&](const char* text, const Unit& unit) {
+    const auto value = evaluate(text, meaning);
+    EXPECT_TRUE(value) << text << ": " << value.error().message;
+    return *parse_quantity(to_text(*value), unit);
+  };
+  const Unit cycles = si::per_s.in("Hz");
+  for (const char* text :
+       {"2 * f", "1 Hz", "360 deg/s", "f / 0.5", "f + 180 deg/s", "max(f, 1 Hz)", "360 deg / 1 s", "-(-2) * f"}) {
+    EXPECT_NEAR(in(text, cycles), 1, 1e-12) << text;
+    EXPECT_NEAR(in(text, si::per_s), 2 * M_PI, 1e-12) << text;
+  }
+  EXPECT_NEAR(in("1 / (0.5 s)", cycles), 2, 1e-12) << "as 2 1/s is";
+  EXPECT_NEAR(in("(3 m/s) / (1.5 m)", si::per_s), 2, 1e-12);
+  EXPECT_NE(evaluate("f + 1 / (2 s)", meaning).error().message.find("write both in the same unit"), std::string::npos);
+}
+
 TEST(Expression, ATemperatureInDegreesCountsFromItsOwnZero) {
   const std::vector<std::pair<std::string, double>> temperatures = {
       {"winter + 5 K", 258.15},

@@ -191,9 +191,6 @@ std::string kind_of(const Expression& e) {
   return to_text(e.dimension);
 }
 
-/// Whether its values are cycles per time, of 2 pi rad each, and no speeds of turning.
-bool counts_cycles(const Unit& unit) { return unit.dimension == si::per_s.dimension && unit.shown == "Hz"; }
-
 /// Whether it says cycles per time by name; 1/s is rad/s where a speed of turning is asked for.
 bool is_hertz(const Expression& e) {
   return e.factors.size() == 1 && e.factors[0].exponent == 1 && e.factors[0].row->kind == "frequency";
@@ -273,6 +270,8 @@ tl::expected<Split, UnitError> split_number(std::string_view text) {
 }
 
 }  // namespace
+
+bool counts_cycles(const Unit& unit) { return unit.dimension == si::per_s.dimension && unit.shown == "Hz"; }
 
 tl::expected<double, UnitError> parse_number(std::string_view text) {
   const auto s = split_number(text);

@@ -22,6 +22,9 @@ struct UnitName {
   std::string kind;     ///< "force", "length", ...
 };
 
+/// Whether its values are cycles per time, of 2 pi rad each, and no speeds of turning.
+bool counts_cycles(const Unit& unit);
+
 /// Reads a number with a unit as the SI value of `target`: "63 kN" -> 63000 for si::N. Units combine with space, `*`,
 /// `/` and powers (`mm2`, `mm^2`, `mm²`). An angle takes deg, rad, mrad, gon or %; there % is a slope, atan(p/100). A
 /// plain number takes no unit, or %, a hundredth. Where the target is shown in Hz it counts cycles, else radians:

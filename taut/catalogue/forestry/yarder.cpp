@@ -7,6 +7,7 @@
 #include "taut/base/expects.hpp"
 #include "taut/catalogue/csv.hpp"
 #include "taut/catalogue/embedded/yarders_csv.hpp"
+#include "taut/catalogue/lookup.hpp"
 
 namespace taut::catalogue {
 namespace {
@@ -81,7 +82,9 @@ tl::expected<std::vector<YarderRow>, Diagnostics> read_yarders(std::string_view 
     const auto tower = csv.optional_positive("tower_height_m");
     YarderDrum drum = drum_in(csv);
     if (csv.mistakes() == mistakes) check_drum(csv, drum);
-    const auto known = std::find_if(rows.begin(), rows.end(), [&](const auto& row) { return row.name == name; });
+    const std::string wanted = normalised(name);
+    const auto known =
+        std::find_if(rows.begin(), rows.end(), [&](const auto& row) { return normalised(row.name) == wanted; });
     if (known == rows.end()) {
       rows.push_back({.name = name, .tower_height = tower, .drums = {std::move(drum)}});
     } else {

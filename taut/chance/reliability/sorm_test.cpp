@@ -56,9 +56,8 @@ TEST(Sorm, one_input_has_no_curvature_and_a_failed_case_no_shape) {
   const auto shape = curved(line, {2}, slope(line, {2}, 0.01), 0.05);
   ASSERT_TRUE(shape);
   EXPECT_TRUE(shape->curvatures.empty());
-  const LimitState torn = state_of(normals(2), [](const Point& u) {
-    return u[1] > 0 ? std::numeric_limits<double>::quiet_NaN() : 2 - u[0];
-  });
+  const LimitState torn = state_of(
+      normals(2), [](const Point& u) { return u[1] > 0 ? std::numeric_limits<double>::quiet_NaN() : 2 - u[0]; });
   EXPECT_FALSE(curved(torn, {2, 0}, slope(torn, {2, 0}, 0.01), 0.05));
 }
 

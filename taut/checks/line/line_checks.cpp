@@ -105,13 +105,19 @@ void take_gap(const study::TerrainGap& gap, LineStates& line) {
   if (gap.missing() > line.gap.missing()) line.gap = gap;
 }
 
+/// "load path, at rest, x = 40 m, at x = 12 m, 9 m from its fixed end".
+std::string place_words(const std::string& words, const study::RopeClearance& found) {
+  const std::string place = fmt::format("{}, at x = {:.4g} m", words, found.place.x());
+  return found.to_end ? fmt::format("{}, {:.3g} m from its fixed end", place, *found.to_end) : place;
+}
+
 void take_clearance(const machine::Model& model, const FreeRope& rope, const std::string& words, LineStates& line) {
   const auto by_x = [&](const Vector3& a, const Vector3& b) { return terrain_x(model, a) < terrain_x(model, b); };
   const auto [low, high] = std::minmax_element(rope.places.begin(), rope.places.end(), by_x);
   take_gap(study::terrain_gap(model, terrain_x(model, *low), terrain_x(model, *high)), line);
   const study::RopeClearance found = clearance_of(model, rope);
   if (std::isnan(found.height)) return;
-  line.clearance.least(found.height, fmt::format("{}, at x = {:.4g} m", words, found.place.x()));
+  line.clearance.least(found.height, place_words(words, found));
 }
 
 /// The rope at the rounds between its ends: those that do not move may stand on the ground, but the line then is there.
@@ -146,7 +152,7 @@ void take_clearance(const CheckState& state, LineStates& line) {
     if (branch.slack && line.slack.empty()) line.slack = state.words;
     const study::RopeClearance found = study::rope_clearance(*state.model, branch);
     if (std::isnan(found.height)) continue;
-    line.clearance.least(found.height, fmt::format("{}, at x = {:.4g} m", state.words, found.place.x()));
+    line.clearance.least(found.height, place_words(state.words, found));
   }
 }
 

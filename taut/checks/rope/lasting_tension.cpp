@@ -7,23 +7,44 @@ namespace taut::checks {
 
 void LastingTension::take(double t, double T, long steps) {
   if (!all_.empty() && t == all_.back().t) {  // a moment that is shown twice
-    all_.back().T = std::max(all_.back().T, T);
+    const double more = std::max(T - all_.back().T, 0.0);
+    if (all_.size() > 1) impulse_ += more * (t - all_[all_.size() - 2].t) / 2;
+    all_.back().T += more;
+    take_mean();
     return;
   }
   const bool unseen = !all_.empty() && t - all_.back().t > gap && steps - steps_ > 2;
   if (unseen || (!all_.empty() && t < all_.back().t)) {
     all_.clear();
     rising_.clear();
+    impulse_ = 0;
   }
   steps_ = steps;
+  if (!all_.empty()) impulse_ += (t - all_.back().t) * (all_.back().T + T) / 2;
   all_.push_back({.t = t, .T = T});
   while (!rising_.empty() && rising_.back().T >= T) rising_.pop_back();
   rising_.push_back({.t = t, .T = T});
-  while (all_.size() > 1 && all_[1].t <= t - lasts) all_.pop_front();
+  while (all_.size() > 1 && all_[1].t <= t - lasts) {
+    impulse_ -= (all_[1].t - all_[0].t) * (all_[0].T + all_[1].T) / 2;
+    all_.pop_front();
+  }
+  take_mean();
   while (rising_.front().t < all_.front().t) rising_.pop_front();
   if (all_.front().t > t - lasts || rising_.front().T <= largest_) return;
   largest_ = rising_.front().T;
   when_ = t;
+}
+
+/// Of the interval that ends at the last moment, whose first part may begin before it.
+void LastingTension::take_mean() {
+  const double begins = all_.back().t - lasts;
+  if (all_.size() < 2 || all_.front().t > begins) return;
+  const Moment &from = all_[0], &to = all_[1];
+  const double share = (begins - from.t) / (to.t - from.t), T_begins = from.T + share * (to.T - from.T);
+  const double mean = (impulse_ - (begins - from.t) * (from.T + T_begins) / 2) / lasts;
+  if (mean <= mean_) return;
+  mean_ = mean;
+  when_mean_ = all_.back().t;
 }
 
 double LastingTension::before_end() const {

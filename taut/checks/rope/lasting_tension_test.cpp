@@ -36,6 +36,30 @@ TEST(LastingTension, OfASwingItIsNotMoreThanItsMean) {
   }
 }
 
+// A load of 3 kN beside 1 kN that comes for 4 s of 6 has not lasted; the mean over 5 s has 4/5 of it.
+TEST(LastingTension, OfALoadThatComesAndGoesTheMeanTells) {
+  const auto comes = [](double t) { return std::fmod(t, 6) < 4 ? 4e3 : 1e3; };
+  EXPECT_EQ(of(60, 0.01, comes).largest(), 1e3);
+  EXPECT_NEAR(of(60, 0.01, comes).mean(), 1e3 + 3e3 * 4 / 5, 10);
+  EXPECT_NEAR(of(60, 0.01, [](double) { return 2e3; }).mean(), 2e3, 1e-6);
+  EXPECT_EQ(of(4.9, 0.01, [](double) { return 2e3; }).mean(), 0);
+  EXPECT_NEAR(of(
+                  60, 0.3, [](double t) { return t; }, 2)
+                  .mean(),
+              60 - 2.5, 1e-9)
+      << "the interval begins within a part";
+  for (const double period : {0.5, 1.0, 2.5}) {
+    const auto swings = [&](double t) { return 5e3 + 2e3 * std::sin(2 * std::numbers::pi * t / period); };
+    EXPECT_NEAR(of(60, 0.01, swings).mean(), 5e3, 5) << period;
+  }
+  LastingTension twice;
+  for (int i = 0; i <= 100; ++i) {
+    twice.take(0.1 * i, 1e3, i);
+    twice.take(0.1 * i, 2e3, i);  // a moment that is shown twice has the larger tension
+  }
+  EXPECT_NEAR(twice.mean(), 2e3, 1e-6);
+}
+
 TEST(LastingTension, WhatIsNotSeenSaysNothing) {
   const auto constant = [](double) { return 1e3; };
   EXPECT_EQ(of(60, 0.5, constant, 5000).largest(), 0) << "it may have been less in between";

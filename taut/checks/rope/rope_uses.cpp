@@ -260,6 +260,11 @@ void RopeUses::take_motion(int reeving, const solve::RopeExtreme& extreme, bool 
   at_rest(lasting.largest(),
           fmt::format("{}, for {:g} s until t = {:.4g} s", words, LastingTension::lasts, lasting.when()));
   use.last = std::max(use.last, lasting.at_end());
+  if (lasting.mean() > use.mean) {
+    use.mean = lasting.mean();
+    use.mean_where =
+        fmt::format("{}, over {:g} s until t = {:.4g} s", words, LastingTension::lasts, lasting.when_mean());
+  }
   constexpr double same_time = 1e-9;  // relative; the last step and the last output differ by rounding
   const bool grows =
       T.t_max >= (1 - same_time) * lasting.last_moment() && T.max > (1 + still_grows) * lasting.before_end();

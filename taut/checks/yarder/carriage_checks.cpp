@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "taut/study/limits.hpp"
 
@@ -17,8 +18,9 @@ void check_rope_of_carriage(const CarriageStates& s, Result& r) {
   const machine::description::Carriage& car = *s.given;
   if (car.rope_diameters.empty()) return;
   if (!(s.rope_diameter > 0)) {
-    r.warnings.push_back(fmt::format("{}: whether it fits its rope is not checked: the diameter of '{}' is not known",
-                                     car.name, car.rides));
+    r.unmade.push_back(fmt::format("{}: whether it fits its rope is not checked: the diameter of '{}' is not known",
+                                   car.name, car.rides));
+    r.warnings.push_back(r.unmade.back());
     return;
   }
   const auto add = [&](const char* name, Sense sense, double limit) {
@@ -33,6 +35,31 @@ void check_rope_of_carriage(const CarriageStates& s, Result& r) {
   // "18 mm" of the deck and of a table differ in the last digit
   add("least_rope", Sense::at_least, car.rope_diameters.front() * (1 - same_diameter));
   add("most_rope", Sense::at_most, car.rope_diameters.back() * (1 + same_diameter));
+}
+
+/// What a body weighs with the loads on it, N.
+double weight_of(const machine::Model& model, int body) {
+  double weight = model.bodies[body].mass * model.gravity;
+  for (const machine::Load& load : model.loads) weight -= load.at.body == body ? load.force.z() : 0;
+  return weight;
+}
+
+/// What hangs on a carriage by other ropes, kg. A rating is one of loads at rest: in a motion, where it may bounce, it
+/// counts with no more than its weight.
+double hung_load(const CheckState& state, const machine::Carriage& car) {
+  const machine::Model& model = *state.model;
+  if (!(model.gravity > 0)) return 0;
+  std::map<int, double> pulls;  // by the body that hangs
+  for (const CheckBranch& branch : state.branches) {
+    const auto hangs = study::hung_on(model, car, branch.reeving, branch.from, branch.to);
+    if (!hangs) continue;
+    const machine::Reeving& rope = model.reevings[branch.reeving];
+    const bool starts_there = rope.nodes[branch.from].at.body == car.body;
+    pulls[*hangs] -= rope.copies * (starts_there ? branch.on_start : branch.on_end).z();
+  }
+  double all = 0;
+  for (const auto& [body, pull] : pulls) all += state.rest == nullptr ? std::min(pull, weight_of(model, body)) : pull;
+  return all / model.gravity;
 }
 
 }  // namespace
@@ -54,7 +81,8 @@ void take(const CheckState& state, CarriageStates& carriage) {
   const auto& carriages = state.model->carriages;
   const auto car = std::find_if(carriages.begin(), carriages.end(),
                                 [&](const auto& one) { return one.name == carriage.given->name; });
-  if (car != carriages.end()) carriage.load.largest(study::load_on(*state.model, *car, state.t), state.words);
+  if (car == carriages.end()) return;
+  carriage.load.largest(study::load_on(*state.model, *car, state.t) + hung_load(state, *car), state.words);
 }
 
 void add_carriage_checks(const std::vector<CarriageStates>& carriages, Result& r) {

@@ -329,8 +329,10 @@ const Description& Terrain::describe() {
           .field(&Terrain::between, "between",
                  "two points: the line runs from the first (chainage 0) to the second; default for a survey: from its "
                  "first to its last row")
-          .field(&Terrain::corridor, "corridor", "", si::m,
-                 "a warning names surveyed rows, and ropes with a carriage, farther off the line than this")
+          .field(
+              &Terrain::corridor, "corridor", "", si::m,
+              "a warning names surveyed rows, and ropes with a carriage, farther off the line than this; a clearance "
+              "that is asked of such a rope is not judged")
           .at_least(0)
           .field(&Terrain::from, "from", "", si::m,
                  "place with chainage 0, [x, y] in the ground frame; for lines oblique to the axes")

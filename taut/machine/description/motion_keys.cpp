@@ -84,7 +84,8 @@ const Description& Signal::describe() {
           .field(
               &Signal::formula, "formula",
               "of the time t: numbers with their units, + - * / ^, pi, and the functions sqrt abs min max sin cos tan "
-              "asin acos atan atan2: '0.5 m/s * sin(90 deg/s * t)'")
+              "asin acos atan atan2: '0.5 m/s * sin(90 deg/s * t)'. Hz is 2 pi rad/s, no cycle more: 'sin(3 Hz * t)' "
+              "swings 3 times a second, 'sin(2*pi*3 Hz * t)' 18.85 times")
           .exactly_one({"constant", "ramp", "table", "sine", "sequence", "formula"});
   return d;
 }

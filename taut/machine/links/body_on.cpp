@@ -52,6 +52,46 @@ Array<std::optional<int>> parents_of(const Machine& machine, const Model& model,
   return parents;
 }
 
+/// Whether `way` is a sum of some of the directions.
+bool spans(const Array<Vector3>& directions, const Vector3& way) {
+  constexpr double rounding = 1e-9;
+  if (way.norm() <= rounding) return true;
+  if (directions.empty()) return false;
+  Eigen::Matrix3Xd all(3, static_cast<Eigen::Index>(directions.size()));
+  for (std::size_t i = 0; i < directions.size(); ++i) all.col(static_cast<Eigen::Index>(i)) = directions[i];
+  const Vector3 found = all * all.completeOrthogonalDecomposition().solve(way);
+  return (found - way).norm() <= rounding * way.norm();
+}
+
+/// Whether a body has the ways to go where a freedom of the one that it is on takes it. Its place has to: about an axis
+/// it goes round, in the plane across it. It need not turn as well where it can shift, as what hangs on ropes.
+bool follows(const Body& body, const Body& under, const Freedom& way) {
+  Array<Vector3> shifts, turns;
+  for (const Freedom& own : body.free) {
+    if (own.along != Vector3::Zero()) shifts.push_back(own.along);
+    if (own.about != Vector3::Zero()) turns.push_back(own.about);
+  }
+  if (!spans(shifts, way.along)) return false;
+  if (way.about == Vector3::Zero()) return true;
+  const Vector3 around = way.about.cross(body.position - under.position);
+  if (!spans(shifts, around) || !spans(shifts, way.about.cross(around))) return false;
+  return !shifts.empty() || spans(turns, way.about);
+}
+
+/// A body that has not the ways of the one that it is on.
+std::optional<Complaint> left_behind(const description::Body& given, const Body& body, const Body& under) {
+  if (given.guide) return {};
+  const bool goes_along =
+      std::all_of(under.free.begin(), under.free.end(), [&](const Freedom& way) { return follows(body, under, way); });
+  if (goes_along) return {};
+  return Complaint{
+      fmt::format("bodies.{}.on", given.name),
+      fmt::format("'{}' is free to move, and '{}' would stay behind: 'on' gives its place at the start, no joint. What "
+                  "is fixed to '{}' is part of it: put its points, loads and mass there. What moves on it needs the "
+                  "'free' ways to go along, and ropes, cylinders or contacts that hold it",
+                  under.name, given.name, under.name)};
+}
+
 }  // namespace
 
 void place_bodies_on_others(const Machine& machine, Model& model, std::vector<Complaint>& complaints) {
@@ -83,6 +123,7 @@ void place_bodies_on_others(const Machine& machine, Model& model, std::vector<Co
         way.along = under.orientation * way.along;
         way.about = under.orientation * way.about;
       }
+      if (auto complaint = left_behind(machine.bodies[i], body, under)) complaints.push_back(*std::move(complaint));
     }
   }
 }

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <string>
+#include <vector>
 
 #include "taut/machine/compile.hpp"
 
@@ -21,6 +23,7 @@ Machine boom() {
   tip.name = "tip";
   tip.at = {4, 0, 0.5};
   tip.on = "section";
+  tip.free = {"x", "z", "ry"};  // it goes along with the section
   section.name = "section";
   section.mass = 100;
   section.at = {2, 0, 0};
@@ -36,7 +39,10 @@ Machine boom() {
   r.path[0].anchor = "end";
   r.path[1].anchor = "far";
   r.length = 40;
-  m.reevings = {r};
+  description::Reeving second = r;  // what may move hangs on a rope
+  second.name = "second";
+  second.path[0].anchor = "nose";
+  m.reevings = {r, second};
   return m;
 }
 
@@ -63,6 +69,39 @@ TEST(BodyOn, FreedomsAreCarriedOver) {
   const Vector3 x(0.5, std::sqrt(0.75), 0), y(-std::sqrt(0.75), 0.5, 0);
   EXPECT_NEAR((compiled->bodies[1].free.at(0).along - x).norm(), 0, 1e-14);
   EXPECT_NEAR((compiled->bodies[1].free.at(1).about - y).norm(), 0, 1e-14);
+}
+
+/// What is said of a boom with these free ways, its foot at this place on a tower with those.
+std::string on_tower(const std::vector<std::string>& tower_free, const std::vector<std::string>& boom_free,
+                     const Triple& foot) {
+  Machine m = boom();
+  m.bodies.erase(m.bodies.begin());
+  m.points[1].body = "base";
+  m.bodies[0].guide.reset();
+  m.bodies[0].at = foot;
+  m.bodies[0].free = boom_free;
+  m.bodies[1].motion.reset();
+  m.bodies[1].free = tower_free;
+  m.bodies[1].mass = 1000;
+  const auto compiled = compile(m);
+  return compiled ? std::string() : compiled.error().front().path + ": " + compiled.error().front().message;
+}
+
+// A boom hinged on a tower that is free to slew stayed behind, and passed.
+TEST(BodyOn, WhatCannotFollowAFreeBodyIsRefused) {
+  const Triple on_axis = {0, 0, 3}, aside = {1, 0, 0};
+  EXPECT_NE(on_tower({"rz"}, {"ry"}, aside).find("bodies.section.on: 'base' is free to move, and 'section' would stay"),
+            std::string::npos)
+      << on_tower({"rz"}, {"ry"}, aside);
+  EXPECT_NE(on_tower({"rz"}, {"ry"}, on_axis), "") << "it has to turn";
+  EXPECT_NE(on_tower({"x"}, {}, aside), "");
+  EXPECT_NE(on_tower({"x"}, {"z"}, aside), "");
+  EXPECT_NE(on_tower({"ry"}, {"x"}, aside), "") << "it goes round";
+  EXPECT_EQ(on_tower({}, {"ry"}, aside), "");
+  EXPECT_EQ(on_tower({"rz"}, {"rz"}, on_axis), "");
+  EXPECT_EQ(on_tower({"rz"}, {"x", "y", "z"}, aside), "") << "it hangs on ropes";
+  EXPECT_EQ(on_tower({"ry"}, {"x", "z", "ry"}, aside), "");
+  EXPECT_EQ(on_tower({"x"}, {"x"}, aside), "");
 }
 
 TEST(BodyOn, MistakesAreToldAtTheirPlace) {

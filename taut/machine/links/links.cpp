@@ -113,11 +113,20 @@ Array<NamedPlace> Links::places() const {
 
 const Target* Links::find(const std::string& name, std::initializer_list<Thing> kinds, const DeckPlace& path,
                           std::vector<Complaint>& complaints) const {
+  const Target* found = nullptr;
   for (const Thing kind : kinds) {
     const auto at =
         std::find_if(all_.begin(), all_.end(), [&](const Target& t) { return t.thing == kind && t.name == name; });
-    if (at != all_.end()) return &*at;
+    if (at == all_.end()) continue;
+    if (found == nullptr) {
+      found = &*at;
+    } else if (found->place.body != at->place.body || found->place.at != at->place.at) {
+      complaints.push_back({path.text(), fmt::format("'{}' is a {} and, at another place, a {}: rename one of them",
+                                                     name, words(found->thing), words(at->thing))});
+      return nullptr;
+    }
   }
+  if (found != nullptr) return found;
   Array<std::string_view> wanted;
   wanted.reserve(kinds.size());
   for (const Thing kind : kinds) wanted.push_back(words(kind));

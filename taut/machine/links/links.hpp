@@ -28,7 +28,8 @@ class Links {
   Links(const Machine& machine, std::vector<Complaint>& complaints);
 
   /// The thing of that name, of the first of these kinds that has it; nullptr, with a complaint at `path` that says
-  /// what else it is or what may be meant, when there is none.
+  /// what else it is or what may be meant, when there is none, or when another of these kinds has the name at another
+  /// place.
   const Target* find(const std::string& name, std::initializer_list<Thing> kinds, const DeckPlace& path,
                      std::vector<Complaint>& complaints) const;
 

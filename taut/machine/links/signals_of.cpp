@@ -16,6 +16,9 @@
 namespace taut::machine {
 namespace {
 
+/// What a signal has in Hz is a speed of turning.
+Unit kind_of(const Unit& unit) { return is_turning(unit) ? si::per_s : unit; }
+
 /// Reads the values of one signal: the first one says what kind of quantity it is.
 class Values {
  public:
@@ -28,12 +31,12 @@ class Values {
       return 0;
     }
     if (!known_) {
-      unit_ = found->unit;
+      unit_ = kind_of(found->unit);
       known_ = true;
     } else if (!same_kind(unit_, found->unit)) {
       complain(key, fmt::format("'{}' is a {}, the values before it are {}s", text, found->unit.kind, unit_.kind));
     }
-    return found->value;
+    return measure_of(*found).value;
   }
   double read(const std::optional<std::string>& text, const std::string& key) { return text ? read(*text, key) : 0; }
 
@@ -133,7 +136,7 @@ std::variant<double, Moves, Curve, Sine, TimeFormula> formula_law(const std::str
   const auto kind = parse_any_quantity(to_text(one));
   if (!kind) return refuse(fmt::format("its values are in {}, which nothing takes", to_text(one.dimension)));
   if (!std::isfinite(jet_at(*formula, 0).value)) return refuse("has no value at t = 0");
-  values.set_unit(kind->unit);
+  values.set_unit(kind_of(kind->unit));
   return std::make_shared<const FormulaText>(*std::move(formula));
 }
 

@@ -175,6 +175,7 @@ struct TransientFrame {
     double T = 0, speed = 0;       ///< N, largest of its ropes; taken in of the first one, m/s
     double torque = 0, power = 0;  ///< of its drive, N m, W
     bool held = false;             ///< stands by a drive that does not turn it, or by none; no brake is set
+    bool braked = false;           ///< stands in its brake, which is set and acts in full
   };
   /// The end of a rope that lies on a drum.
   struct OnDrum {

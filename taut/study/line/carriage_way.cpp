@@ -63,6 +63,15 @@ LoadPathOptions path_over(const Way& way, const WayPart& part) {
   return options;
 }
 
+void look_over_tops(const machine::Model& model, const Way& way, const WayPlace& from, const WayPlace& to,
+                    const std::function<WayPlace(machine::Model, double x)>& look) {
+  TopsBetween tops(model, from, to);
+  while (const auto x = tops.next()) {
+    if (support_at(model, way.carriage, *x, way.along) != nullptr) continue;
+    tops.take(look(machine::with_carriage_at(model, way.carriage, *x, way.along), *x));
+  }
+}
+
 Way way_of(std::optional<int> carriage, const std::vector<double>& along, const std::string& path, Names& names) {
   Way way;
   way.carriage = carriage.value_or(0);

@@ -1,4 +1,5 @@
 #pragma once
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -6,6 +7,7 @@
 #include "taut/base/array.hpp"
 #include "taut/calc/field.hpp"
 #include "taut/machine/model.hpp"
+#include "taut/study/line/terrain_tops.hpp"
 #include "taut/study/load_path.hpp"
 
 namespace taut::study {
@@ -21,6 +23,12 @@ Array<WayPart> parts_of(const machine::Model& model, const Way& way);
 
 /// A load path over the positions of a part; of a single position it has two, both there.
 LoadPathOptions path_over(const Way& way, const WayPart& part);
+
+/// The tops of the ground between the last place of one part and the first of the next, where the carriage passes a
+/// support or a guide: the support holds the way above the line between them. `look` solves the place at x in the model
+/// with the carriage there, and is asked as long as a top may be nearer (terrain_tops.hpp).
+void look_over_tops(const machine::Model& model, const Way& way, const WayPlace& from, const WayPlace& to,
+                    const std::function<WayPlace(machine::Model, double x)>& look);
 
 /// The way of a carriage, empty after a complaint, from one end to the other; complaints below `path`.
 Way way_of(std::optional<int> carriage, const std::vector<double>& along, const std::string& path, Names& names);

@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <utility>
 #include <vector>
 
 #include "taut/base/array.hpp"
+#include "taut/math/roots.hpp"
 #include "taut/study/load_path.hpp"
 
 namespace taut::study {
@@ -13,6 +16,11 @@ namespace {
 constexpr double near = 1e-9;        ///< of a span's length
 constexpr double buried_anchor = 3;  ///< m; what is fixed deeper below the ground is a mistake
 constexpr double buried_rope = 6;    ///< m in plan from a fixed end; farther on a rope is out of the ground
+
+/// How high a rope that comes down to a fixed end is to be at the distance r from it in plan, m: what is buried 3 m
+/// deep and out of the ground 6 m away goes on rising like that. Below it the rope is along the ground, not on its way
+/// down.
+double line_down(double r) { return (r - buried_rope) * buried_anchor / buried_rope; }
 
 /// A coordinate under a span, seen from its start: at the horizontal distance h from there it is from + rate h.
 struct Under {
@@ -49,6 +57,7 @@ class ClearanceSearch {
     between({.first = near * length_, .last = (1 - near) * length_});
     take_edge(true);
     take_edge(false);
+    along_ground();
     return found_;
   }
 
@@ -76,7 +85,7 @@ class ClearanceSearch {
     const double rounding = near * std::max(1.0, length_);
     const double height = place.z() - ground_height(ground_, std::abs(inside - x) <= rounding ? inside : x);
     if (std::isnan(height) || height >= found_.height) return;
-    found_ = {.height = height, .place = place};
+    found_ = {.height = height, .place = place, .to_end = {}};
   }
 
   /// An end of the branch, at the distance h: one that may not be on the ground; else one that is fixed deeper than an
@@ -110,8 +119,13 @@ class ClearanceSearch {
   /// The rope at the distance h: by its sag under the chord.
   void take_at(double h) {
     if (length_ == 0) return take(under_.from, branch_.start);
+    take(x_at(h), rope_at(h));
+  }
+
+  /// Of a rope that is not upright.
+  Vector3 rope_at(double h) const {
     const Vector3 below(0, 0, straight() ? 0 : -rope::sag_at(branch_.shape, h));
-    take(x_at(h), branch_.start + h / length_ * branch_.shape.chord + below);
+    return branch_.start + h / length_ * branch_.shape.chord + below;
   }
 
   void between(const Part& part) {
@@ -121,14 +135,10 @@ class ClearanceSearch {
 
   /// Where the rope is parallel to a piece of ground: at slope m, V = m H.
   void parallel(const machine::GroundPoint& a, const machine::GroundPoint& b, const Part& part) {
-    if (straight()) return;
-    const rope::CatenaryRope& rope = branch_.shape.rope;
-    const double slope = under_.rate * (b.z - a.z) / (b.x - a.x);
-    const double s = rope.length / 2 + (slope * branch_.shape.force.H - branch_.shape.force.V) / rope.weight;
-    if (!(s > 0 && s < rope.length)) return;
-    const Vector3 place = rope::point_at(branch_.shape, s);
-    const double h = place.dot(branch_.shape.along), x = x_at(h);
-    if (h > part.first && h < part.last && x >= a.x && x <= b.x) take(x, branch_.start + place);
+    const auto h = at_slope(under_.rate * (b.z - a.z) / (b.x - a.x));
+    if (!h) return;
+    const double x = x_at(*h);
+    if (*h > part.first && *h < part.last && x >= a.x && x <= b.x) take_at(*h);
   }
 
   void hilltop(std::size_t k, const Part& part) {
@@ -139,12 +149,77 @@ class ClearanceSearch {
     if (h > part.first && h < part.last) take_at(h);
   }
 
+  bool fixed(int node) const { return may_be_on_ground(model_, branch_.reeving, node); }
+
+  /// What is below the line down to a fixed end, farther from it than a rope may be buried.
+  void along_ground() {
+    const bool start = fixed(branch_.from), end = fixed(branch_.to);
+    if (!start && !end) return;
+    const double first = start ? buried_rope : near * length_,
+                 last = end ? length_ - buried_rope : (1 - near) * length_;
+    const Part part = Part{.first = first, .last = last}.within(under_, ground_.front().x, ground_.back().x);
+    if (part.empty()) return;
+    Array<double> places = {part.first, part.last};
+    const auto add = [&](double h) {
+      if (h > part.first && h < part.last) places.push_back(h);
+    };
+    if (start && end) add(length_ / 2);
+    for (std::size_t k = 1; k + 1 < ground_.size() && under_.rate != 0; ++k)
+      add((ground_[k].x - under_.from) / under_.rate);
+    std::sort(places.begin(), places.end());
+    for (std::size_t k = 0; k + 1 < places.size(); ++k) {
+      const bool to_start = start && (!end || places[k] < length_ / 2);
+      along_piece(places[k], places[k + 1], to_start);
+    }
+  }
+
+  /// The same between two places over straight ground: there the height over the line is convex, so what is below it is
+  /// one piece. Within that piece the rope is lowest where it is parallel to the ground, or at an end of it.
+  void along_piece(double first, double last, bool to_start) {
+    const auto to_end = [&](double h) { return to_start ? h : length_ - h; };
+    const auto over = [&](double h) { return height_at(h) - line_down(to_end(h)); };
+    const auto take_it = [&](double h) {
+      const double before = found_.height;
+      take_at(h);
+      if (found_.height < before) found_.to_end = to_end(h);
+    };
+    const double a = over(first), b = over(last);
+    if (a < 0) take_it(first);
+    if (b < 0) take_it(last);
+    double inside = a < b ? first : last;
+    if (a >= 0 && b >= 0) {
+      const auto ground = [&](double h) { return rope_at(h).z() - height_at(h); };
+      const double rise = (ground(last) - ground(first)) / (last - first);
+      const auto lowest = at_slope(rise + (to_start ? 1 : -1) * buried_anchor / buried_rope);
+      if (!lowest || !(*lowest > first && *lowest < last && over(*lowest) < 0)) return;
+      inside = *lowest;
+    }
+    for (const auto& [end, height] : {std::pair{first, a}, {last, b}}) {
+      if (height < 0 || end == inside) continue;
+      if (const auto root = find_root(over, std::min(inside, end), std::max(inside, end))) take_it(*root);
+    }
+  }
+
+  double height_at(double h) const {
+    const double x = std::clamp(x_at(h), ground_.front().x, ground_.back().x);
+    return rope_at(h).z() - ground_height(ground_, x);
+  }
+
+  /// The distance h at which the rope has a slope; none where it has it nowhere.
+  std::optional<double> at_slope(double slope) const {
+    if (straight()) return std::nullopt;
+    const rope::CatenaryRope& rope = branch_.shape.rope;
+    const double s = rope.length / 2 + (slope * branch_.shape.force.H - branch_.shape.force.V) / rope.weight;
+    if (!(s > 0 && s < rope.length)) return std::nullopt;
+    return rope::point_at(branch_.shape, s).dot(branch_.shape.along);
+  }
+
   const machine::Model& model_;
   const solve::BranchResult& branch_;
   const Array<machine::GroundPoint>& ground_;
   Under under_;        ///< the terrain's x
   double length_ = 0;  ///< of the span in plan, m
-  RopeClearance found_{.height = std::numeric_limits<double>::infinity(), .place = Vector3::Zero()};
+  RopeClearance found_{.height = std::numeric_limits<double>::infinity(), .place = Vector3::Zero(), .to_end = {}};
 };
 
 /// What the terrain's x of a rope runs over.
@@ -200,6 +275,34 @@ Array<Vector3> places_along(const machine::Model& model, const Array<Vector3>& r
   return places;
 }
 
+/// What of a polyline is below the line down to a fixed end, farther from it than a rope may be buried. Between two
+/// places rope and ground are straight.
+RopeClearance along_ground(const Array<Vector3>& rope, const Array<Vector3>& places, const Array<double>& heights,
+                           bool fixed_start, bool fixed_end) {
+  const double far = std::numeric_limits<double>::infinity();
+  const auto to_end = [&](const Vector3& place) {
+    return std::min(fixed_start ? apart_in_plan(rope.front(), place) : far,
+                    fixed_end ? apart_in_plan(rope.back(), place) : far);
+  };
+  RopeClearance least;
+  if (!fixed_start && !fixed_end) return least;
+  const auto take = [&](double height, const Vector3& place) {
+    if (to_end(place) < buried_rope) return;
+    least = lower(least, {.height = height, .place = place, .to_end = to_end(place)});
+  };
+  double before = std::numeric_limits<double>::quiet_NaN();
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const double over = heights[i] - line_down(to_end(places[i]));
+    if (over < 0) take(heights[i], places[i]);
+    if (over * before < 0) {
+      const double share = before / (before - over);
+      take(heights[i - 1] + share * (heights[i] - heights[i - 1]), places[i - 1] + share * (places[i] - places[i - 1]));
+    }
+    before = over;
+  }
+  return least;
+}
+
 }  // namespace
 
 bool may_be_on_ground(const machine::Model& model, int reeving, int node) {
@@ -220,7 +323,7 @@ RopeClearance rope_clearance(const machine::Model& model, const Array<Vector3>& 
   for (const Vector3& place : places) {
     heights.push_back(place.z() - ground_height(model.terrain, terrain_x(model, place)));
   }
-  RopeClearance least;
+  RopeClearance least = along_ground(rope, places, heights, !begins, !ends);
   const std::size_t last = places.size() - 1;
   for (std::size_t i = 0; i <= last; ++i) {
     const bool end = i == 0 || i == last;
@@ -233,7 +336,7 @@ RopeClearance rope_clearance(const machine::Model& model, const Array<Vector3>& 
     const bool buried = (!begins && apart_in_plan(rope.front(), places[i]) < buried_rope) ||
                         (!ends && apart_in_plan(rope.back(), places[i]) < buried_rope);
     if (counts || lowest || heights[i] < (buried ? -buried_anchor : 0))
-      least = lower(least, {.height = heights[i], .place = places[i]});
+      least = lower(least, {.height = heights[i], .place = places[i], .to_end = {}});
   }
   return least;
 }

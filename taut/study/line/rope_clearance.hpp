@@ -1,5 +1,6 @@
 #pragma once
 #include <limits>
+#include <optional>
 #include <vector>
 
 #include "taut/base/array.hpp"
@@ -12,13 +13,21 @@ struct RopeClearance {
   double height = std::numeric_limits<double>::quiet_NaN();  ///< m, negative below the ground; NaN: no part of the rope
                                                              ///< is over the terrain
   Vector3 place = Vector3::Zero();                           ///< place of the rope there, m
+  std::optional<double> to_end;  ///< of a rope that comes along the ground to a fixed end: how far from it in plan, m
 };
 
 /// Clearance of one branch over the terrain: catenary against polyline, exact. Candidates are the places where the rope
 /// is parallel to the ground below, the places over hilltops, ends that move with a body, and the ends of the terrain
 /// from which the rope goes on to such an end. Fixed ends are candidates only where they are more than 3 m below the
 /// ground, because a rope may begin at a buried anchor; ends of the terrain before a fixed end only where the rope is
-/// in the ground there. NaN where the rope only rises from a fixed end, is slack, or has no terrain below it.
+/// in the ground there.
+///
+/// A rope has to come down to a fixed end. More than 6 m before that end all of it counts that is below a line down to
+/// the end: the line leaves the ground 6 m before the end and rises by 1 in 2, as from an anchor 3 m deep. So a rope is
+/// clear of the ground by c when each of its places there is higher than c or than that line.
+///
+/// NaN where the rope is nowhere lowest and only rises more steeply from a fixed end, is slack, or has no terrain
+/// below.
 RopeClearance rope_clearance(const machine::Model& model, const solve::BranchResult& branch);
 
 /// Whether a rope may lie on the ground at a node: where it is fixed or winds, and at sheaves that do not move; not on

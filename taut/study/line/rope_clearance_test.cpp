@@ -123,8 +123,8 @@ TEST(RopeClearance, WhereTheTerrainEndsTheRopeMayBeLowest) {
   Line turned = line_over({{.x = 40, .z = 16}, {.x = 110, .z = 0}});
   EXPECT_NEAR(both(turned).height, rope_height(40) - 16, 1e-6);
   std::reverse(places.begin(), places.end());
-  // behind the end it may come down to the ground, as behind any fixed end
-  EXPECT_TRUE(std::isnan(both(ends_at(60, 11)).height));
+  // the rope is 40 m from its end there, and below the line down to it
+  EXPECT_NEAR(both(ends_at(60, 11)).height, rope_height(60) - 11, 1e-6);
   Line moves = ends_at(60, 11);
   moves.machine.bodies.push_back(body("car", {span, 0, support}, 10, "z"));
   moves.machine.reevings[0].nodes[1] = anchor_on("car", 0);
@@ -158,6 +158,68 @@ TEST(RopeClearance, ARopeLeavesTheGroundSoonBehindABuriedAnchor) {
   };
   EXPECT_GT(least(1), 0) << "2.5 m higher, and 6 m lower after 6 m";
   EXPECT_LT(least(0.2), -1);
+}
+
+/// A rope from the ground at the origin to a point 80 m higher in 200 m, pulled at its start; the ground rises by 0.3.
+Line from_the_ground(double tension, bool turned) {
+  const double w = 1.6 * 9.80665;
+  const auto rise = [&](double angle) {
+    const double c = tension * std::cos(angle) / w, u = std::asinh(std::tan(angle));
+    return c * (std::cosh(2 * span / c + u) - std::cosh(u));
+  };
+  double low = -0.5, high = 1;
+  for (int i = 0; i < 100; ++i) (rise((low + high) / 2) < 80 ? low : high) = (low + high) / 2;
+  const double c = tension * std::cos(low) / w, u = std::asinh(std::tan(low));
+  const double length = c * (std::sinh(2 * span / c + u) - std::sinh(u));
+  Line line;
+  const Vector3 foot(0, 0, 0), top(turned ? -2 * span : 2 * span, 0, 80);
+  line.machine.terrain = {{.x = -10, .z = 0}, {.x = 0, .z = 0}, {.x = 100, .z = 30}, {.x = 210, .z = 30}};
+  if (turned) line.machine.terrain = {{.x = -210, .z = 30}, {.x = -100, .z = 30}, {.x = 0, .z = 0}, {.x = 10, .z = 0}};
+  std::vector<machine::Node> nodes = {anchor("foot", foot), anchor("top", top)};
+  if (turned) std::swap(nodes[0], nodes[1]);
+  line.machine.reevings.push_back(reeve("r", nodes, length, w, 1e13));
+  const auto found = taut::solve::equilibrium(line.machine);
+  EXPECT_TRUE(found.outcome.ok()) << found.outcome.message;
+  line.rope = found.branches.at(0);
+  return line;
+}
+
+// At 18 kN the rope rises from its anchor, and has 0.25 m at 20 m and 1.9 m at 60 m from it: that was no clearance at
+// all, and 5 m of another place passed.
+TEST(RopeClearance, ARopeThatComesAlongTheGroundToItsEndCounts) {
+  double before = -1;
+  for (double kN = 15; kN <= 60; kN += 0.25) {
+    const Line line = from_the_ground(kN * 1e3, false), turned = from_the_ground(kN * 1e3, true);
+    const auto own = taut::study::rope_clearance(line.machine, line.rope);
+    ASSERT_FALSE(std::isnan(own.height));
+    EXPECT_NEAR(taut::study::rope_clearance(turned.machine, turned.rope).height, own.height, 1e-6);
+    EXPECT_GT(own.height, before) << kN;
+    EXPECT_TRUE(kN == 15 || own.height < before + 0.1) << "no jump at " << kN << " kN";
+    before = own.height;
+    std::vector<Vector3> places;
+    for (int i = 0; i <= 2000; ++i) {
+      const double h = 0.1 * i;
+      places.emplace_back(h, 0, 0.4 * h - taut::rope::sag_at(line.rope.shape, h));
+    }
+    EXPECT_NEAR(taut::study::rope_clearance(line.machine, places, 0, 0, 1).height, own.height, 1e-3);
+  }
+  const Line line = from_the_ground(18e3, false);
+  const auto found = taut::study::rope_clearance(line.machine, line.rope);
+  EXPECT_LT(found.height, 0.1);
+  ASSERT_TRUE(found.to_end);
+  EXPECT_NEAR(*found.to_end, found.place.x(), 1e-9);
+  EXPECT_NEAR(found.height, (*found.to_end - 6) / 2, 1e-9) << "on the line down";
+}
+
+// A stiff rope at 45 degrees comes down to its anchor at once.
+TEST(RopeClearance, ARopeThatComesDownSteeplyIsOnItsWayToTheGround) {
+  Line line = from_the_ground(400e3, false);
+  line.machine.terrain = {{.x = -10, .z = 2.5}, {.x = 210, .z = -52.5}};
+  EXPECT_TRUE(std::isnan(taut::study::rope_clearance(line.machine, line.rope).height));
+  line.machine.terrain[0].z = 0;
+  line.machine.terrain[1].z = 0;
+  const auto gentle = taut::study::rope_clearance(line.machine, line.rope);
+  EXPECT_NEAR(gentle.height, 0.38 * *gentle.to_end, 0.1 * gentle.height) << "rises by 0.4 less its sag";
 }
 
 }  // namespace taut_test::rope_clearance_test

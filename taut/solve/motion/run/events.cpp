@@ -12,7 +12,14 @@
 namespace taut::solve::dynamics {
 namespace {
 
-constexpr std::size_t most_notes = 20000;  ///< beyond it only breaks and stops are noted
+constexpr std::size_t most_notes = 20000;  ///< beyond it only what is_kept
+
+/// Whether a note is kept however many there are: what a verdict reads. Of what comes again and again the first one.
+bool is_kept(Run& run, const std::string& what, const std::string& where) {
+  if (what == "break" || what == "stop" || what == "unstable") return true;
+  if (what != "slack" && what != "lift_off") return false;
+  return run.noted.insert(what + " " + where).second;
+}
 
 std::string line_name(const Run& run, const Line& line) {
   const machine::Reeving& rope = run.model.reevings[line.reeving];
@@ -158,7 +165,11 @@ int layer_of(const Run& run, const Contact& contact, const Content& content_of) 
 
 void note(Run& run, double t, std::string what, std::string where, Array<std::pair<std::string, double>> values,
           std::optional<int> reeving) {
-  if (run.result.events.size() >= most_notes && what != "break" && what != "stop") return;
+  const bool kept = is_kept(run, what, where);
+  const bool full = run.result.events.size() >= most_notes;
+  if (full && !run.cut) run.result.events.push_back({t, "cut", "what comes again is left out from here on", {}, {}});
+  run.cut = run.cut || full;
+  if (full && !kept) return;
   run.result.events.push_back({t, std::move(what), std::move(where), std::move(values), reeving});
 }
 

@@ -55,6 +55,14 @@ TransientFrame::Contact contact_of(const Mechanism& m, const Values& v, std::siz
   return c;
 }
 
+/// Whether the brake of a drum is set, and acts in full at t.
+bool is_braked(const Mechanism& m, const Spin& spin, const Values& v, double t) {
+  if (spin.drum < 0) return false;
+  const machine::Drive& drive = v.drum_drive[spin.drum];
+  const auto& brake = m.model->drums[spin.drum].brake;
+  return drive.brake && brake && t >= drive.brake_since + brake->delay + brake->rise;
+}
+
 TransientFrame::Drum turning_of(const Mechanism& m, const Values& v, std::size_t spin) {
   const Spin& of = m.spins[spin];
   TransientFrame::Drum d;
@@ -68,6 +76,7 @@ TransientFrame::Drum turning_of(const Mechanism& m, const Values& v, std::size_t
   const double radius = working_radius(m, first, v);
   const std::optional<Turning> turning = prescribed(m, of, v, v.when);
   d.held = turning && turning->omega == 0 && turning->alpha == 0 && v.drive(of).kind != machine::DriveKind::pull;
+  d.braked = is_braked(m, of, v, v.when) && v.spins[spin].turns == 0;
   d.speed = v.spins[spin].omega * radius;
   if (given_tension(m, first, v, v.when)) {
     const ContactValues& contact = v.contacts[of.contacts.front().first];
@@ -390,9 +399,7 @@ void add_brake_ways(Run& run) {
     const Spin& spin = run.m.spins[i];
     if (spin.drum < 0) continue;
     BrakeWay& of = run.result.brake_ways[spin.drum];
-    const machine::Drive& drive = run.now.drum_drive[spin.drum];
-    const auto& brake = run.model.drums[spin.drum].brake;
-    if (!drive.brake || !brake || run.before.t < drive.brake_since + brake->delay + brake->rise) {
+    if (!is_braked(run.m, spin, run.now, run.before.t)) {
       if (of.acts && !of.stood && !of.let_go) of.let_go = run.before.t;
       of.acts = of.stood = false;
       continue;

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "taut/solve/motion/parts/couple.hpp"
-#include "taut/solve/motion/run/run.hpp"
+#include "taut/solve/motion/run/still.hpp"
 #include "taut/solve/motion/step/points.hpp"
 #include "taut/solve/motion/step/quasi_static.hpp"
 #include "taut/solve/motion/step/reference.hpp"
@@ -307,6 +307,7 @@ StepEnd begin(Run& run) {
   run.ledger = open_ledger(run.m, run.before);
   if (run.options.quasi_static) run.ledger.start.kinetic = run.ledger.now.kinetic = 0;
   record_extremes(run, run.before);
+  if (end == StepEnd::ok) note_unstable(run);
   record_frame(run, run.before);
   const double step = run.options.output_step;
   if (!run.resumed || run.grid_step != step) run.grid_from = run.before.t;
@@ -396,6 +397,7 @@ void march(Run& run) {
     if (run.before.t >= output) {
       if (run.m.lossless && run.breaking.empty() && !run.options.quasi_static)
         add_step(run.m, run.before, run.before, run.ledger);
+      note_unstable(run);
       record_frame(run, run.before);
       run.newton.forget();
       ++frame;

@@ -1,5 +1,7 @@
 #pragma once
 #include <limits>
+#include <set>
+#include <string>
 
 #include "taut/base/array.hpp"
 #include "taut/solve/motion/parts/build.hpp"
@@ -37,6 +39,9 @@ struct Run {
   bool begins_anew = false;             ///< something has happened at the end of the run: what goes on has to begin so
   bool fell = false;                    ///< a quasi-static step has ended where the machine came to rest again
   double grid_from = 0, grid_step = 0;  ///< of the outputs, s
+  std::set<std::string> noted{};        ///< slack and lift-off, with their places
+  bool cut = false;                     ///< not all events are in the list any more
+  bool unstable = false;                ///< an equilibrium that the machine does not stay in has been noted
   bool resumed = false;                 ///< from the memory of an earlier run
   int since_asked = 0;                  ///< tries of a step since `progress` was asked
   // what the control of the error looks back on

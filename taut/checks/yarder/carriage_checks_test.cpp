@@ -1,0 +1,82 @@
+#include "taut/checks/yarder/carriage_checks.hpp"
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "taut/calc/verdict.hpp"
+#include "test/support/machine_decks.hpp"
+
+namespace taut::checks::carriage_checks_test {
+
+using namespace taut_test;
+
+/// A skyline of 200 m with a carriage that is clamped in the middle. `car`: more keys of it; `parts`: of the machine.
+std::string skyline(const std::string& car, const std::string& parts,
+                    const std::string& diameter = "diameter: 30 mm,") {
+  return fmt::format(R"(taut: 1
+machine:
+  points: {{a: [0 m, 0 m, 40 m], b: [200 m, 0 m, 40 m]}}
+  ropes:
+    sky: {{{} mass: 4 kg/m, stiffness: 50 MN, breaking_force: 900 kN}}
+    drop: {{mass: 0.5 kg/m, stiffness: 10 MN, breaking_force: 400 kN}}
+  carriages: {{car: {{mass: 300 kg, rides: sky, hold: clamped, length_before: 101 m, at: [100 m, 0 m, 30 m], {}}}}}
+{}
+checks: {{ropes: {{sky: {{safety_factor: 2, elastic_limit: 0.9}}}}}}
+)",
+                     diameter, car, parts);
+}
+constexpr const char* alone =
+    "  reevings: [{rope: sky, path: [{anchor: a}, {through: car}, {anchor: b}], length: 202 m}]\n";
+/// 5 t on a rope of 10 m below the carriage.
+std::string with_log(const char* path) {
+  return fmt::format(R"(  reevings:
+    - {{rope: sky, path: [{{anchor: a}}, {{through: car}}, {{anchor: b}}], length: 202 m}}
+    - {{rope: drop, path: {}, length: 10 m}}
+  bodies: {{log: {{mass: 5 t, at: [100 m, 0 m, 20 m], free: [x, y, z]}}}}
+analyses: [{{equilibrium: {{}}}}]
+)",
+                     path);
+}
+
+// 5 t and 5 kg of rope at the carriage, whichever end of its path the rope has there.
+TEST(CarriageChecks, WhatHangsOnAnotherRopeCounts) {
+  for (const char* path : {"[{anchor: car}, {anchor: log}]", "[{anchor: log}, {anchor: car}]"}) {
+    const Result r = run_text(skyline("rated_payload: 2 t", with_log(path)));
+    ASSERT_EQ(r.status, Status::ok) << r.message;
+    EXPECT_NEAR(check_of(r, "car.payload").value, 5005, 1e-3);
+    EXPECT_EQ(verdict_of(r)->kind, VerdictKind::fails);
+  }
+}
+
+// The rating is one of loads at rest: the log falls into its rope, and the rope pulls with more than its weight.
+TEST(CarriageChecks, InAMotionALoadThatBouncesCountsWithItsWeight) {
+  std::string deck = skyline("rated_payload: 6 t", with_log("[{anchor: car}, {anchor: log}]"));
+  const std::string rest = "equilibrium: {}";
+  deck.replace(deck.find(rest), rest.size(), "transient: {duration: 2 s, tolerance: 1e-3, start: assembled}");
+  const Result r = run_text(deck);
+  ASSERT_EQ(r.status, Status::ok) << r.message << to_text(r.errors);
+  EXPECT_GT(value_of(r, "drop.T_max"), 1.1 * 5000 * 9.80665);
+  EXPECT_NEAR(check_of(r, "car.payload").value, 5000, 1e-6);
+}
+
+// A payload keeps the rating with what hangs there already.
+TEST(CarriageChecks, APayloadLeavesRoomForWhatHangs) {
+  std::string deck = skyline("rated_payload: 6 t", with_log("[{anchor: car}, {anchor: log}]"));
+  const std::string rest = "equilibrium: {}";
+  deck.replace(deck.find(rest), rest.size(), "payload: {carriage: car, from: 100 m, to: 100 m, limits: {}}");
+  const Result r = run_text(deck);
+  ASSERT_EQ(r.status, Status::ok) << r.message << to_text(r.errors);
+  EXPECT_NEAR(value_of(r, "payload_min"), 6000 - 5005, 1);
+}
+
+TEST(CarriageChecks, ARopeWithoutADiameterIsNotJudged) {
+  const std::string fits = "rope_diameters: [24 mm, 36 mm]";
+  EXPECT_EQ(verdict_of(run_text(skyline(fits, alone)))->kind, VerdictKind::passes);
+  const Result r = run_text(skyline(fits, alone, ""));
+  ASSERT_EQ(r.status, Status::ok) << r.message;
+  EXPECT_THAT(r.unmade, testing::Contains(testing::HasSubstr("the diameter of 'sky' is not known")));
+  EXPECT_EQ(verdict_of(r)->kind, VerdictKind::not_judged);
+}
+
+}  // namespace taut::checks::carriage_checks_test
