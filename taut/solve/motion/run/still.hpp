@@ -17,7 +17,7 @@ Values displaced_by(Run& run, const Eigen::VectorXd& x, const Values& from);
 
 /// What goes away at the least push where the machine is now ("body 'mast' turns over about x"); empty where it comes
 /// back or stays. What has friction sticks. The machine goes away where its stiffness is negative in some direction:
-/// docs/theory/motion.md.
+/// docs/theory/motion-energy.md.
 std::string leaves_at_a_push(Run& run);
 
 /// Notes an event "unstable", once, where the machine rests in such a place: at a moment of a quasi-static run, or at
