@@ -19,8 +19,7 @@ set(public_headers
   taut/study/load_path.hpp
   taut/study/payload.hpp
   taut/study/limits.hpp
-  taut/study/installation.hpp         # a line by what it is put up with
-  taut/study/put_up.hpp               # guys and lines get their lengths
+  taut/study/line/put_up_all.hpp      # guys and lines get their lengths
   taut/methods/mast_section/mast_section.hpp
   taut/methods/closed_loop/closed_loop.hpp
   taut/methods/friction_drive/friction_drive.hpp

@@ -117,7 +117,7 @@ std::optional<std::string> undetermined_drive(const machine::Model& model) {
 std::optional<std::string> not_ready(const machine::Model& model) {
   for (const machine::Reeving& rope : model.reevings) {
     if (rope.is_to_install) {
-      return fmt::format("the guy '{}' has not been put up: call taut::study::put_up_all(model) before", rope.name);
+      return fmt::format("the guy '{}' has not been put up: call taut::study::put_up_all(model) first", rope.name);
     }
   }
   return undetermined_drive(model);

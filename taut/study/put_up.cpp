@@ -106,12 +106,6 @@ Outcome install_guys(machine::Model& model) {
   return {};
 }
 
-Outcome put_up_all(machine::Model& model) {
-  if (Outcome outcome = install_guys(model); !outcome.ok()) return outcome;
-  std::vector<PutUpLine> lines;
-  return put_up_lines(model, lines);
-}
-
 void keep_guys(const machine::Machine& machine, const machine::Model& installed, machine::Model& model) {
   for (std::size_t i = machine.reevings.size(); i < model.reevings.size(); ++i) {
     model.reevings[i].given = installed.reevings[i].given;

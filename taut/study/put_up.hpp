@@ -32,11 +32,6 @@ Outcome put_up_lines(machine::Model& model, std::vector<PutUpLine>& lines);
 /// then keeps its length.
 Outcome install_guys(machine::Model& model);
 
-/// Everything that is put up with a tension gets its length: the guys, then the lines. A model of a builder or of
-/// machine::compile needs it before its first equilibrium, as a deck has it done by the program. Not ok: why a guy or
-/// line can't be put up.
-Outcome put_up_all(machine::Model& model);
-
 /// Gives the guys of a model the lengths that they have in another one of the same machine.
 void keep_guys(const machine::Machine& machine, const machine::Model& installed, machine::Model& model);
 
