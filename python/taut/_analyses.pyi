@@ -1,6 +1,6 @@
 """Made from the descriptions by python/tools/make_stub.py; do not edit. `./dev python stub` makes it again.
 
-schema: 117b65122e6356b2e3d51c8f912fb68045655fe1476f2e7ba375121a0b228f74
+schema: 302e3f0730c42449d3dfd041880c035dc09f5db60239fc02f464b0933ad07c7d
 """
 
 from collections.abc import Mapping, Sequence
