@@ -1,6 +1,7 @@
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 
+#include <map>
 #include <memory>
 #include <stdexcept>
 #include <string>
@@ -118,7 +119,7 @@ double in_unit(double si, const std::string& symbol, const std::string& shown, c
     if (!may.error().of_kind) throw std::invalid_argument(may.error().message);
     return si / or_throw(unit_factor(unit, own));
   }
-  return Display({{kind, unit}}).from_si(si, own);
+  return Display(std::map<std::string, std::string>{{kind, unit}}).from_si(si, own);
 }
 
 std::string explain(const std::string& name) { return or_throw(app::explain_name(name)); }
