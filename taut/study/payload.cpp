@@ -19,6 +19,7 @@
 #include "taut/study/deck/names.hpp"
 #include "taut/study/deck/watch.hpp"
 #include "taut/study/line/carriage_way.hpp"
+#include "taut/study/line/terrain_tops.hpp"
 
 namespace taut::study {
 namespace {

@@ -10,6 +10,7 @@
 #include "taut/machine/compile/carriage_span.hpp"
 #include "taut/machine/compile/guides.hpp"
 #include "taut/study/deck/names.hpp"
+#include "taut/study/line/terrain_tops.hpp"
 
 namespace taut::study {
 namespace {

@@ -7,11 +7,11 @@
 #include "taut/base/array.hpp"
 #include "taut/calc/field.hpp"
 #include "taut/machine/model.hpp"
-#include "taut/study/line/terrain_tops.hpp"
 #include "taut/study/load_path.hpp"
 
 namespace taut::study {
 
+struct WayPlace;
 struct Names;
 
 /// The support or end of its rope over which x lies, nearer than its radius: a carriage, taken as a point, is in no
