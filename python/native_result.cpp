@@ -9,6 +9,7 @@
 
 #include "python/file_error.hpp"
 #include "taut/app/job.hpp"
+#include "taut/base/long_rows.hpp"
 #include "taut/calc/verdict.hpp"
 #include "taut/io/json.hpp"
 #include "taut/io/table.hpp"

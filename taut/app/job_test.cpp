@@ -28,7 +28,7 @@ TEST(Job, RunsADeck) {
   EXPECT_NEAR(r.find_value("N")->value, 162638.979, 1e-3);
 }
 
-// What --set puts in place of the deck's analyses leaves their checks out: that is told, of those that are gone.
+// --set analyses=[...] leaves out the deck's own analyses and their checks. A warning names those that are gone.
 TEST(Job, AnalysesThatArePutAsideAreNamed) {
   const std::string deck =
       "taut: 1\nmachine:\n  points: {top: [0 m, 0 m, 9 m]}\n  ropes: {r: {mass: 0 kg/m, stiffness: 10 MN}}\n"

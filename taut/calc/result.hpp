@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "taut/base/diagnostic.hpp"
-#include "taut/base/long_rows.hpp"
 #include "taut/calc/field.hpp"
 #include "taut/calc/figure.hpp"
 #include "taut/calc/formula.hpp"
@@ -17,6 +16,8 @@
 #include "taut/units/unit.hpp"
 
 namespace taut {
+
+class LongRows;
 
 /// One line of a calculation note.
 struct Step {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "taut/base/long_rows.hpp"
 #include "taut/units/display.hpp"
 
 #ifdef __EMSCRIPTEN__

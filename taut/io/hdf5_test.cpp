@@ -10,6 +10,8 @@
 #include <iterator>
 #include <memory>
 
+#include "taut/base/long_rows.hpp"
+
 namespace taut::io::hdf5_test {
 
 namespace fs = std::filesystem;

@@ -8,6 +8,7 @@
 #include <set>
 #include <vector>
 
+#include "taut/base/long_rows.hpp"
 #include "taut/calc/shown.hpp"
 
 namespace taut::io {

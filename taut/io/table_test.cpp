@@ -7,6 +7,8 @@
 #include <memory>
 #include <numbers>
 
+#include "taut/base/long_rows.hpp"
+
 namespace taut::io::table_test {
 
 TEST(TableCsv, WritesUnitsInTheHeaderAndQuotesWhatNeedsIt) {

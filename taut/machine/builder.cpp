@@ -1,6 +1,9 @@
 #include "taut/machine/builder.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <utility>
 
 #include "taut/base/array.hpp"
 #include "taut/base/expects.hpp"
@@ -181,7 +184,19 @@ Builder& Builder::ground(Array<double> x, Array<double> z) {
   return *this;
 }
 
-tl::expected<Model, std::vector<Complaint>> Builder::model() const { return compile(machine_); }
+tl::expected<Model, std::vector<Complaint>> Builder::model() const {
+  std::vector<Complaint> complaints;
+  for (const description::Carriage& car : machine_.carriages) {
+    if (car.library && car.from_library.empty()) {
+      complaints.push_back({fmt::format("carriages.{}.carriage", car.name),
+                            "is taken from the catalogue by a deck alone: give the carriage its own figures"});
+    }
+  }
+  if (machine_.terrain && machine_.terrain->file && machine_.terrain->x.empty())
+    complaints.push_back({"terrain.file", "is read by a deck alone: give 'x' and 'z'"});
+  if (!complaints.empty()) return tl::unexpected(std::move(complaints));
+  return compile(machine_);
+}
 
 std::optional<int> reeving_named(const Model& model, const std::string& name) {
   return index_named(model.reevings, name);

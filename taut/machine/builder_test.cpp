@@ -95,6 +95,14 @@ TEST(Builder, RefusesWhatADeckIsRefusedFor) {
             "ropes.hoist.breaking_force: is not a number");
   EXPECT_EQ(rope({.mass = 1, .stiffness = 1e7, .breaking_force = -1e5, .diameter = {}}),
             "ropes.hoist.breaking_force: must be above 0 kN, not -100 kN");
+  // what only a deck reads would be left out without a word
+  EXPECT_EQ(told_of([](Builder& b) {
+              b.carriage("car", 100, "hoist");
+              b.description().carriages.back().library = "LARIX MOKO-25";
+            }),
+            "carriages.car.carriage: is taken from the catalogue by a deck alone: give the carriage its own figures");
+  EXPECT_EQ(told_of([](Builder& b) { b.description().terrain.emplace().file = "ground.csv"; }),
+            "terrain.file: is read by a deck alone: give 'x' and 'z'");
   EXPECT_EQ(told_of([](Builder& b) {
               b.sheave("third", {0, 0, 1}, 0.4, 1.5);
             }),

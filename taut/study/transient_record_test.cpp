@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "taut/base/long_rows.hpp"
 #include "test/support/machine_decks.hpp"
 
 /// What is kept of a long motion.

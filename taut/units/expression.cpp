@@ -63,7 +63,8 @@ constexpr const char* no_multiple =
     "as in '(30 degC - 10 degC) / 2'";
 
 constexpr const char* turns_and_not =
-    "one side is a speed of turning (Hz, rad/s), the other one is in 1/s: write both in the same unit";
+    "one side is a speed of turning (Hz, rad/s), the other one is in 1/s: write both in the same unit; '* 1 rad' makes "
+    "1/s a speed of turning";
 
 /// What a function gives, or what is wrong with its values in words.
 using Applied = tl::expected<Measure, std::string>;

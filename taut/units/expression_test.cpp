@@ -142,6 +142,7 @@ TEST(Expression, AFrequencyKeepsWhatItCounts) {
   }
   EXPECT_NEAR(in("1 / (0.5 s)", cycles), 2, 1e-12) << "as 2 1/s is";
   EXPECT_NEAR(in("(3 m/s) / (1.5 m)", si::per_s), 2, 1e-12);
+  EXPECT_NEAR(in("(3 m/s) / (1.5 m) * 1 rad + 360 deg/s", si::per_s), 2 + 2 * M_PI, 1e-12);
   EXPECT_NE(evaluate("f + 1 / (2 s)", meaning).error().message.find("write both in the same unit"), std::string::npos);
 }
 

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include "taut/app/cases/study/study_result.hpp"
+#include "taut/base/long_rows.hpp"
 
 namespace taut::app {
 

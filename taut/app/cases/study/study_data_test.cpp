@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "taut/app/cases/study/study_result.hpp"
+#include "taut/base/long_rows.hpp"
 #include "test/support/made_study.hpp"
 #include "test/support/scratch_folder.hpp"
 

@@ -14,6 +14,7 @@
 #include "taut/app/cases/study/study_result.hpp"
 #include "taut/app/cases/study/study_run.hpp"
 #include "taut/app/methods.hpp"
+#include "taut/base/long_rows.hpp"
 #include "taut/calc/verdict.hpp"
 #include "test/support/scratch_folder.hpp"
 
