@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <utility>
 
 #include "taut/base/suggest.hpp"
@@ -17,29 +18,43 @@ constexpr std::size_t longest_name = 120;  // longer than any id: not worth the 
 constexpr std::array<std::pair<std::string_view, char>, 6> look_alikes{
     {{"\u00d7", 'x'}, {"\u0445", 'x'}, {"\u0425", 'x'}, {"\u2013", '-'}, {"\u2212", '-'}, {"\u00a0", ' '}}};
 
+/// Takes the next byte of a normalised name from the front of `name`; none at its end.
+std::optional<char> take_character(std::string_view& name) {
+  while (!name.empty()) {
+    char c = name.front();
+    std::size_t length = 1;
+    // only what is not ASCII can look like something that is
+    if (static_cast<unsigned char>(c) >= 0x80) {
+      for (const auto& [sign, plain] : look_alikes) {
+        if (!name.starts_with(sign)) continue;
+        c = plain;
+        length = sign.size();
+        break;
+      }
+    }
+    name.remove_prefix(length);
+    if (c == ' ' || c == '\t') continue;
+    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 std::string normalised(std::string_view name) {
   std::string out;
   out.reserve(name.size());
-  for (std::size_t i = 0; i < name.size();) {
-    char c = name[i];
-    std::size_t length = 1;
-    // Only what is not ASCII can look like something that is; a design normalises the whole catalogue many times.
-    if (static_cast<unsigned char>(c) >= 0x80) {
-      for (const auto& [sign, plain] : look_alikes) {
-        if (name.substr(i, sign.size()) == sign) {
-          c = plain;
-          length = sign.size();
-          break;
-        }
-      }
-    }
-    i += length;
-    if (c == ' ' || c == '\t') continue;
-    out += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-  }
+  while (const auto c = take_character(name)) out += *c;
   return out;
+}
+
+bool is_named(std::string_view name, std::string_view wanted) {
+  std::size_t i = 0;
+  while (const auto c = take_character(name)) {
+    if (i == wanted.size() || wanted[i] != *c) return false;
+    ++i;
+  }
+  return i == wanted.size();
 }
 
 std::vector<std::string> nearest_names(std::string_view word, const std::vector<std::string>& names,

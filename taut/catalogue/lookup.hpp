@@ -27,6 +27,9 @@ std::string to_text(const LookupError& error);
 /// `name` for comparison: lower case, no spaces, `×` and Cyrillic `х` as `x`, `–` as `-`. Other bytes stay as they are.
 std::string normalised(std::string_view name);
 
+/// Whether `name` normalised is `wanted`, which is normalised. Makes no text: a study asks for its rows by the thousand.
+bool is_named(std::string_view name, std::string_view wanted);
+
 /// Up to `count` of `names` that are nearest to `word` by edits, nearest first, ties in the order given; those that
 /// have little in common with it (more than half differs) are left out.
 std::vector<std::string> nearest_names(std::string_view word, const std::vector<std::string>& names, std::size_t count);

@@ -12,6 +12,16 @@ TEST(Lookup, normalised_names) {
   EXPECT_EQ(normalised(""), "");
 }
 
+TEST(Lookup, names_are_compared_as_they_are_normalised) {
+  const std::vector<std::string> names{"CHS 508\u00d716", "chs508x16", "chs508x1", "chs508x160", "508\u2013x", "\u0413", " ", ""};
+  for (const std::string& name : names) {
+    for (const std::string& other : names) {
+      const std::string wanted = normalised(other);
+      EXPECT_EQ(is_named(name, wanted), normalised(name) == wanted) << name << " / " << other;
+    }
+  }
+}
+
 TEST(Lookup, nearest_names_first) {
   const std::vector<std::string> names{"S235", "S355", "S355H", "09G2S"};
   EXPECT_EQ(nearest_names("s355j", names, 2), (std::vector<std::string>{"S355", "S355H"}));

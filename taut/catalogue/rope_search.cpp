@@ -141,15 +141,10 @@ std::vector<RopeRow> ropes_by(RopeOrder order, const RopeFilter& filter, const s
 }
 
 const RopeRow* rope_of_id(std::string_view id, const std::vector<RopeRow>& table) {
-  // as the catalogue writes it: a design asks for thousands of rows, each by its own name
-  for (const RopeRow& row : table) {
-    if (row.id == id) return &row;
-  }
   const std::string wanted = normalised(id);
-  for (const RopeRow& row : table) {
-    if (normalised(row.id) == wanted) return &row;
-  }
-  return nullptr;
+  const auto found =
+      std::find_if(table.begin(), table.end(), [&](const RopeRow& row) { return is_named(row.id, wanted); });
+  return found == table.end() ? nullptr : &*found;
 }
 
 Found<RopeRow> find_rope(std::string_view id, const std::vector<RopeRow>& table) {

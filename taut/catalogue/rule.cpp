@@ -104,11 +104,12 @@ std::vector<RuleRow> rules_of(std::string_view prefix, const std::vector<RuleRow
 
 Found<RuleRow> find_rule(std::string_view id, const std::vector<RuleRow>& table) {
   const std::string wanted = normalised(id);
+  const auto found =
+      std::find_if(table.begin(), table.end(), [&](const RuleRow& row) { return is_named(row.id, wanted); });
+  if (found != table.end()) return *found;
   std::vector<std::string> names;
-  for (const RuleRow& row : table) {
-    if (normalised(row.id) == wanted) return row;
-    names.push_back(row.id);
-  }
+  names.reserve(table.size());
+  for (const RuleRow& row : table) names.push_back(row.id);
   return tl::unexpected(
       LookupError{.message = fmt::format("no rule {}", in_quotes(id)), .candidates = nearest_names(id, names, 5)});
 }

@@ -129,7 +129,7 @@ std::vector<SectionRow> sections_by_mass(const SectionFilter& filter, const std:
 Found<SectionRow> find_section(std::string_view name, const std::vector<SectionRow>& table) {
   const std::string wanted = normalised(name);
   for (const SectionRow& row : table) {
-    if (normalised(row.name) == wanted) return row;
+    if (is_named(row.name, wanted)) return row;
   }
   const auto parts = parse_section_name(wanted);
   if (!parts || parts->sizes.size() < 2 || parts->sizes.size() > 3) {
@@ -140,7 +140,7 @@ Found<SectionRow> find_section(std::string_view name, const std::vector<SectionR
   const std::string proper = table_name(*parts);
   std::vector<const SectionRow*> found;
   for (const SectionRow& row : table) {
-    if (normalised(row.name) == proper) return row;
+    if (is_named(row.name, proper)) return row;
     if (means(*parts, row)) found.push_back(&row);
   }
   if (found.size() == 1) return *found.front();

@@ -25,6 +25,8 @@ import xml.etree.ElementTree
 
 PROGRAM = pathlib.Path(os.environ["TAUT_PROGRAM"]).resolve()
 SOURCE = pathlib.Path(os.environ["TAUT_SOURCE_DIR"]).resolve()
+# Under the sanitizers this study takes minutes: thousands of cases of importance sampling.
+LEFT_OUT = "taut study run examples/study/three_span_chance.yaml -o out" if "TAUT_FEWER" in os.environ else None
 PAGES = sorted(p for p in (SOURCE / "docs/guide").glob("*.md") if p.name != "reference.md") + [SOURCE / "README.md"]
 
 # ./dev builds and installs: its commands must be in `./dev help`, and are not run here
@@ -140,6 +142,8 @@ class Guides(unittest.TestCase):
     def check(self, command, dev_help):
         if found := DEV.match(command.text):
             self.assertRegex(dev_help, rf"(?m)^  {found.group(1)}\b")
+            return
+        if command.text == LEFT_OUT:
             return
         done = self.shell(command.text)
         self.assertEqual(done.returncode, command.code, done.stderr)

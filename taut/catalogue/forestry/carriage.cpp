@@ -86,7 +86,7 @@ Found<CarriageRow> find_carriage(std::string_view name, const std::vector<Carria
   const std::string wanted = normalised(name);
   std::vector<std::string> names;
   for (const CarriageRow& row : table) {
-    if (normalised(row.name) == wanted) return row;
+    if (is_named(row.name, wanted)) return row;
     names.push_back(row.name);
   }
   return failure(fmt::format("no carriage {}", in_quotes(name)), nearest_names(name, names, suggested));

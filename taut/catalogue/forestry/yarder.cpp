@@ -84,7 +84,7 @@ tl::expected<std::vector<YarderRow>, Diagnostics> read_yarders(std::string_view 
     if (csv.mistakes() == mistakes) check_drum(csv, drum);
     const std::string wanted = normalised(name);
     const auto known =
-        std::find_if(rows.begin(), rows.end(), [&](const auto& row) { return normalised(row.name) == wanted; });
+        std::find_if(rows.begin(), rows.end(), [&](const auto& row) { return is_named(row.name, wanted); });
     if (known == rows.end()) {
       rows.push_back({.name = name, .tower_height = tower, .drums = {std::move(drum)}});
     } else {
@@ -115,7 +115,7 @@ Found<YarderRow> find_yarder(std::string_view name, const std::vector<YarderRow>
   const std::string wanted = normalised(name);
   std::vector<std::string> names;
   for (const YarderRow& row : table) {
-    if (normalised(row.name) == wanted) return row;
+    if (is_named(row.name, wanted)) return row;
     names.push_back(row.name);
   }
   return failure(fmt::format("no yarder {}", in_quotes(name)), nearest_names(name, names, suggested));

@@ -149,6 +149,11 @@ class ClearanceSearch {
     if (h > part.first && h < part.last) take_at(h);
   }
 
+  /// A place of the rope: its distance from the start in plan and its height over the ground, m.
+  struct Place {
+    double at = 0, height = 0;
+  };
+
   bool fixed(int node) const { return may_be_on_ground(model_, branch_.reeving, node); }
 
   /// What is below the line down to a fixed end, farther from it than a rope may be buried.
@@ -167,34 +172,39 @@ class ClearanceSearch {
     for (std::size_t k = 1; k + 1 < ground_.size() && under_.rate != 0; ++k)
       add((ground_[k].x - under_.from) / under_.rate);
     std::sort(places.begin(), places.end());
-    for (std::size_t k = 0; k + 1 < places.size(); ++k) {
-      const bool to_start = start && (!end || places[k] < length_ / 2);
-      along_piece(places[k], places[k + 1], to_start);
+    Array<Place> known;
+    for (const double h : places) known.push_back({.at = h, .height = height_at(h)});
+    for (std::size_t k = 0; k + 1 < known.size(); ++k) {
+      const bool to_start = start && (!end || known[k].at < length_ / 2);
+      along_piece(known[k], known[k + 1], to_start);
     }
   }
 
   /// The same between two places over straight ground: there the height over the line is convex, so what is below it is
   /// one piece. Within that piece the rope is lowest where it is parallel to the ground, or at an end of it.
-  void along_piece(double first, double last, bool to_start) {
+  void along_piece(const Place& first, const Place& last, bool to_start) {
     const auto to_end = [&](double h) { return to_start ? h : length_ - h; };
-    const auto over = [&](double h) { return height_at(h) - line_down(to_end(h)); };
+    const auto line = [&](double h) { return line_down(to_end(h)); };
+    const auto over = [&](double h) { return height_at(h) - line(h); };
     const auto take_it = [&](double h) {
       const double before = found_.height;
       take_at(h);
       if (found_.height < before) found_.to_end = to_end(h);
     };
-    const double a = over(first), b = over(last);
-    if (a < 0) take_it(first);
-    if (b < 0) take_it(last);
-    double inside = a < b ? first : last;
+    const double a = first.height - line(first.at), b = last.height - line(last.at);
+    if (a < 0 && first.height < found_.height) take_it(first.at);
+    if (b < 0 && last.height < found_.height) take_it(last.at);
+    // where the rope meets the line it is as high as that: no lower than at one end of the piece
+    if (std::min(line(first.at), line(last.at)) >= found_.height) return;
+    double inside = a < b ? first.at : last.at;
     if (a >= 0 && b >= 0) {
-      const auto ground = [&](double h) { return rope_at(h).z() - height_at(h); };
-      const double rise = (ground(last) - ground(first)) / (last - first);
+      const auto ground = [&](const Place& place) { return rope_at(place.at).z() - place.height; };
+      const double rise = (ground(last) - ground(first)) / (last.at - first.at);
       const auto lowest = at_slope(rise + (to_start ? 1 : -1) * buried_anchor / buried_rope);
-      if (!lowest || !(*lowest > first && *lowest < last && over(*lowest) < 0)) return;
+      if (!lowest || !(*lowest > first.at && *lowest < last.at && over(*lowest) < 0)) return;
       inside = *lowest;
     }
-    for (const auto& [end, height] : {std::pair{first, a}, {last, b}}) {
+    for (const auto& [end, height] : {std::pair{first.at, a}, {last.at, b}}) {
       if (height < 0 || end == inside) continue;
       if (const auto root = find_root(over, std::min(inside, end), std::max(inside, end))) take_it(*root);
     }
