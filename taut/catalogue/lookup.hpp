@@ -27,7 +27,7 @@ std::string to_text(const LookupError& error);
 /// `name` for comparison: lower case, no spaces, `×` and Cyrillic `х` as `x`, `–` as `-`. Other bytes stay as they are.
 std::string normalised(std::string_view name);
 
-/// Whether `name` normalised is `wanted`, which is normalised. Makes no text: a study asks for its rows by the thousand.
+/// Whether `name` normalised is `wanted`, which is normalised. Makes no text: a study asks for thousands of rows.
 bool is_named(std::string_view name, std::string_view wanted);
 
 /// Up to `count` of `names` that are nearest to `word` by edits, nearest first, ties in the order given; those that

@@ -13,7 +13,8 @@ TEST(Lookup, normalised_names) {
 }
 
 TEST(Lookup, names_are_compared_as_they_are_normalised) {
-  const std::vector<std::string> names{"CHS 508\u00d716", "chs508x16", "chs508x1", "chs508x160", "508\u2013x", "\u0413", " ", ""};
+  const std::vector<std::string> names{"CHS 508\u00d716", "chs508x16", "chs508x1", "chs508x160",
+                                       "508\u2013x",      "\u0413",    " ",        ""};
   for (const std::string& name : names) {
     for (const std::string& other : names) {
       const std::string wanted = normalised(other);
