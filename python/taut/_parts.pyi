@@ -491,8 +491,8 @@ class Parts:
         y: m. of a survey: y in the ground frame; its rows are projected on the line.
         between: two points: the line runs from the first (chainage 0) to the second; default for a survey: from its first
             to its last row.
-        corridor: m. a warning names surveyed rows, and ropes with a carriage, farther off the line than this; a
-            clearance that is asked of such a rope is not judged (at least 0 m). Default: 5 m.
+        corridor: m. a warning names surveyed rows, and ropes with a carriage, farther off the line than this; a clearance
+            that is asked of such a rope is not judged (at least 0 m). Default: 5 m.
         from_: m. place with chainage 0, [x, y] in the ground frame; for lines oblique to the axes.
         along: horizontal direction of the chainage, [x, y].
 
@@ -517,8 +517,8 @@ class Parts:
         sine: mean + amplitude sin(2 pi f t + phase).
         sequence: changes one after the other, beginning from 0.
         formula: of the time t: numbers with their units, + - * / ^, pi, and the functions sqrt abs min max sin cos tan asin
-            acos atan atan2: '0.5 m/s * sin(90 deg/s * t)'. Hz is 2 pi rad/s, no cycle more: 'sin(3 Hz * t)' swings 3
-            times a second, 'sin(2*pi*3 Hz * t)' 18.85 times.
+            acos atan atan2: '0.5 m/s * sin(90 deg/s * t)'. Hz is 2 pi rad/s, no cycle more: 'sin(3 Hz * t)' swings 3 times
+            a second, 'sin(2*pi*3 Hz * t)' 18.85 times.
         Give exactly one of constant, ramp, table, sine, sequence, formula.
 
         A number is SI, a text has its unit. Returns the machine; its mistakes are told when it is calculated.

@@ -200,7 +200,7 @@ class Machines(unittest.TestCase):
                 "  reevings: [{rope: r, path: [{anchor: a}, {anchor: b}], length: 10 m}]\n"
                 "  loads: [{at: b, force: [0 N, 0 N, 1 N], signal: s}]\n"
                 "analyses:\n  - transient: {duration: 1 s, output_step: 20 ms}\n")
-        literal = taut.run(deck.replace("= f", "1 Hz")).values.T_max
+        literal = taut.run(deck.replace("parameters: {f: 1 Hz}\n", "").replace("= f", "1 Hz")).values.T_max
         for text in ("1 Hz", "360 deg/s", "= 0.5 * 2 Hz", "1 1/s"):
             self.assertAlmostEqual(taut.run(deck, {"parameters.f": text}).values.T_max / literal, 1, 9, text)
         for path in ("parameters.f", "machine.signals.s.sine.frequency"):
@@ -285,7 +285,6 @@ class Cases(unittest.TestCase):
         print(f"10000 x 4: {costs[0]:.2f} s of CPU with one thread, {costs[1]:.2f} s with two", file=sys.stderr)
         self.assertEqual(len({one.tobytes() for one in found}), 1)
         self.assertFalse(np.isnan(found[0]).any())
-        self.assertLess(costs[0], 5)
         self.assertLess(costs[1], 1.1 * costs[0])
 
     def test_a_row_without_an_answer_is_nan_with_its_reason(self):
