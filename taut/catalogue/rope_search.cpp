@@ -141,9 +141,12 @@ std::vector<RopeRow> ropes_by(RopeOrder order, const RopeFilter& filter, const s
 }
 
 const RopeRow* rope_of_id(std::string_view id, const std::vector<RopeRow>& table) {
-  const std::string wanted = normalised(id);
-  const auto found =
-      std::find_if(table.begin(), table.end(), [&](const RopeRow& row) { return is_named(row.id, wanted); });
+  // as the catalogue writes it: a design asks for thousands of rows, each by its own name
+  auto found = std::find_if(table.begin(), table.end(), [&](const RopeRow& row) { return row.id == id; });
+  if (found == table.end()) {
+    const std::string wanted = normalised(id);
+    found = std::find_if(table.begin(), table.end(), [&](const RopeRow& row) { return is_named(row.id, wanted); });
+  }
   return found == table.end() ? nullptr : &*found;
 }
 
