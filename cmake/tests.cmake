@@ -75,7 +75,8 @@ if(script_tests)
   find_program(TAUT_BASH bash REQUIRED)
 endif()
 # Long series of decks take fewer cases under the sanitizers.
-set(script_environment "TAUT_PROGRAM=${CMAKE_RUNTIME_OUTPUT_DIRECTORY}/taut;TAUT_SOURCE_DIR=${PROJECT_SOURCE_DIR}")
+set(script_environment "TAUT_PROGRAM=${CMAKE_RUNTIME_OUTPUT_DIRECTORY}/taut" "TAUT_SOURCE_DIR=${PROJECT_SOURCE_DIR}"
+  "TAUT_EXAMPLE_RUNS=${PROJECT_BINARY_DIR}/test/example_runs")
 if(CMAKE_CXX_FLAGS MATCHES "-fsanitize")
   list(APPEND script_environment "TAUT_FEWER=1")
 endif()
@@ -88,8 +89,17 @@ foreach(file IN LISTS script_tests)
   else()
     add_test(NAME ${folder}.${name} COMMAND ${TAUT_BASH} ${file})
   endif()
+  # They are the longest and come last in the list: begun first, no core waits for one of them in the end.
   set_tests_properties(${folder}.${name} PROPERTIES
-    ENVIRONMENT "${script_environment}" TIMEOUT ${hangs_after})
+    ENVIRONMENT "${script_environment}" TIMEOUT ${hangs_after} COST 10)
+endforeach()
+
+# The examples are run once, for all tests that look at their answers.
+add_test(NAME program.examples COMMAND ${TAUT_PYTHON} ${PROJECT_SOURCE_DIR}/test/program/example_runs.py)
+set_tests_properties(program.examples PROPERTIES FIXTURES_SETUP example_runs
+  ENVIRONMENT "${script_environment}" TIMEOUT ${hangs_after} PROCESSORS 2 COST 100)
+foreach(name boom example_verdicts motion placement report)
+  set_tests_properties(program.${name}_test PROPERTIES FIXTURES_REQUIRED example_runs)
 endforeach()
 
 # The rules of the house. Every folder below taut/ counts as a layer, so that a new one has to be placed in the table.

@@ -8,7 +8,7 @@ std::filesystem::path source_dir();
 std::filesystem::path program();
 
 /// Whether the sanitizers watch, ten times slower: long series take fewer cases then.
-#ifdef __SANITIZE_ADDRESS__
+#ifdef TAUT_WATCHED
 inline constexpr bool watched = true;
 #else
 inline constexpr bool watched = false;

@@ -3,7 +3,6 @@
 TAUT_PROGRAM names the program, TAUT_SOURCE_DIR the source tree with its examples.
 """
 
-import concurrent.futures
 import json
 import os
 import pathlib
@@ -13,9 +12,11 @@ import subprocess
 import tempfile
 import unittest
 
+import example_runs
+
 PROGRAM = os.environ["TAUT_PROGRAM"]
 EXAMPLES = pathlib.Path(os.environ["TAUT_SOURCE_DIR"]) / "examples"
-FEWER = "TAUT_FEWER" in os.environ
+RUN = example_runs.those_that_run()
 GUIDE = pathlib.Path(os.environ["TAUT_SOURCE_DIR"]) / "docs/guide/reference.md"
 
 PASSES = ("passes", None, 0)
@@ -75,9 +76,9 @@ VERDICTS = {
     "study/rope_life_chance.yaml": (WARNS, "saw.on_sheave"),
     "study/three_span_chance.yaml": (PASSES, "carries 2.876"),
 }
-# explorations of one boom against published figures: no limit is asked; the quick ones of them run here
+# explorations of one boom against published figures: no limit is asked
 BOOM = "telescopic_boom"
-QUICK_BOOM = ["row1.yaml", "pretension.yaml", "force_52_load.yaml", "slip_out_21_hook.yaml"]
+JUDGED_BOOM = ["row1.yaml", "pretension.yaml", "force_52_load.yaml", "slip_out_21_hook.yaml"]
 
 
 def patterns_of(rows):
@@ -100,10 +101,6 @@ def reference():
         elif row := re.match(r"\| `(.+?)` \|", line):
             columns.append(row[1])
     return sections
-
-
-def decks():
-    return {p.relative_to(EXAMPLES).as_posix() for p in EXAMPLES.rglob("*.yaml") if not p.name.endswith(".part.yaml")}
 
 
 REFERENCE = reference()
@@ -136,22 +133,11 @@ def named_by_the_deck(place, table, column, result):
     return any(re.fullmatch(re.escape(column) + r"_\d+(_.+)?", value) for value in result["values"])
 
 
-def run(name):
-    return subprocess.run([PROGRAM, "run", str(EXAMPLES / name), "--json", "--quiet"], capture_output=True, text=True)
-
-
-def run_all(names):
-    """Every deck with its answer, several at a time."""
-    with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
-        yield from zip(names, pool.map(run, names))
-
-
 class ExampleVerdicts(unittest.TestCase):
-    def check(self, name, got, expected, words):
-        result = json.loads(got.stdout)
-        said = (result["verdict"], result["verdict_class"], got.returncode)
-        self.assertEqual(said, expected, f"{name}: {result['verdict_reason']}")
-        self.assertIn(words, result["verdict_reason"], name)
+    def check(self, name, run, expected, words):
+        said = (run.result["verdict"], run.result["verdict_class"], run.code)
+        self.assertEqual(said, expected, f"{name}: {run.result['verdict_reason']}")
+        self.assertIn(words, run.result["verdict_reason"], name)
 
     def check_described(self, name, result):
         """The reference, made of the quantities, has every column of every table."""
@@ -182,38 +168,32 @@ class ExampleVerdicts(unittest.TestCase):
         self.assertNotEqual(result["key_figure"], "", name)
 
     def test_every_example_has_a_row(self):
-        rows = set(VERDICTS) | {name for name in decks() if name.startswith(BOOM)}
-        self.assertEqual(decks(), rows)
+        names = set(example_runs.names())
+        self.assertEqual(names, set(VERDICTS) | {name for name in names if name.startswith(BOOM)})
 
     def test_those_that_judge(self):
-        for name, got in run_all([name for name in VERDICTS if not FEWER or name.startswith("machines/")]):
+        for name, run in example_runs.of_all([name for name in VERDICTS if name in RUN]):
             with self.subTest(name):
-                self.check(name, got, *VERDICTS[name])
-                self.check_described(name, json.loads(got.stdout))
-                self.check_answers(name, json.loads(got.stdout))
+                self.check(name, run, *VERDICTS[name])
+                self.check_described(name, run.result)
+                self.check_answers(name, run.result)
 
     def test_the_screen(self):
         """At most 40 lines for any deck, with the names of the files; the last is the verdict's sentence."""
-        names = [name for name in VERDICTS if name.startswith("machines/") or not FEWER and not name.startswith("motion/")]
-        with tempfile.TemporaryDirectory() as folder:
-            for name in names:
-                with self.subTest(name):
-                    command = [PROGRAM, "run", str(EXAMPLES / name), "-o", folder]
-                    done = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
-                    lines = done.stdout.splitlines()
-                    self.assertLessEqual(len(lines), 40)
-                    result = json.loads((pathlib.Path(folder) / "result.json").read_text())
-                    self.assertTrue(lines[-1].endswith(": " + result["verdict_reason"]), lines[-1])
+        for name, run in example_runs.of_all([name for name in VERDICTS if name in RUN]):
+            with self.subTest(name):
+                lines = run.screen.splitlines()
+                self.assertLessEqual(len(lines), 40)
+                self.assertTrue(lines[-1].endswith(": " + run.result["verdict_reason"]), lines[-1])
 
     def test_explorations(self):
-        """All are described; of the quick ones the verdict is known here."""
-        quick = [f"{BOOM}/{name}" for name in QUICK_BOOM]
-        for name, got in run_all(quick[:1] if FEWER else sorted(name for name in decks() if name.startswith(BOOM))):
+        """All are described; of some the verdict is known here."""
+        for name, run in example_runs.of_all([name for name in RUN if name.startswith(BOOM)]):
             with self.subTest(name):
-                if name in quick:
-                    self.check(name, got, UNASKED, "limit")
-                self.check_described(name, json.loads(got.stdout))
-                self.check_answers(name, json.loads(got.stdout))
+                if name.removeprefix(f"{BOOM}/") in JUDGED_BOOM:
+                    self.check(name, run, UNASKED, "limit")
+                self.check_described(name, run.result)
+                self.check_answers(name, run.result)
 
     def test_a_comparison_is_described(self):
         with tempfile.TemporaryDirectory() as place:

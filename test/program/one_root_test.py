@@ -8,6 +8,7 @@ import subprocess
 import unittest
 
 PROGRAM = os.environ["TAUT_PROGRAM"]
+FEWER = "TAUT_FEWER" in os.environ  # under the sanitizers
 
 HOOK = """taut: 1
 title: A hook on a sling, helped by a rope of given tension over a sheave
@@ -120,7 +121,7 @@ class OneRoot(unittest.TestCase):
     def test_a_hook_is_found_from_any_first_guess(self):
         for path, given in ((SINGLE, "tension_at_start: 7.4 kN"), (TACKLE, "tension_at_start: 2.5 kN"),
                             (TACKLE, "tension_at_end: 4 kN")):
-            for eta, motion in ((1, "at_rest"), (0.9, "lower"), (0.9, "hoist")):
+            for eta, motion in ((0.9, "hoist"),) if FEWER else ((1, "at_rest"), (0.9, "lower"), (0.9, "hoist")):
                 common = {"PATH": path, "GIVEN": given, "ETA": eta, "ANALYSIS": "equilibrium: {motion: %s}" % motion, "D": 300}
                 guesses = [deck(HOOK, X=x, Z=z, **common) for x, z in ((0, 9.2), (0, 3), (0, 8.8), (0.3, 9.5))]
                 found = self.same(guesses, ("sling.T_max", "hoist.unstretched", "hook.z"))
@@ -164,7 +165,7 @@ class OneRoot(unittest.TestCase):
         for analysis in ("equilibrium: {carriage: car, x: 61.76 m}", "equilibrium: {motion: in, carriage: car, x: 61.76 m}",
                          "load_path: {carriage: car, from: 30 m, to: 100 m, steps: 7}"):
             first = None
-            for z in (-40, -6, -4.2, 5, 40):
+            for z in (-40, 5) if FEWER else (-40, -6, -4.2, 5, 40):
                 code, result = run(deck(SIDE, Z=z, ANALYSIS=analysis))
                 self.assertIn(code, (0, 4), result["message"])
                 for row in rows(result, "sheaves") if "sheaves" in result["tables"] else []:
@@ -174,7 +175,7 @@ class OneRoot(unittest.TestCase):
 
     def test_a_payload_does_not_begin_where_the_one_before_ran_out(self):
         last = []
-        for begin, steps in ((505, 2), (513, 1), (517, 1)):
+        for begin, steps in ((513, 1), (517, 1)) if FEWER else ((505, 2), (513, 1), (517, 1)):
             code, result = run(deck(PAYLOAD, FROM=begin, STEPS=steps))
             self.assertIn(code, (0, 4), result["message"])
             last.append(rows(result, "payload")[-1])

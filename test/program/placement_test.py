@@ -6,7 +6,6 @@ the boxes that it draws. On a screen the playing animation is checked, in print 
 TAUT_PROGRAM names the program, TAUT_SOURCE_DIR the source tree with its examples.
 """
 
-import concurrent.futures
 import json
 import os
 import pathlib
@@ -17,9 +16,9 @@ import tempfile
 import unittest
 import xml.etree.ElementTree as tree
 
+import example_runs
+
 PROGRAM = os.environ["TAUT_PROGRAM"]
-SOURCE = pathlib.Path(os.environ["TAUT_SOURCE_DIR"])
-EXAMPLES = SOURCE / "examples"
 CHROMIUM = shutil.which("chromium") or shutil.which("chromium-browser") or shutil.which("google-chrome")
 
 # Helvetica's widths in thousandths of the size, space to tilde (Adobe's font metrics).
@@ -122,15 +121,6 @@ def figures(page):
     return [text for text in re.findall(r"<svg class=\"(?:drawing|plot|strip|moving|profile).*?</svg>", page, re.S)]
 
 
-def report(deck, folder):
-    ran = subprocess.run([PROGRAM, "run", str(deck), "-o", str(folder), "--quiet"], capture_output=True, text=True,
-                         check=False)
-    page = folder / "report.html"
-    if not page.exists():
-        raise AssertionError(f"{deck}: no report, {ran.stderr}")
-    return page.read_text(encoding="utf-8")
-
-
 SCRIPT = """
 var all = [];
 document.querySelectorAll("div[data-name] > svg").forEach(function (svg) {
@@ -160,16 +150,11 @@ class Placement(unittest.TestCase):
     def setUpClass(cls):
         cls.folder = tempfile.TemporaryDirectory()
         folder = pathlib.Path(cls.folder.name)
-        decks = [x for x in sorted(EXAMPLES.rglob("*.yaml")) if not x.name.endswith(".part.yaml")]
-        if "TAUT_FEWER" in os.environ:
-            decks = [x for x in decks if x.parent.name == "machines"]
+        cls.pages = {name: run.report for name, run in example_runs.of_all(example_runs.those_that_run())}
         hoists = folder / f"hoists_{CROWD}.yaml"
         hoists.write_text(json.dumps(crowd(CROWD)), encoding="utf-8")
-        decks.append(hoists)
-        with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
-            pages = pool.map(lambda x: report(x[1], folder / str(x[0])), enumerate(decks))
-            cls.pages = {(x.relative_to(EXAMPLES).as_posix() if EXAMPLES in x.parents else x.name): page
-                         for x, page in zip(decks, pages)}
+        subprocess.run([PROGRAM, "run", str(hoists), "-o", str(folder / "out"), "--quiet"], capture_output=True, check=False)
+        cls.pages[hoists.name] = (folder / "out/report.html").read_text(encoding="utf-8")
 
     @classmethod
     def tearDownClass(cls):

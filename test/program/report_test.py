@@ -15,6 +15,8 @@ import subprocess
 import tempfile
 import unittest
 
+import example_runs
+
 PROGRAM = os.environ["TAUT_PROGRAM"]
 EXAMPLES = pathlib.Path(os.environ["TAUT_SOURCE_DIR"]) / "examples"
 FEWER = "TAUT_FEWER" in os.environ
@@ -29,17 +31,9 @@ ROWS_OF_A_PAGE = 40
 
 
 def decks():
-    all_decks = sorted(p.relative_to(EXAMPLES).as_posix() for p in EXAMPLES.rglob("*.yaml") if not p.name.endswith(".part.yaml"))
     if FEWER:
         return ["mast_section.yaml", "machines/three_span_skyline.yaml"]
-    return [d for d in all_decks if not d.startswith("telescopic_boom/") or pathlib.Path(d).stem in BOOM]
-
-
-def run(place, name, *options):
-    """The folder of the report."""
-    folder = pathlib.Path(place, name.removesuffix(".yaml").replace("/", "-") + "".join(options))
-    subprocess.run([PROGRAM, "run", str(EXAMPLES / name), "-q", "-o", str(folder), *options], capture_output=True, check=False)
-    return folder
+    return [d for d in example_runs.names() if not d.startswith("telescopic_boom/") or pathlib.Path(d).stem in BOOM]
 
 
 def sections(page):
@@ -110,19 +104,12 @@ checks:
 class Reports(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
-        cls.scratch = tempfile.TemporaryDirectory()
-        with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
-            names = decks()
-            cls.folders = dict(zip(names, pool.map(lambda name: run(cls.scratch.name, name), names)))
-
-    @classmethod
-    def tearDownClass(cls):
-        cls.scratch.cleanup()
+        cls.runs = dict(example_runs.of_all(decks()))
 
     def for_each(self, check):
-        for name, folder in self.folders.items():
+        for name, run in self.runs.items():
             with self.subTest(name):
-                check(folder, (folder / "report.html").read_text(), json.loads((folder / "result.json").read_text()))
+                check(run.folder, run.report, run.result)
 
     def test_the_sections_are_in_order(self):
         def check(_, page, __):
@@ -165,7 +152,9 @@ class Reports(unittest.TestCase):
 
     def test_the_appendix_is_unfolded_on_demand(self):
         with tempfile.TemporaryDirectory() as place:
-            page = (run(place, "mast_section.yaml", "--appendix", "--paper=a3") / "report.html").read_text()
+            subprocess.run([PROGRAM, "run", str(EXAMPLES / "mast_section.yaml"), "-q", "-o", place, "--appendix", "--paper=a3"],
+                           capture_output=True, check=True)
+            page = pathlib.Path(place, "report.html").read_text()
         self.assertIn("<details open>", section(page, "appendix"))
         self.assertIn("size:A3", page)
         done = subprocess.run([PROGRAM, "run", str(EXAMPLES / "mast_section.yaml"), "--paper", "a5"], capture_output=True, check=False)
@@ -174,14 +163,13 @@ class Reports(unittest.TestCase):
     @unittest.skipUnless(BROWSER, "Chromium is not installed: nothing is printed")
     def test_no_report_is_longer_than_its_kind(self):
         def measured(item):
-            name, folder = item
-            return name, pages(folder / "report.html"), height_of_page_one(folder / "report.html")
+            name, run = item
+            return name, pages(run.folder / "report.html"), height_of_page_one(run.folder / "report.html")
         with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
-            counts = list(pool.map(measured, self.folders.items()))
+            counts = list(pool.map(measured, self.runs.items()))
         for name, count, first in counts:
             with self.subTest(name):
-                result = json.loads((self.folders[name] / "result.json").read_text())
-                self.assertLessEqual(count, longest(name, result))
+                self.assertLessEqual(count, longest(name, self.runs[name].result))
                 self.assertEqual(first, 1, "page 1 fits on one page")
 
     @unittest.skipUnless(BROWSER, "Chromium is not installed: nothing is printed")

@@ -193,7 +193,7 @@ class Batches(Folder):
     def test_the_array_covers_all_shards(self):
         folder = self.top / "batch"
         done = taut("study", "slurm", STUDIES / "three_span_chance.yaml", "-o", folder, "--sbatch=--partition=long",
-                    "--throttle", "8")
+                    "--throttle", "8", "--set", "study.answer=[quantiles]")
         self.assertEqual(done.returncode, 0, done.stderr)
         text = (folder / "slurm" / "cases.sbatch").read_text("utf-8")
         shards = int(re.search(r"#SBATCH --array=1-(\d+)%8\n", text)[1])
