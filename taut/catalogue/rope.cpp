@@ -15,7 +15,7 @@ namespace {
 constexpr double rounding = 1.001;  // tables print 3 to 5 digits
 // outside of these a number stands in the wrong unit or column
 constexpr double least_density = 5e3, most_density = 2e4;      // mass over metallic area, kg/m3
-constexpr double least_strength = 3e8, most_strength = 3.5e9;  // breaking force over metallic area, Pa
+constexpr double least_strength = 3e8, most_strength = 2.5e9;  // of wires, or breaking force over metallic area, Pa
 
 void check_plausible(CsvReader& csv, const RopeRow& row) {
   const double circle = std::numbers::pi / 4.0 * row.diameter * row.diameter;
@@ -31,6 +31,11 @@ void check_plausible(CsvReader& csv, const RopeRow& row) {
              fmt::format("{} kg/m on {} mm2 are {} g per m and mm2; wire ropes have 8 to 11: look at the "
                          "units of both",
                          short_number(row.mass_per_length), short_number(row.area * 1e6), short_number(density / 1e3)));
+  }
+  if (row.grade && (*row.grade < least_strength || *row.grade > most_strength)) {
+    csv.fail("grade_MPa", fmt::format("{} MPa is no grade of a rope; wires have 1370 to 2160: look at the unit",
+                                      short_number(*row.grade / 1e6)));
+    return;
   }
   if (row.grade && row.breaking_force > rounding * row.area * *row.grade) {
     csv.fail("mbf_kN", fmt::format("a breaking force of {} kN is above area x grade = {} kN",

@@ -118,6 +118,11 @@ TEST(Ropes, slips_of_unit_in_a_users_table) {
             Texts{"2:21 a metallic area of 126 mm2 does not fit into a rope of 1.6 mm (2.01062 mm2)"});
   EXPECT_EQ(mistakes("A,maker,6x36,FC,16,100,0.94,1770,165000,verified,\n"),
             Texts{"2:34 a breaking force of 165000 kN is above area x grade = 177 kN"});
+  EXPECT_EQ(mistakes("A,maker,6x36,FC,16,100,0.94,17700,165,verified,\n"),
+            Texts{"2:29 17700 MPa is no grade of a rope; wires have 1370 to 2160: look at the unit"});
+  EXPECT_EQ(mistakes("A,maker,6x36,FC,16,100,0.94,,260,verified,\n"),
+            Texts{"2:30 a breaking force of 260 kN on 100 mm2 is 2600 MPa; steel wire ropes have 800 to 2200: look at "
+                  "the units of both"});
   EXPECT_EQ(
       mistakes("A,maker,6x36,FC,16,100,94,1770,165,verified,\n"),
       Texts{"2:24 94 kg/m on 100 mm2 are 940 g per m and mm2; wire ropes have 8 to 11: look at the units of both"});

@@ -214,7 +214,9 @@ Outcome find_modes(Run& run, const Values& rest, int most, ModeSet& set) {
   Values now = rest;
   const std::set<std::string> held = set_grips(run.m, set.sheaves == Sheaves::stuck, now);
   set.held.assign(held.begin(), held.end());
+  if (run.m.size == 0) return {};
   const VibrationMatrices a = matrices_of(run, now);
+  if (a.moving.empty()) return {};
   const VibrationPencil pencil = pencil_of(a);
   const auto found = shifted_eigen(pencil.F, pencil.E, eigen_shift);
   if (!found) {
@@ -293,6 +295,9 @@ ModesResult modes(const machine::Model& model, const ModesOptions& options) {
     const bool same = set.held.empty();
     result.sets.push_back(std::move(set));
     if (same) break;  // no sheave has a loss
+  }
+  if (std::all_of(result.sets.begin(), result.sets.end(), [](const ModeSet& set) { return set.modes.empty(); })) {
+    result.outcome = infeasible("nothing that can move has inertia, so that nothing swings: give a rope 'segments'");
   }
   return result;
 }

@@ -213,5 +213,14 @@ TEST(Modes, TooManyFreedomsAreTold) {
   EXPECT_NE(modes(m).outcome.message.find("fewer 'segments'"), std::string::npos);
 }
 
+TEST(Modes, WhereNothingHasInertiaThereAreNone) {
+  machine::Model m;
+  m.reevings.push_back(reeve("rope", {anchor("a", origin), anchor("b", {100, 0, 0})}, 99.9, 10, 1e7));
+  EXPECT_NE(modes(m).outcome.message.find("nothing that can move has inertia"), std::string::npos);
+  const machine::Node round = sheave("sheave", {50, 0, 20}, 0.2, 1, 0.98);
+  m.reevings[0] = reeve("rope", {anchor("a", origin), round, anchor("b", {100, 0, 0})}, 107, 10, 1e7);
+  EXPECT_NE(modes(m).outcome.message.find("nothing that can move has inertia"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace taut_test::modes_test

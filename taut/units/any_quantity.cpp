@@ -8,7 +8,7 @@
 namespace taut {
 namespace {
 
-constexpr Unit celsius = si::K.in("degC");
+constexpr Unit celsius = si::K.in("degC"), percent = si::one.in("%");
 
 /// A frequency or speed of turning by the unit that it is written in, so that it can be written down again.
 constexpr Unit frequency_in(std::string_view unit) {
@@ -64,6 +64,8 @@ tl::expected<double, UnitError> parse_difference(std::string_view text, const Un
   return x;
 }
 
+bool is_percentage(const Unit& unit) { return !unit.needs_text() && unit.shown == percent.shown; }
+
 bool is_turning(const Unit& unit) {
   return unit.dimension == si::per_s.dimension && (counts_cycles(unit) || unit.shown == turning.shown);
 }
@@ -74,7 +76,7 @@ bool counts_from_zero_celsius(const Unit& unit) {
 
 tl::expected<AnyQuantity, UnitError> parse_any_quantity(std::string_view text) {
   const auto plain = parse_quantity(text, si::one);
-  if (plain) return AnyQuantity{.value = *plain, .unit = si::one};
+  if (plain) return AnyQuantity{.value = *plain, .unit = unit_in(text) == percent.shown ? percent : si::one};
   for (const Unit& unit : display_kinds()) {
     if (!parse_quantity(text, unit)) continue;
     const Unit own = unit_of(text, unit);

@@ -15,13 +15,17 @@ struct AnyQuantity {
 };
 
 /// `number` with any unit of the allow-list, or a plain number: what it is follows from its unit. Force times length is
-/// taken for a moment, a percentage for a plain number; the unit of a temperature in degC is `K` shown in degC, that of
-/// a frequency in Hz `Hz`, with the cycles per second, that of a speed of turning `rad/s`. Errors as those of
-/// `parse_quantity`, and units that together measure nothing that taut knows.
+/// taken for a moment, a percentage for a plain number shown in %; the unit of a temperature in degC is `K` shown in
+/// degC, that of a frequency in Hz `Hz`, with the cycles per second, that of a speed of turning `rad/s`. Errors as
+/// those of `parse_quantity`, and units that together measure nothing that taut knows.
 tl::expected<AnyQuantity, UnitError> parse_any_quantity(std::string_view text);
 
 /// Whether its values are temperatures in degC, no differences of them.
 bool counts_from_zero_celsius(const Unit& unit);
+
+/// Whether its values are written in %: where an angle is asked for such a text is a slope, and its number alone is
+/// not.
+bool is_percentage(const Unit& unit);
 
 /// Whether it is the unit of a speed of turning, written in Hz, deg/s or rad/s; what is in 1/s alone may be anything.
 bool is_turning(const Unit& unit);

@@ -29,6 +29,11 @@ TEST(AnyQuantity, ItsUnitSaysWhatItIs) {
   }
 }
 
+TEST(AnyQuantity, APercentageIsWrittenDownAsOne) {
+  EXPECT_TRUE(is_percentage(parse_any_quantity("5 %")->unit));
+  for (const char* text : {"0.05", "5 deg", "5 m"}) EXPECT_FALSE(is_percentage(parse_any_quantity(text)->unit)) << text;
+}
+
 // What is written down again with its unit means the same, where cycles are asked for and where a speed of turning is.
 TEST(AnyQuantity, AFrequencyKeepsWhatItCounts) {
   const auto of = [](const char* text) { return *parse_any_quantity(text); };

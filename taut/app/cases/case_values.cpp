@@ -106,6 +106,7 @@ bool is_parameter(const std::string& path) { return path.starts_with("parameters
 
 std::string assignment(const CaseInput& input, double value) {
   if (counts_from_zero_celsius(input.unit)) return fmt::format("{}={:.17g} degC", input.path, value - zero_celsius);
+  if (is_percentage(input.unit)) return fmt::format("{}={:.17g} %", input.path, 100 * value);
   return fmt::format("{}={:.17g}{}{}", input.path, value, input.unit.needs_text() ? " " : "",
                      input.unit.needs_text() ? input.unit.symbol : "");
 }

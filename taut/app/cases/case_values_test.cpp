@@ -120,6 +120,8 @@ TEST(CaseValues, AnAssignmentHasEveryDigit) {
   EXPECT_EQ(assignment(travel, 0.1), "parameters.travel=0.10000000000000001 m");
   const CaseInput share{.path = "parameters.share", .unit = si::one, .range = {}, .base = 0.5};
   EXPECT_EQ(assignment(share, 0.25), "parameters.share=0.25");
+  const CaseInput grade{.path = "parameters.grade", .unit = si::one.in("%"), .range = {}, .base = 0.3};
+  EXPECT_EQ(assignment(grade, 0.25), "parameters.grade=25 %");
 }
 
 // A case that lost a state of which its deck asks can't be judged, whatever its other numbers say.

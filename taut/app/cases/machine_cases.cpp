@@ -126,7 +126,7 @@ void weaken_by_heat(const MachineDeck& deck, Result& r) {
   for (const auto& one : deck.machine.guys) ropes.emplace_back(one.name, one.rope);
   for (std::size_t k = 0; k < asked; ++k) {
     const checks::RopeCheckRequest& request = deck.checks->ropes[k];
-    if (!request.temperature) continue;
+    if (!deck.asked.ropes.at(k).of_any_rope.temperature) continue;
     const bool own =
         std::any_of(ropes.begin(), ropes.end(), [&](const auto& one) { return one.first == request.name; });
     for (const auto& [name, rope] : ropes) {

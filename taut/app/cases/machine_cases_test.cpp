@@ -237,6 +237,26 @@ TEST(MachineCases, ParametersAreReadAnewBesideOtherNumbers) {
   EXPECT_NEAR(a.outputs[1], value_with(set, "{equilibrium: {motion: at_rest}}", "car.z"), 1e-7);
 }
 
+// 0.3 alone is no slope.
+TEST(MachineCases, ASlopeInPercentIsOneInEveryCase) {
+  std::string text = deck;
+  const std::string given = "parameters: {", checked = "checks: {";
+  text.insert(text.find(given) + given.size(), "grade: 30 %, ");
+  text.insert(text.find(checked) + checked.size(), "anchors: {tail: {tree_diameter: 60 cm, ground_slope: = grade}}, ");
+  const CaseModel m = model_of(text, question_of({"parameters.grade"}, {"checks.tail.anchor_tree"}));
+  EXPECT_EQ(m.inputs[0].base, 0.3);
+  EXPECT_EQ(m.inputs[0].unit.shown, "%");
+  for (const auto& [share, percent] : {std::pair(0.1, "10 %"), std::pair(0.6, "60 %")}) {
+    const CaseAnswer a = m.answer(std::vector<double>{share});
+    ASSERT_TRUE(a.outcome.ok()) << a.outcome.message;
+    const Result alone = run(job_of(text, {fmt::format("parameters.grade={}", percent)}));
+    const auto tree = std::find_if(alone.checks.begin(), alone.checks.end(),
+                                   [](const Check& c) { return c.name == "tail.anchor_tree"; });
+    ASSERT_NE(tree, alone.checks.end());
+    EXPECT_EQ(a.outputs[0], tree->value);
+  }
+}
+
 /// A light line between two anchors, 99.9 m cut at 15 degC for 100 m; `winter` is a parameter.
 const char* const line =
     "taut: 1\n"

@@ -58,6 +58,8 @@ tl::expected<std::vector<CarriageRow>, Diagnostics> read_carriages(std::string_v
     row.payload = mass_in(csv, "payload_kg");
     row.rope_least = csv.optional_positive("rope_least_mm");
     row.rope_most = csv.optional_positive("rope_most_mm");
+    if (row.rope_least.has_value() != row.rope_most.has_value())
+      csv.fail(row.rope_least ? "rope_most_mm" : "rope_least_mm", "rope_least_mm and rope_most_mm stand together");
     if (row.rope_least && row.rope_most && *row.rope_least > *row.rope_most)
       csv.fail("rope_least_mm", "is above rope_most_mm");
     row.rollers = rollers_in(csv);

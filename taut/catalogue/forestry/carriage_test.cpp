@@ -45,6 +45,8 @@ TEST(Carriages, MistakesHaveTheirPlace) {
       {"a,x,400,2,,,,,verified\n", "c.csv:2:9: error: 2 kg is no mass"},
       {"a,x,400,,,,,,verified\n", "'payload_kg' is empty"},
       {"a,x,400,2000,20,16,,,verified\n", "is above rope_most_mm"},
+      {"a,x,400,2000,20,,,,verified\n", "c.csv:2:17: error: rope_least_mm and rope_most_mm stand together"},
+      {"a,x,400,2000,,20,,,verified\n", "c.csv:2:14: error: rope_least_mm and rope_most_mm stand together"},
       {"a,x,400,2000,,,1.5,,verified\n", "not a number of rollers"},
       {"a,x,400,2000,,,,1,verified\n", "needs at least two 'rollers'"},
       {"a,x,400,2000,,,,,sure\n", "not verified, derived or unverified"},

@@ -39,6 +39,8 @@ void check_drum(CsvReader& csv, const YarderDrum& drum) {
   const int measures = static_cast<int>(drum.core.has_value()) + static_cast<int>(drum.flange.has_value()) +
                        static_cast<int>(drum.face.has_value());
   if (measures != 0 && measures != 3) csv.fail("core_mm", "core_mm, flange_mm and face_mm stand together");
+  if (drum.capacity && measures != 0)
+    csv.fail("capacity_m", "a drum has a capacity, or core_mm, flange_mm and face_mm: leave out one of the two");
   if (!drum.capacity && measures == 0)
     csv.fail("drum", "a drum needs capacity_m and at_diameter_mm, or core_mm, flange_mm and face_mm");
   if (measures == 3 && *drum.flange <= *drum.core) csv.fail("flange_mm", "flange_mm must be above core_mm");

@@ -42,6 +42,7 @@ TEST(Yarders, MistakesHaveTheirPlace) {
       {"a,skyline,600,,,,,90,,,verified\n", "stand together"},
       {"a,skyline,,,400,1000,,90,,,verified\n", "core_mm, flange_mm and face_mm stand together"},
       {"a,skyline,,,400,300,600,90,,,verified\n", "must be above core_mm"},
+      {"a,skyline,150,22,300,1000,900,90,,,verified\n", "y.csv:2:11: error: a drum has a capacity, or core_mm"},
       {"a,skyline,60000,18,,,,90,,,verified\n", "60000 m are no rope"},
       {"a,skyline,600,0.018,,,,90,,,verified\n", "no diameter of a rope"},
       {"a,skyline,600,18,,,,90000,,,verified\n", "no pull of a yarder"},

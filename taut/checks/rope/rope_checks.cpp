@@ -74,7 +74,7 @@ std::vector<AskedRules> resolve_ropes(const ChecksRequest& request, const Checke
     const catalogue::RopeRow rope = with_request(own, one);
     complain_of_values(one, own, path, complaints);
     const std::vector<std::string> rounds = rounds_of(model, reevings);
-    const AskedRules& asked = all.emplace_back(asked_rules(one, path, complaints));
+    const AskedRules& asked = all.emplace_back(asked_rules(one, path, complaints, deck.machine.temperature));
     complain_of_limits(one, asked, rope, path, complaints);
     complain_of_life(one, rope, rounds, path, complaints);
     complain_of_places(one, path, rounds, complaints);

@@ -44,7 +44,8 @@ void add_place(Describe<RopeCheckRequest>& d) {
              "strength of its terminations over that of the rope, in place of that of the rules")
       .above(0)
       .at_most(1)
-      .field(&R::temperature, "temperature", "t", si::K, "temperature of the rope in use")
+      .field(&R::temperature, "temperature", "t", si::K,
+             "temperature of the rope in use; default: that of the machine above 100 degC")
       .at_least(173.15)
       .at_most(873.15)
       .choice(&R::sheave_weakening, "sheave_weakening",

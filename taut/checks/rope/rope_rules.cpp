@@ -28,6 +28,12 @@ double hottest_of(const RuleRow& row) {
   return *row.up_to;
 }
 
+/// Whether a rope at this temperature may be weaker than the cold one: a fibre core is not allowed there any more.
+bool weakens(double temperature) {
+  static const double harmless = hottest_of(catalogue::rules_of("temperature.FC").front());
+  return temperature > harmless;
+}
+
 std::string trust_of(const RuleRow& row) {
   if (row.trust != catalogue::Trust::unverified) return std::string(catalogue::to_text(row.trust));
   return fmt::format("UNVERIFIED: {}", row.trust_text.empty() ? "not compared with its source" : row.trust_text);
@@ -80,8 +86,9 @@ std::vector<std::string> terminations() {
 /// Finds what a deck names, and the limits that hold for any rope.
 class RequestReader {
  public:
-  RequestReader(const RopeCheckRequest& request, std::string path, std::vector<Complaint>& complaints)
-      : request_(request), path_(std::move(path)), complaints_(complaints) {}
+  RequestReader(const RopeCheckRequest& request, std::string path, std::vector<Complaint>& complaints,
+                std::optional<double> around)
+      : request_(request), path_(std::move(path)), complaints_(complaints), around_(around) {}
 
   AskedRules read() {
     for (std::size_t i = 0; i < request_.field.size(); ++i) field(request_.field[i], fmt::format("field[{}]", i));
@@ -240,9 +247,9 @@ class RequestReader {
   }
 
   void temperature() {
-    if (!request_.temperature) return;
     rules_.temperature = request_.temperature;
-    if (!request_.termination) return;
+    if (!rules_.temperature && around_ && weakens(*around_)) rules_.temperature = around_;
+    if (!rules_.temperature || !request_.termination) return;
     for (const RuleRow& row : catalogue::rules_of("temperature.end")) {
       if (row.group != (asked_.termination.empty() ? *request_.termination : asked_.termination)) continue;
       const double upto = hottest_of(row);
@@ -304,6 +311,7 @@ class RequestReader {
   const RopeCheckRequest& request_;
   std::string path_;
   std::vector<Complaint>& complaints_;
+  std::optional<double> around_;
   bool used_group_ = false;
   bool all_cover_bending_ = false, all_cover_ends_ = false;  ///< of the fields; false without any
   AskedRules asked_;
@@ -354,13 +362,13 @@ class RopeLimits {
   }
 
   void temperature() {
-    if (!request_.temperature) return;
+    if (!rules_.temperature) return;
     const char* const core = fibre() || rope_.core.empty() ? "FC" : "steel";
     for (const RuleRow& row : catalogue::rules_of(fmt::format("temperature.{}", core))) {
       const double upto = hottest_of(row);
       rules_.hottest = Limit{.value = upto, .rule = words_of(row), .trust = trust_of(row)};
       if (rope_.core.empty()) rules_.hottest->rule += "; the core is not known, a fibre core assumed";
-      if (*request_.temperature <= upto && !rules_.heat_strength) rules_.heat_strength = limit_of(row, SafeEnd::low);
+      if (*rules_.temperature <= upto && !rules_.heat_strength) rules_.heat_strength = limit_of(row, SafeEnd::low);
     }
   }
 
@@ -458,8 +466,9 @@ void complain_of_values(const RopeCheckRequest& request, catalogue::RopeRow rope
   complain_of_second(request.grade, rope.grade.value_or(0), path + ".grade", complaints);
 }
 
-AskedRules asked_rules(const RopeCheckRequest& request, const std::string& path, std::vector<Complaint>& complaints) {
-  return RequestReader(request, path, complaints).read();
+AskedRules asked_rules(const RopeCheckRequest& request, const std::string& path, std::vector<Complaint>& complaints,
+                       std::optional<double> around) {
+  return RequestReader(request, path, complaints, around).read();
 }
 
 rope::RopeRules rope_rules(const RopeCheckRequest& request, const AskedRules& asked, const catalogue::RopeRow& rope) {

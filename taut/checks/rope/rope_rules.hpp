@@ -27,8 +27,10 @@ struct AskedRules {
   std::string termination;          ///< by its name in the tables; empty: none, or by its efficiency
 };
 
-/// Complaints of names that the tables do not have, at paths below `path`.
-AskedRules asked_rules(const RopeCheckRequest& request, const std::string& path, std::vector<Complaint>& complaints);
+/// Complaints of names that the tables do not have, at paths below `path`. `around`: temperature of the machine, K,
+/// which a rope has of which none is said, where it is hotter than the tables' first one, 100 degC.
+AskedRules asked_rules(const RopeCheckRequest& request, const std::string& path, std::vector<Complaint>& complaints,
+                       std::optional<double> around = std::nullopt);
 
 /// The limits that a deck asks for, from the tables of rules, for this rope. Of a rule that is a range the safe end
 /// counts.

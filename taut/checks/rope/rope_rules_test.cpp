@@ -50,6 +50,21 @@ TEST(RopeRules, termination_by_core) {
             std::string::npos);
 }
 
+// A machine at 350 degC has ropes of that temperature; one at 60 degC says nothing of them.
+TEST(RopeRules, a_hot_machine_has_hot_ropes) {
+  const auto in = [](double around, const std::optional<double>& own = {}) {
+    RopeCheckRequest request;
+    request.temperature = own;
+    std::vector<Complaint> complaints;
+    return rope_rules(request, asked_rules(request, "checks.ropes.x", complaints, around), six_strand("IWRC"));
+  };
+  EXPECT_EQ(in(623.15).temperature, 623.15);
+  EXPECT_EQ(in(623.15).heat_strength->value, 0.65);
+  EXPECT_FALSE(in(333.15).temperature);
+  EXPECT_FALSE(in(333.15).heat_strength);
+  EXPECT_EQ(in(623.15, 293.15).temperature, 293.15) << "the deck's own word counts";
+}
+
 // TM 5-3810-305-10 has sleeves up to 1 in. and one size of hand splices: beyond, and of an unknown diameter, no number.
 TEST(RopeRules, termination_by_diameter) {
   RopeCheckRequest request;

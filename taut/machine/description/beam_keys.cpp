@@ -1,5 +1,7 @@
 #include "taut/machine/description/beam_keys.hpp"
 
+#include "taut/machine/description/machine_limits.hpp"
+
 namespace taut::machine::description {
 
 const Description& Imperfection::describe() {
@@ -67,9 +69,11 @@ const Description& Beam::describe() {
           .field(&Beam::steel, "steel", "steel grade, for the check of the stress, as 'taut list steels' shows it")
           .field(&Beam::expansion, "expansion", "a", si::per_K, "thermal expansion (EN 1993-1-1, 3.2.6)")
           .at_least(0)
+          .at_most(most_expansion)
           .field(&Beam::reference_temperature, "reference_temperature", "", si::K.in("degC"),
                  "temperature at which it reaches from 'from' to 'to' without stress; default: that of the machine")
           .at_least(0)
+          .at_most(hottest)
           .field(&Beam::strong, "strong", "", si::one,
                  "direction of bending about its strong axis; default: upwards for a horizontal beam, x for a vertical "
                  "one")

@@ -13,6 +13,7 @@ const Description& Machine::describe() {
           .field(&Machine::temperature, "temperature", "", si::K.in("degC"),
                  "temperature of all ropes and beams, such as 15 degC")
           .at_least(0)
+          .at_most(description::hottest)
           .named_records(&Machine::points, "points", "points of the ground or of a body")
           .shorthand("at")
           .named_records(&Machine::ropes, "ropes", "properties of ropes")
@@ -81,9 +82,12 @@ const Description& Rope::describe() {
           .at_most(farthest)
           .above(0)
           .field(&Rope::expansion, "expansion", "a", si::per_K, "thermal expansion")
+          .at_least(-most_expansion)
+          .at_most(most_expansion)
           .field(&Rope::reference_temperature, "reference_temperature", "", si::K.in("degC"),
                  "temperature at which lengths are given; default: that of the machine")
           .at_least(0)
+          .at_most(hottest)
           .field(&Rope::damping_ratio, "damping_ratio", "zeta", si::one,
                  "damping ratio of the lowest mode that stretches it; used in motion only")
           .at_least(0)

@@ -8,9 +8,11 @@
 #include "taut/checks/checked_parts.hpp"
 #include "taut/results/analyses/analyses.hpp"
 #include "taut/results/described.hpp"
+#include "taut/results/motion/straight_ropes.hpp"
 #include "taut/results/motion/transient_scene.hpp"
 #include "taut/solve/modes.hpp"
 #include "taut/study/deck/missing.hpp"
+#include "taut/study/states.hpp"
 #include "taut/study/transient.hpp"
 
 namespace taut::results {
@@ -195,16 +197,42 @@ void add_modes(const study::ModesRun& run, MachineRun& machine, Result& r) {
   add_frequencies(run, r);
 }
 
+/// What vibrates may have straight ropes, and has no loss. At rest ropes sag and friction may hold more, which is
+/// judged too: by statics, or where statics has no faces, cylinders or motors, by the rest with sagging ropes.
+void judge_rest(const study::ModesRun& run, MachineRun& machine, Result& r) {
+  const std::string words = checks::analysis_words(run.ending, "modes");
+  const std::string analysis = checks::analysis_name(run.ending, "modes");
+  machine.checked->take_rest(run.model, run.result.rest, run.options.rope_mass, words, analysis);
+  if (run.options.start != solve::Start::settled) return;
+  const machine::Model& m = machine.model;
+  if (m.contacts.empty() && m.actuators.empty() && m.motors.empty()) {
+    study::EquilibriumRun rest;
+    study::solve(m, rest);
+    if (rest.result.outcome.ok()) {
+      machine.checked->take(rest.model, rest.result, words, analysis);
+    } else {
+      r.missing.push_back({words, 1, 1, "at rest", rest.result.outcome.message});
+    }
+  }
+  if (!run.options.rope_mass || run.options.branches == solve::Branches::catenary) return;
+  solve::ModesOptions sagging = run.options;
+  sagging.branches = solve::Branches::catenary;
+  sagging.most = 1;
+  const solve::ModesResult hangs = solve::modes(run.model, sagging);
+  if (!hangs.outcome.ok()) return;
+  machine.checked->take_rest(run.model, hangs.rest, true, words, analysis);
+  for (const SaggingRope& rope : ropes_that_sag(run.model, run.result.rest, hangs.rest)) {
+    r.warnings.push_back(sag_words(run.words, rope));
+  }
+}
+
 }  // namespace
 
 void add_answer(const study::ModesRun& asked, MachineRun& machine, Result& r) {
   if (r.interrupted) return;
   study::ModesRun run = asked;
   study::solve(machine.model, run);
-  if (run.result.outcome.ok()) {
-    machine.checked->take_rest(run.model, run.result.rest, run.options.rope_mass,
-                               checks::analysis_words(run.ending, "modes"), checks::analysis_name(run.ending, "modes"));
-  }
+  if (run.result.outcome.ok()) judge_rest(run, machine, r);
   add_modes(run, machine, r);
 }
 
