@@ -15,6 +15,12 @@ namespace {
 
 constexpr double none = Output::none;
 
+/// The limit is the deck's own; the breaking force is as good as its row of the catalogue.
+std::string trust_of(const catalogue::RopeRow& rope) {
+  if (rope.trust == catalogue::Trust::unverified) return fmt::format("UNVERIFIED: {}", rope.trust_text);
+  return fmt::format("limit: user; breaking force: {}", catalogue::to_text(rope.trust));
+}
+
 Check rope_check(const char* role, const catalogue::RopeRow& rope, const Peak& peak, double n) {
   Check c = make_check(
       fmt::format("safety factor of the {} rope", role), rope.breaking_force / peak.tension, si::one,
@@ -23,7 +29,7 @@ Check rope_check(const char* role, const catalogue::RopeRow& rope, const Peak& p
        .rule = fmt::format("breaking force of {} ({:.4g} kN) / largest tension ({:.4g} kN, {}, carriage at {:.4g} m) "
                            "at least safety_factor of the deck",
                            rope.id, rope.breaking_force / 1000, peak.tension / 1000, peak.where, peak.x),
-       .trust = fmt::format("limit: user; breaking force: {}", catalogue::to_text(rope.trust))});
+       .trust = trust_of(rope)});
   c.part = fmt::format("{} rope", role);
   c.covers = {c.part};
   c.where = fmt::format("carriage at {:.4g} m", peak.x);

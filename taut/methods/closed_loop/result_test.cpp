@@ -5,6 +5,7 @@
 #include <map>
 #include <tuple>
 
+#include "taut/calc/verdict.hpp"
 #include "taut/methods/closed_loop/closed_loop.hpp"
 #include "taut/methods/closed_loop/engine.hpp"
 #include "test/cases/closed_loop_example.hpp"
@@ -209,6 +210,34 @@ TEST(ClosedLoopResult, NoRopeIsInfeasibleWithoutSteps) {
   const Result r = run(in);
   EXPECT_EQ(r.status, Status::infeasible);
   EXPECT_FALSE(r.given.empty());
+}
+
+/// The example with ropes of the catalogue.
+Input with_ropes(const char* return_rope, const char* traction_rope, double safety_factor) {
+  Input in = example();
+  in.return_weight.reset();
+  in.traction_weight.reset();
+  in.return_rope = return_rope;
+  in.traction_rope = traction_rope;
+  in.safety_factor = safety_factor;
+  return in;
+}
+
+TEST(ClosedLoopResult, AnUnverifiedBreakingForceIsOneInItsChecks) {
+  constexpr const char* unverified = "GOST 7668-80|6x36(1+7+7/7+14)-FC|29|1770";
+  const Result given = run(with_ropes(unverified, unverified, 3));
+  ASSERT_EQ(given.status, Status::ok) << given.message;
+  ASSERT_EQ(given.checks.size(), 2U);
+  for (const Check& c : given.checks) EXPECT_TRUE(is_unverified(c.trust)) << c.name << ": " << c.trust;
+  EXPECT_EQ(verdict_of(given)->kind, VerdictKind::passes_with_warnings) << verdict_of(given)->reason;
+  Input in = with_ropes(unverified, unverified, 3);
+  in.return_rope.reset();
+  in.traction_rope.reset();
+  in.choose_ropes = RopeFilter{.construction = {}, .core = "FC", .grade = 1670e6};
+  const Result chosen = run(in);
+  ASSERT_EQ(chosen.status, Status::ok) << chosen.message;
+  for (const Check& c : chosen.checks) EXPECT_TRUE(is_unverified(c.trust)) << c.name << ": " << c.trust;
+  EXPECT_EQ(verdict_of(chosen)->kind, VerdictKind::passes_with_warnings) << verdict_of(chosen)->reason;
 }
 
 }  // namespace taut::closed_loop::result_test
