@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "taut/calc/verdict.hpp"
 #include "taut/methods/boom_ropes/sliding.hpp"
 #include "taut/methods/boom_ropes/slip.hpp"
 
@@ -166,44 +167,90 @@ void corrected(const Input& in, const Span<T>& F, const Tensioned<T>& F_0, Sheet
   }
 }
 
-/// Pretension as the user set it. The pads hold |F0| <= f0 G3 only: beyond, section 3 slides until they do, while
-/// kappa S1 + S2 stays (both ropes see the same X).
+/// A pretension of both ropes.
+template <class T>
+struct Pretension {
+  T S10;
+  T S20;
+};
+
+/// What is left of a pretension that the pads don't hold: section 3 slides until they hold `held`, while
+/// kappa S1 + S2 stays, as both ropes see the same X.
+template <class T>
+Pretension<T> settled(const Pretension<T>& set, const T& held, const T& kappa, std::string_view mark, Sheet<T>& s) {
+  const auto symbol = [&](const char* stem) { return fmt::format("{}{}", stem, mark); };
+  const T S10 = s.eq("1*", symbol("S_10set"), si::N, (kappa * set.S10 + set.S20 - held) / (kappa + 2));
+  const T S20 = s.eq("1*", symbol("S_20set"), si::N, 2 * S10 + held);
+  return {S10, S20};
+}
+
+/// The pair that the corrected stiffness leaves.
+Pretension<double> corrected_pair(const Output& out) {
+  if (std::isnan(out.S10_set_corrected)) return {out.S10_set, out.S20_set};
+  return {out.S10_set_corrected, out.S20_set_corrected};
+}
+
+/// A pretension and its least, with their symbols.
+struct Asked {
+  const char* set_symbol;
+  const char* least_symbol;
+  double set;
+  double least;
+};
+
+/// The pretension by the printed and by the corrected stiffness, each against its own limit: the worse one counts.
+template <class T>
+void check_pretension(const char* name, const char* rule, const Asked& printed, const Asked& corrected, Sheet<T>& s) {
+  const auto bound = [](const Asked& a) {
+    return make_check("", a.set, si::N, {.sense = Sense::at_least, .limit = a.least, .rule = "", .trust = ""});
+  };
+  const bool by_corrected = !std::isnan(corrected.least) && !worse_state(bound(printed), bound(corrected));
+  const Asked& worse = by_corrected ? corrected : printed;
+  s.check(name, s.named(worse.set_symbol, si::N, worse.set), si::N,
+          {Sense::at_least, s.named(worse.least_symbol, si::N, worse.least), rule, "derived"});
+}
+
+/// Pretension as the user set it. The pads hold |F0| <= f0 G3 only: beyond, section 3 slides until they do.
 template <class T>
 void pretension_as_set(const Input& in, const Tensioned<T>& pads, Sheet<T>& s, Output& out) {
   s.section("The pretension as set");
-  const T S_10 = s.given(*in.S10);
-  const T S_20 = s.given(*in.S20);
-  const T F_0 = s.eq("1", "F_0", si::N, S_20 - 2 * S_10);
+  const Pretension<T> set{s.given(*in.S10), s.given(*in.S20)};
+  const T F_0 = s.eq("1", "F_0", si::N, set.S20 - 2 * set.S10);
   out.S10_set = *in.S10;
   out.S20_set = *in.S20;
   out.F0_set = value(F_0);
   if (F_0 < pads.F_0e || F_0 > pads.F_0r) {
     const T kappa = s.eq("", "kappa_C", si::one, s.given(in.retraction_stiffness) / s.given(in.extension_stiffness));
     const T& held = F_0 < pads.F_0e ? pads.F_0e : pads.F_0r;
-    const T S_10set = s.eq("1*", "S_10set", si::N, (kappa * S_10 + S_20 - held) / (kappa + 2));
-    const T S_20set = s.eq("1*", "S_20set", si::N, 2 * S_10set + held);
-    out.S10_set = value(S_10set);
-    out.S20_set = value(S_20set);
+    const Pretension<T> left = settled(set, held, kappa, "", s);
+    out.S10_set = value(left.S10);
+    out.S20_set = value(left.S20);
     out.F0_set = value(held);
+    std::string by_printed;
+    if (const auto ratio = measured_ratio(in)) {
+      const Pretension<T> better = settled(set, held, s.named("kappa", si::one, *ratio), "c", s);
+      out.S10_set_corrected = value(better.S10);
+      out.S20_set_corrected = value(better.S20);
+      by_printed =
+          fmt::format(" (by the printed stiffness {:.2f} and {:.2f} kN)", out.S10_set / 1e3, out.S20_set / 1e3);
+    }
     s.warn([&] {
+      const Pretension<double> kept = corrected_pair(out);
       return fmt::format(
           "S10 = {:.2f} kN and S20 = {:.2f} kN pull section 3 with {:.2f} kN, but its pads hold only {:.2f} kN: it "
-          "slides "
-          "until {:.2f} and {:.2f} kN are left. Tension the ropes so that |2 S10 - S20| stays below f0 G3.",
+          "slides until {:.2f} and {:.2f} kN are left{}. Tension the ropes so that |2 S10 - S20| stays below f0 G3.",
           *in.S10 / 1e3, *in.S20 / 1e3, std::abs(*in.S20 - 2 * *in.S10) / 1e3, std::abs(out.F0_retraction) / 1e3,
-          out.S10_set / 1e3, out.S20_set / 1e3);
+          kept.S10 / 1e3, kept.S20 / 1e3, by_printed);
     });
   }
   if (in.cases.empty()) return;
-  const auto limit = [&](double printed, double better) {
-    return std::isnan(better) ? printed : std::max(printed, better);
-  };
-  s.check("pretension of the extension rope", s.named("S_10", si::N, out.S10_set), si::N,
-          {Sense::at_least, s.named("S_10min", si::N, limit(out.S10_min, out.S10_min_corrected)),
-           "Reutov 2021, (3): the extension rope stays taut in every case", "derived"});
-  s.check("pretension of the retraction rope", s.named("S_20", si::N, out.S20_set), si::N,
-          {Sense::at_least, s.named("S_20min", si::N, limit(out.S20_min, out.S20_min_corrected)),
-           "Reutov 2021, (3): the retraction rope stays taut in every case", "derived"});
+  const Pretension<double> better = corrected_pair(out);
+  check_pretension("pretension of the extension rope", "Reutov 2021, (3): the extension rope stays taut in every case",
+                   {"S_10", "S_10min", out.S10_set, out.S10_min},
+                   {"S_10", "S_10min", better.S10, out.S10_min_corrected}, s);
+  check_pretension(
+      "pretension of the retraction rope", "Reutov 2021, (3): the retraction rope stays taut in every case",
+      {"S_20", "S_20min", out.S20_set, out.S20_min}, {"S_20", "S_20min", better.S20, out.S20_min_corrected}, s);
 }
 
 /// Slip angles without ropes and without jamming, over the weights of the retract cases.
@@ -239,14 +286,13 @@ double force(const Input& in, const Case& one) {
 
 namespace {
 
-RopeTensions shared(const Output& out, double F, const Shares<double>& lambda) {
-  const double change = out.F0_set - F;
-  RopeTensions t{.S1 = out.S10_set + change * lambda.lambda_1,
-                 .S2 = out.S20_set - change * lambda.lambda_2,
+RopeTensions shared(const Pretension<double>& pretension, double change, double F, const Shares<double>& lambda) {
+  RopeTensions t{.S1 = pretension.S10 + change * lambda.lambda_1,
+                 .S2 = pretension.S20 - change * lambda.lambda_2,
                  .extension_slack = false,
                  .retraction_slack = false};
   // A limit pretension leaves exactly nothing in the governing case: rounding must not make that a slack rope.
-  const double nothing = 1e-9 * (std::abs(F) + std::abs(out.S10_set) + std::abs(out.S20_set));
+  const double nothing = 1e-9 * (std::abs(F) + std::abs(pretension.S10) + std::abs(pretension.S20));
   if (t.S2 < -nothing) return {.S1 = -F / 2, .S2 = 0, .extension_slack = false, .retraction_slack = true};
   if (t.S1 < -nothing) return {.S1 = 0, .S2 = F, .extension_slack = true, .retraction_slack = false};
   t.S1 = std::max(t.S1, 0.0);
@@ -256,11 +302,13 @@ RopeTensions shared(const Output& out, double F, const Shares<double>& lambda) {
 
 }  // namespace
 
-RopeTensions tensions(const Output& out, double F) { return shared(out, F, {out.lambda_1, out.lambda_2}); }
+RopeTensions tensions(const Output& out, double F) {
+  return shared({out.S10_set, out.S20_set}, out.F0_set - F, F, {out.lambda_1, out.lambda_2});
+}
 
 std::optional<RopeTensions> corrected_tensions(const Output& out, double F) {
   if (std::isnan(out.lambda_1_corrected)) return std::nullopt;
-  return shared(out, F, {out.lambda_1_corrected, out.lambda_2_corrected});
+  return shared(corrected_pair(out), out.F0_set - F, F, {out.lambda_1_corrected, out.lambda_2_corrected});
 }
 
 template <class T>

@@ -142,6 +142,8 @@ struct Output {
   double S10_set = unset;
   double S20_set = unset;
   double F0_set = unset;
+  double S10_set_corrected = unset;  ///< where section 3 slides: the ropes settle by their stiffness, C1_corrected
+  double S20_set_corrected = unset;
   double C1_corrected = unset;
   double lambda_1_corrected = unset;
   double lambda_2_corrected = unset;
@@ -203,7 +205,7 @@ struct RopeTensions {
   bool retraction_slack = false;
 };
 RopeTensions tensions(const Output& out, double F);
-/// The same with the shares of the corrected stiffness, where there is one.
+/// The same with the shares of the corrected stiffness, where there is one, and with the pretension that settles by it.
 std::optional<RopeTensions> corrected_tensions(const Output& out, double F);
 
 /// The largest tension of a rope and the state that has it; NaN without any.

@@ -61,6 +61,8 @@ LargestTension largest_tension(const Input& in, const Result& r, Rope rope, cons
   const char* const column = extension ? "S1" : "S2";
   LargestTension most;
   raise_to_pretension(extension ? in.S10 : in.S20, number_of(r, extension ? "S10_set" : "S20_set"), most);
+  raise_to(most, number_of(r, extension ? "S10_set_corrected" : "S20_set_corrected"),
+           "pretension, corrected stiffness");
   if (const Table* cases = r.find_table("cases")) raise_to_cases(*cases, column, most);
   const Table* grid = r.find_table("extension");
   if (in.sliding) raise_to(most, sliding_pretension(in, *in.sliding, rope), "pretension of the sliding sections");

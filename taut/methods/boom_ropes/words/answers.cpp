@@ -17,8 +17,10 @@ std::vector<Answer> answers(const Input& in, const Result& r, const Display& dis
   };
   const auto has = [&](const char* value) { return r.find_value(value) != nullptr; };
   if (has("S10_set") && has("S20_set")) {
-    const auto given = [&](const std::optional<double>& tension, const char* set) {
-      if (!tension) return shown(set, Rounding::up);
+    const auto given = [&](const std::optional<double>& tension, const std::string& printed) {
+      if (!tension) return shown(printed.c_str(), Rounding::up);
+      const std::string corrected = printed + "_corrected";
+      const char* const set = has(corrected.c_str()) ? corrected.c_str() : printed.c_str();
       const std::string own = display.brief(*tension, si::N.in("kN"));
       return own == shown(set) ? own : fmt::format("{}, settles at {}", own, shown(set));
     };

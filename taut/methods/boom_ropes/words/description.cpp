@@ -198,6 +198,9 @@ const Description& Output::describe() {
     add(&O::S10_set, "S10_set", "S_10set", si::N, "pretension used for the table of cases", "(1)");
     add(&O::S20_set, "S20_set", "S_20set", si::N, "pretension used for the table of cases", "(1)");
     add(&O::F0_set, "F0_set", "F_0", si::N, "F under the pretension used", "(1)");
+    add(&O::S10_set_corrected, "S10_set_corrected", "S_10setc", si::N,
+        "pretension that settles by the corrected C_1, where section 3 slides", "(1*)");
+    add(&O::S20_set_corrected, "S20_set_corrected", "S_20setc", si::N, "the same for the retraction rope", "(1*)");
     add(&O::C1_corrected, "C1_corrected", "C_1c", stiffness, "C_1 from the measured stiffness ratio", "(2*)");
     add(&O::lambda_1_corrected, "lambda_1_corrected", "lambda_1c", si::one, "with the corrected C_1", "(2*)");
     add(&O::lambda_2_corrected, "lambda_2_corrected", "lambda_2c", si::one, "with the corrected C_1", "(2*)");

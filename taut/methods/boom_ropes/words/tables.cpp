@@ -143,9 +143,13 @@ Table cases_table(const Input& in, const Output& out) {
                     .corrected = corrected_tensions(out, out.F[i]),
                     .governs = governs(out, i)});
   }
-  return make_table(
-      "cases", fmt::format("Cases under a pretension of {:.4g} and {:.4g} kN", out.S10_set / 1e3, out.S20_set / 1e3),
-      case_quantities(), rows);
+  std::string title =
+      fmt::format("Cases under a pretension of {:.4g} and {:.4g} kN", out.S10_set / 1e3, out.S20_set / 1e3);
+  if (!std::isnan(out.S10_set_corrected)) {
+    title += fmt::format(", by the corrected stiffness {:.4g} and {:.4g} kN", out.S10_set_corrected / 1e3,
+                         out.S20_set_corrected / 1e3);
+  }
+  return make_table("cases", std::move(title), case_quantities(), rows);
 }
 
 Table tensioning_table(std::string name, std::string title, double friction, int steps) {
