@@ -9,6 +9,7 @@
 #include "taut/methods/boom_ropes/boom_ropes.hpp"
 #include "taut/methods/boom_ropes/drawing.hpp"
 #include "taut/methods/boom_ropes/sliding.hpp"
+#include "taut/methods/boom_ropes/slip.hpp"
 #include "taut/methods/boom_ropes/tables.hpp"
 
 namespace taut::boom_ropes {
@@ -108,6 +109,23 @@ void add_tables(const Input& in, const Output& out, Result& r) {
   if (in.sliding && !in.sliding->slip_angles.empty()) r.tables.push_back(slip_table(in));
 }
 
+/// Slip angles that were asked for and have no answer.
+void add_missing_slips(const Input& in, const Sliding& q, Result& r) {
+  MissingStates missing{.analysis = "slip angles",
+                        .missing = 0,
+                        .places = static_cast<int>(q.slip_angles.size()),
+                        .first = {},
+                        .reason = {}};
+  for (std::size_t i = 0; i < q.slip_angles.size(); ++i) {
+    const SlipAngle found = slip_angle(in, q, q.slip_angles[i]);
+    if (found.holds || !std::isnan(found.angle)) continue;
+    if (missing.missing++ > 0) continue;
+    missing.first = fmt::format("slip_angles[{}]", i);
+    missing.reason = found.reason;
+  }
+  if (missing.missing > 0) r.missing.push_back(std::move(missing));
+}
+
 void complain_of_sliding(const Sliding& q, std::vector<Complaint>& all) {
   const auto needs = [&](const std::vector<double>& list, const char* key) {
     if (list.empty())
@@ -164,6 +182,7 @@ Result run(const Input& in) {
     r.missing.push_back(
         {"sliding", static_cast<int>(count), static_cast<int>(out.grid.size()), place(*first), first->reason});
   }
+  if (outcome.ok() && in.sliding) add_missing_slips(in, *in.sliding, r);
   r.unjudged = {"extension", "retraction"};  // their strength: the input names no ropes, checks may
   return r;
 }

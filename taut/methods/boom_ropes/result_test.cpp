@@ -136,4 +136,25 @@ TEST(BoomRopesComplaints, RopeShorterThanItsBranch) {
   EXPECT_EQ(complaints(in)[0].path, "sliding.extension_length");
 }
 
+TEST(BoomRopesResult, ASlipAngleWithoutAnAnswerIsNotJudged) {
+  Input in = crane();
+  in.sliding->slip_angles = {{.boom_length = 21, .suspended_weight = 2943, .overlap_change = 0.4, .falls = 6},
+                             {.boom_length = 25, .suspended_weight = 2943, .overlap_change = 0, .falls = 6},
+                             {.boom_length = 21, .suspended_weight = 2943, .overlap_change = -3, .falls = 6}};
+  const Result r = run(in);
+  ASSERT_EQ(r.status, Status::ok) << r.message;
+  ASSERT_EQ(r.missing.size(), 1u);
+  EXPECT_EQ(r.missing[0].missing, 2);
+  EXPECT_EQ(r.missing[0].places, 3);
+  EXPECT_EQ(r.missing[0].first, "slip_angles[1]");
+  EXPECT_THAT(r.missing[0].reason, testing::HasSubstr("9 ... 21 m"));
+  in.sliding->slip_angles.resize(1);
+  EXPECT_TRUE(run(in).missing.empty());
+  in.sliding->offset_hoist = -10;
+  in.sliding->slip_angles[0] = {.boom_length = 21, .suspended_weight = 32373, .overlap_change = 0, .falls = 6};
+  const Result held = run(in);
+  EXPECT_THAT(std::get<std::string>(held.find_table("slip_angles")->rows[0][6]), testing::HasSubstr("every angle"));
+  EXPECT_TRUE(held.missing.empty()) << "that is an answer";
+}
+
 }  // namespace taut::boom_ropes::result_test

@@ -64,6 +64,7 @@ SlipAngle slip_angle(const Input& in, const Sliding& sliding, const Slip& slip) 
     from = to;
   }
   if (!root) {
+    out.holds = true;
     out.reason = "the pads hold section 3 at every angle up to 90 deg";
     return out;
   }

@@ -13,6 +13,7 @@ double free_slip_angle(double section_weight, double suspended_weight, double fr
 
 struct SlipAngle {
   double angle = unset;       ///< rad; NaN with a reason when section 3 slides at no angle up to 90 deg
+  bool holds = false;         ///< at every angle: an answer, where the other reasons tell that there is none
   double free_angle = unset;  ///< the same without jamming
   bool jamming = false;       ///< pads carry on opposite sides at that angle
   std::string reason;

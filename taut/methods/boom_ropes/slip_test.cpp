@@ -57,6 +57,17 @@ TEST(SlipAngle, ZeroWhenItSlidesAtTheHorizontal) {
   EXPECT_EQ(slip_angle(crane(), q, {15, 2943, 0, 6}).angle, 0);
 }
 
+TEST(SlipAngle, PadsThatHoldAtEveryAngleAreAnAnswer) {
+  Sliding q;
+  q.offset_hoist = -10;  // the load presses the pads even where the boom points up
+  const SlipAngle held = slip_angle(crane(), q, {21, 32373, 0, 6});
+  const SlipAngle unknown = slip_angle(crane(), q, {25, 32373, 0, 6});
+  EXPECT_TRUE(held.holds);
+  EXPECT_TRUE(std::isnan(held.angle));
+  EXPECT_FALSE(unknown.holds);
+  EXPECT_TRUE(std::isnan(unknown.angle));
+}
+
 RC_GTEST_PROP(SlipAngle, LessOverlapHoldsSteeper, ()) {
   const double overlap_change = static_cast<double>(*rc::gen::inRange(0, 400)) / 1000;
   const double G_n = *rc::gen::inRange(1000, 40000);
