@@ -54,11 +54,11 @@ SlipAngle slip_angle(const Input& in, const Sliding& sliding, const Slip& slip) 
     return lead + weight * std::sin(beta) - f0 * (std::abs(p.front) + std::abs(p.rear));
   };
   // Offsets can bend the curve, so the first change of sign is looked for in small steps.
-  constexpr int steps = 900;
+  constexpr int steps = 900;  // of a right angle
   constexpr double right_angle = std::numbers::pi / 2;
-  double from = 0;
-  std::optional<double> root = excess(0) >= 0 ? std::optional<double>(0) : std::nullopt;
-  for (int i = 1; i <= steps && !root; ++i) {
+  double from = -right_angle;
+  std::optional<double> root = excess(from) >= 0 ? std::optional<double>(from) : std::nullopt;
+  for (int i = 1 - steps; i <= steps && !root; ++i) {
     const double to = right_angle * i / steps;
     if (excess(to) >= 0) root = find_root(excess, from, to);
     from = to;

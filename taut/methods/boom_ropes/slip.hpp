@@ -20,8 +20,8 @@ struct SlipAngle {
 };
 
 /// The same with the pad forces of the sliding model (jamming included): S_k + W sin(beta) = f_0 (|N_f| + |N_r|), at
-/// the boom length of `slip` with its overlap changed by the jerk. The lowest angle in [0, 90 deg] at which it holds; 0
-/// when section 3 slides already at the horizontal.
+/// the boom length of `slip` with its overlap changed by the jerk. The lowest angle in [-90, 90 deg] at which it holds;
+/// below 0 section 3 slides in even where the boom points down.
 SlipAngle slip_angle(const Input& in, const Sliding& sliding, const Slip& slip);
 
 }  // namespace taut::boom_ropes

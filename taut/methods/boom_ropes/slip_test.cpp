@@ -51,10 +51,15 @@ TEST(SlipAngle, SaysWhenTheBoomIsTooLong) {
   EXPECT_NE(slip_angle(crane(), {}, {25, 2943, 0, 6}).reason.find("9 ... 21 m"), std::string::npos);
 }
 
-TEST(SlipAngle, ZeroWhenItSlidesAtTheHorizontal) {
+TEST(SlipAngle, BelowTheHorizontalWhereItSlidesThere) {
   Sliding q;
   q.static_friction = 0;
-  EXPECT_EQ(slip_angle(crane(), q, {15, 2943, 0, 6}).angle, 0);
+  const SlipAngle smooth = slip_angle(crane(), q, {15, 2943, 0, 6});
+  EXPECT_NEAR(smooth.angle, -std::asin(2943 * 0.95 / 6 / (8.44e3 + 2943)), 1e-12);
+  const SlipAngle heavy = slip_angle(crane(), {}, {9, 100e3, 0, 2});
+  EXPECT_NEAR(heavy.free_angle * 180 / std::numbers::pi, -16.84, 0.005);
+  EXPECT_FALSE(heavy.jamming);
+  EXPECT_NEAR(heavy.angle, heavy.free_angle, 1e-12);
 }
 
 TEST(SlipAngle, PadsThatHoldAtEveryAngleAreAnAnswer) {
