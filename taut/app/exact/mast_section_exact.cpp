@@ -482,6 +482,10 @@ void complete_mast_section(const Input& in, const Solved& method, EngineMasts& m
     add_mast_figures(at.model, at.found, section.allowable, r);
   }
   take_other_cases(in, method, section, masts, e, r);
+  if (r.status == Status::ok && e.N_least_exact < 0) {
+    warn_unsafe(r, fmt::format("the foot of the mast is pulled up with up to {:.4g} kN: it must be anchored to hold it",
+                               -e.N_least_exact / 1e3));
+  }
   if (positions.size() > 1) {
     r.tables.push_back(make_table("positions_exact", "Carriage positions, exact", exact_quantities(), positions));
   }

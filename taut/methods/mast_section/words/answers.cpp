@@ -39,17 +39,18 @@ const Check* worst_of_mast(const Result& r) {
   return worst;
 }
 
-/// What the foot has to hold. Of a mast that is not the method's cantilever only the engine's values are its own.
+/// What the foot has to hold: by the engine, the worst of all load cases. Without one the method's own, of a mast that
+/// is its cantilever.
 std::vector<std::string> foot_words(const Input& in, const Result& r, const Display& display) {
   const auto shown = [&](const char* value) {
     const Value* v = r.find_value(value);
     return v == nullptr ? std::string() : display.brief(v->value, v->unit);
   };
-  if (!is_beyond_method(in)) {
+  if (r.find_value("N_worst_exact") == nullptr) {
+    if (is_beyond_method(in)) return {};
     return {fmt::format("moment {}, ropes paid out {}", shown("M"), shown("M_payout")),
             fmt::format("axial force {}, shear {}", shown("N"), shown("Q"))};
   }
-  if (r.find_value("N_worst_exact") == nullptr) return {};
   const double least = number_of(r, "N_least_exact");
   const std::string pull =
       least < 0 ? fmt::format("pulled up with up to {}", display.brief(-least, si::N)) : std::string();
