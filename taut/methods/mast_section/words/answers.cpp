@@ -30,11 +30,13 @@ std::string section_words(const Input& in, const Table& sections, std::size_t ro
                             display.brief(number_in(sections, row, "mass"), si::kg_per_m));
 }
 
-/// The check of the mast with the largest utilisation.
+/// The check of the mast's stress with the largest utilisation: its slenderness and its wall are no stress.
 const Check* worst_of_mast(const Result& r) {
   const Check* worst = nullptr;
   for (const Check& c : r.checks) {
-    if (c.part == "mast" && (worst == nullptr || !(c.utilisation <= worst->utilisation))) worst = &c;
+    if (c.part == "mast" && c.unit.dimension == si::Pa.dimension &&
+        (worst == nullptr || !(c.utilisation <= worst->utilisation)))
+      worst = &c;
   }
   return worst;
 }

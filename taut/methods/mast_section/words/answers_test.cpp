@@ -47,4 +47,18 @@ TEST(MastAnswers, TheTubeIsNeededOrIdeal) {
   EXPECT_NE(needed.find(Display().brief(D, si::m.in("mm"))), std::string::npos) << needed;
 }
 
+// A slenderness of 6.3 under a limit of 1.5 is worse than any stress, and is none.
+TEST(MastAnswers, TheStressIsAStress) {
+  Input in = plain_mast();
+  in.section = "CHS 508x16";
+  Result r = run(in);
+  const std::string before = line_of(answers(in, r, Display()), "Stress");
+  EXPECT_NE(before.find("MPa"), std::string::npos) << before;
+  Check slender = make_check("mast.slenderness", 6.333, si::one,
+                             {.sense = Sense::at_most, .limit = 1.5, .rule = "slenderness", .trust = "user"});
+  slender.part = "mast";
+  r.checks.push_back(slender);
+  EXPECT_EQ(line_of(answers(in, r, Display()), "Stress"), before);
+}
+
 }  // namespace taut::mast_section::answers_test
