@@ -4,6 +4,9 @@
 
 #include <cmath>
 
+#include "taut/calc/answers.hpp"
+#include "taut/units/display.hpp"
+
 // The method and the engine on the same drive.
 namespace taut::app::friction_drive_exact_test {
 
@@ -140,6 +143,20 @@ TEST(FrictionDriveExact, OneTakeUpOnly) {
   EXPECT_EQ(complaints(in)[0].path, "take_up");
   in.take_up = TakeUp{.weight = {}, .mass = 100, .screw = {}};
   EXPECT_TRUE(complaints(in).empty());
+}
+
+TEST(FrictionDriveExact, OnlyATakeUpOfTheDeckIsTheDecks) {
+  Input in = saw();
+  const auto line = [](const Input& of) {
+    for (const Answer& a : answers(of, completed(of), Display())) {
+      if (a.label == "Take-up") return a.text;
+    }
+    return std::string();
+  };
+  EXPECT_NE(line(in).find("a pull of"), std::string::npos) << line(in);
+  EXPECT_EQ(line(in).find("the deck's"), std::string::npos) << line(in);
+  in.take_up = weight(20e3);
+  EXPECT_NE(line(in).find("the deck's 20 kN holds the rope"), std::string::npos) << line(in);
 }
 
 }  // namespace taut::app::friction_drive_exact_test

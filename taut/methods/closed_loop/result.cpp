@@ -36,6 +36,26 @@ Check rope_check(const char* role, const catalogue::RopeRow& rope, const Peak& p
   return c;
 }
 
+void check_clearance(const Input& in, const Solved& found, Result& r) {
+  double deepest = none, x = none;
+  for (const Row& row : found.rows) {
+    // of a carriage in two sections each has its own
+    for (const double sag : {row.out.f, row.out.f_1, row.out.f_2}) {
+      if (std::isnan(sag) || sag <= deepest) continue;
+      deepest = sag;
+      x = row.out.x;
+    }
+  }
+  if (std::isnan(deepest)) return;
+  Check c = make_check("sag at the carriage", deepest, si::m,
+                       {.sense = Sense::at_most,
+                        .limit = *in.clearance,
+                        .rule = "sag under the chord at most clearance of the deck",
+                        .trust = "user"});
+  c.where = fmt::format("carriage at {:.4g} m", x);
+  r.checks.push_back(std::move(c));
+}
+
 /// `found`: the positions, with the peaks where a search for ropes has them already.
 void add_checks(const Input& in, const Engine& engine, const Solved& found, Result& r) {
   const auto& [ropes, rows, known] = found;
@@ -50,18 +70,7 @@ void add_checks(const Input& in, const Engine& engine, const Solved& found, Resu
   }
   if (!in.safety_factor || !ropes.return_rope) r.unjudged.emplace_back("return rope");
   if (!in.safety_factor || !ropes.traction_rope) r.unjudged.emplace_back("traction rope");
-  if (!in.clearance) return;
-  double deepest = none;
-  for (const Row& row : rows) {
-    // of a carriage in two sections each has its own
-    for (const double sag : {row.out.f, row.out.f_1, row.out.f_2}) deepest = std::fmax(deepest, sag);
-  }
-  if (std::isnan(deepest)) return;
-  r.checks.push_back(make_check("sag at the carriage", deepest, si::m,
-                                {.sense = Sense::at_most,
-                                 .limit = *in.clearance,
-                                 .rule = "sag under the chord at most clearance of the deck",
-                                 .trust = "user"}));
+  if (in.clearance) check_clearance(in, found, r);
 }
 
 /// One quantity by each tier of the calculation, SI.

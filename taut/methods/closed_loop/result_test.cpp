@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -238,6 +239,28 @@ TEST(ClosedLoopResult, AnUnverifiedBreakingForceIsOneInItsChecks) {
   ASSERT_EQ(chosen.status, Status::ok) << chosen.message;
   for (const Check& c : chosen.checks) EXPECT_TRUE(is_unverified(c.trust)) << c.name << ": " << c.trust;
   EXPECT_EQ(verdict_of(chosen)->kind, VerdictKind::passes_with_warnings) << verdict_of(chosen)->reason;
+}
+
+TEST(ClosedLoopResult, TheSagOfTheClearanceSaysWhereItIs) {
+  Input in = example();
+  in.mode = Mode::free_running;
+  in.sag.reset();
+  in.position = {30, 100, 60};
+  in.clearance = 25;
+  const Result r = run(in);
+  ASSERT_EQ(r.status, Status::ok) << r.message;
+  const auto c = std::find_if(r.checks.begin(), r.checks.end(),
+                              [](const Check& one) { return one.name == "sag at the carriage"; });
+  ASSERT_NE(c, r.checks.end());
+  double deepest = 0, x = 0;
+  const Table& t = *r.find_table("positions");
+  for (const auto& row : t.rows) {
+    if (std::get<double>(row[1]) <= deepest) continue;
+    deepest = std::get<double>(row[1]);
+    x = std::get<double>(row[0]);
+  }
+  EXPECT_EQ(c->value, deepest);
+  EXPECT_EQ(c->where, fmt::format("carriage at {:.4g} m", x));
 }
 
 }  // namespace taut::closed_loop::result_test

@@ -27,6 +27,23 @@ const Value* largest(const Result& r, std::initializer_list<const char*> names) 
   return most;
 }
 
+/// A sag at the carriage, its position, and the length of the loop there; m.
+struct Sag {
+  double f;
+  double x;
+  double loop;
+};
+
+/// Where the sag of a position is deeper.
+void deepen(const Table& positions, Sag& sag) {
+  constexpr double alike = 1e-9;  // a sag that is given is that of each position
+  for (std::size_t i = 0; i < positions.rows.size(); ++i) {
+    const double f = number_in(positions, i, "f");
+    if (!(f > sag.f * (1 + alike))) continue;
+    sag = {.f = f, .x = number_in(positions, i, "x"), .loop = number_in(positions, i, "loop_length_exact")};
+  }
+}
+
 }  // namespace
 
 std::vector<Answer> answers(const Input& in, const Result& r, const Display& display) {
@@ -61,9 +78,12 @@ std::vector<Answer> answers(const Input& in, const Result& r, const Display& dis
     add_answer_line(lines, "Tension", {fmt::format("{}, {}{}", shown(*T), T->label, place)});
   }
   if (const Value* f = r.find_value("f")) {
-    std::vector<std::string> parts = {fmt::format("{} at the carriage{}", shown(*f), place)};
-    const Value* loop = r.find_value("loop_length_exact");
-    if (loop != nullptr) parts.push_back(fmt::format("the loop is {} long, unstretched", shown(*loop)));
+    Sag sag{.f = f->value, .x = number_of(r, "x"), .loop = number_of(r, "loop_length_exact")};
+    if (const Table* positions = r.find_table("positions")) deepen(*positions, sag);
+    std::vector<std::string> parts = {
+        fmt::format("{} at the carriage, carriage at {}", display.brief(sag.f, si::m), display.brief(sag.x, si::m))};
+    if (std::isfinite(sag.loop))
+      parts.push_back(fmt::format("the loop is {} long, unstretched", display.brief(sag.loop, si::m)));
     add_answer_line(lines, "Sag", parts);
   }
   return lines.answers;

@@ -1,3 +1,5 @@
+#include "taut/calc/answers.hpp"
+
 #include <gtest/gtest.h>
 
 #include "taut/methods/closed_loop/closed_loop.hpp"
@@ -41,6 +43,28 @@ TEST(LoopAnswers, RopesThatAreChosenAreToBeBuilt) {
       << line_of(all, "Build");
   EXPECT_NE(line_of(all, "Load").find("factor"), std::string::npos);
   EXPECT_NE(line_of(all, "Tension").find("kN"), std::string::npos);
+}
+
+TEST(LoopAnswers, TheSagIsTheDeepestOfAllPositions) {
+  Input in = taut_test::example();
+  in.mode = Mode::winch_pull;
+  in.sag.reset();
+  in.winch_pull = 90e3;
+  in.position = {20, 100};
+  const Result r = run(in);
+  ASSERT_EQ(r.status, Status::ok) << r.message;
+  const Table& t = *r.find_table("positions");
+  const double deepest = number_in(t, 1, "f");
+  ASSERT_GT(deepest, 1.1 * number_in(t, 0, "f"));
+  Result other = r;  // whichever position the values belong to
+  for (Value& v : other.values) {
+    if (v.name == "f") v.value = number_in(t, 0, "f");
+    if (v.name == "x") v.value = 20;
+  }
+  for (const Result& one : {r, other}) {
+    EXPECT_EQ(line_of(answers(in, one, Display()), "Sag"),
+              Display().brief(deepest, si::m) + " at the carriage, carriage at 100 m");
+  }
 }
 
 }  // namespace taut::closed_loop::answers_test

@@ -15,12 +15,12 @@ std::vector<Answer> answers(const Input& in, const Result& r, const Display& dis
     return v == nullptr ? std::string() : display.brief(v->value, v->unit, rounding);
   };
   const auto has = [&](const char* value) { return r.find_value(value) != nullptr; };
-  std::vector<std::string> pull = {
+  std::vector<std::string> least = {
       fmt::format("pull on the idler of at least {}", shown("takeup_no_slip", Rounding::up))};
-  pull.push_back(has("takeup_with_idler_loss")
-                     ? fmt::format("with the idler loss {}", shown("takeup_with_idler_loss", Rounding::up))
-                     : std::string("with the idler loss no pull is enough"));
-  add_answer_line(lines, needs_label, pull);
+  least.push_back(has("takeup_with_idler_loss")
+                      ? fmt::format("with the idler loss {}", shown("takeup_with_idler_loss", Rounding::up))
+                      : std::string("with the idler loss no pull is enough"));
+  add_answer_line(lines, needs_label, least);
   if (number_of(r, "slip_ratio") > number_of(r, "e")) {
     add_answer_line(lines, "Paper",
                     {fmt::format("its pull {} of (18) lets the rope slip", shown("P_M")),
@@ -42,9 +42,11 @@ std::vector<Answer> answers(const Input& in, const Result& r, const Display& dis
   add_answer_line(lines, "Drive", drive);
   if (has("slips_exact")) {
     const bool slips = number_of(r, "slips_exact") > 0;
+    // without one in the deck it is the weight that the method says to build
+    const std::string pull = in.take_up ? fmt::format("the deck's {}", shown("take_up_exact"))
+                                        : fmt::format("a pull of {} on the idler", shown("take_up_exact"));
     add_answer_line(lines, "Take-up",
-                    {fmt::format("the deck's {} {}", shown("take_up_exact"),
-                                 slips ? "lets the rope slip on its whole arc" : "holds the rope"),
+                    {fmt::format("{} {}", pull, slips ? "lets the rope slip on its whole arc" : "holds the rope"),
                      fmt::format("{} of the working arc is used", shown("arc_used_exact"))});
   }
   return lines.answers;
