@@ -82,8 +82,8 @@ solve::RunningLoop running_loop(const closed_loop::Input& in, const closed_loop:
   loop.rise = c.l * c.m;
   loop.branch_distance = in.branch_distance;
   loop.offset_is_vertical = in.branch_offset == closed_loop::BranchOffset::vertical;
-  loop.traction_rope = {.weight = c.q_T, .stiffness = in.traction_stiffness};
-  loop.return_rope = {.weight = c.q_b, .stiffness = in.return_stiffness};
+  loop.traction_rope = {.weight = c.q_T, .stiffness = c.EA_T};
+  loop.return_rope = {.weight = c.q_b, .stiffness = c.EA_b};
   loop.efficiency = c.eta;
   loop.pull_x = c.S * c.sin_g;
   loop.pull_z = -c.S * c.cos_g;

@@ -66,6 +66,8 @@ Case<T> make_case(const Input& in, const Setting& at, Sheet<T>& s) {
   c.W_c = s.given(in.carriage_weight);
   c.has_weight = in.carriage_weight > 0;
   c.roller = in.roller;
+  c.EA_b = at.EA_b.value_or(in.return_stiffness);
+  c.EA_T = at.EA_T.value_or(in.traction_stiffness);
   return c;
 }
 

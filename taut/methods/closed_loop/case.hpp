@@ -1,4 +1,7 @@
 #pragma once
+#include <limits>
+#include <optional>
+
 #include "taut/calc/sheet.hpp"
 #include "taut/methods/closed_loop/closed_loop.hpp"
 
@@ -27,6 +30,9 @@ struct Case {
   T w_T;
   T eta;
   T W_c;  ///< weight of the carriage
+  /// Stiffness EA of the return and of the traction rope, N, for the exact catenaries.
+  double EA_b = std::numeric_limits<double>::infinity();
+  double EA_T = std::numeric_limits<double>::infinity();
   bool midspan = false;
   bool downhill = true;  ///< alpha_s >= 0
   bool has_weight = false;
@@ -40,6 +46,8 @@ struct Setting {
   const double* x = nullptr;  ///< an element of Input::position, null for midspan
   double q_b = 0;
   double q_T = 0;
+  std::optional<double> EA_b = std::nullopt;  ///< empty: that of the deck
+  std::optional<double> EA_T = std::nullopt;
   const Engine* engine = nullptr;  ///< exact catenaries, where there are some
 };
 

@@ -169,9 +169,13 @@ void warn_of_stop(const Case<T>& c, const Output& out, Sheet<T>& s) {
 }
 
 template <class T>
-void warn_of_input(const Input& in, Sheet<T>& s) {
-  const bool elastic = std::isfinite(in.return_stiffness) || std::isfinite(in.traction_stiffness);
-  if (in.branch_distance > 0 || elastic) {
+bool is_elastic(const Case<T>& c) {
+  return std::isfinite(c.EA_b) || std::isfinite(c.EA_T);
+}
+
+template <class T>
+void warn_of_input(const Input& in, const Case<T>& c, Sheet<T>& s) {
+  if (in.branch_distance > 0 || is_elastic(c)) {
     s.note(
         "branch_distance and the stiffnesses enter the exact catenaries only; at a given sag they change every tension "
         "by less than 0.2 % and 0.1 % (a vertical offset on steep slopes: about 0.5 % per metre).");
@@ -194,9 +198,9 @@ Outcome add_exact(const Input& in, const Case<double>& plain, const Engine& engi
         "The same loop with {} catenaries, the roller at its place on the link, solved as a whole: P_b = {}, N = {}, "
         "T_uA = {}, T_uB = {}, T_lA = {}, T_lB = {}; unstretched loop {:.6g} m. Left unbalanced at a "
         "node: at most {:.0e} of the tension; left open at a rope's end: at most {:.0e} of the span.",
-        std::isfinite(in.return_stiffness) || std::isfinite(in.traction_stiffness) ? "elastic" : "inextensible",
-        kN(out.P_b_exact), kN(out.N_exact), kN(out.T_uA_exact), kN(out.T_uB_exact), kN(out.T_lA_exact),
-        kN(out.T_lB_exact), out.loop_length_exact, out.residual_exact, out.closure_exact);
+        is_elastic(plain) ? "elastic" : "inextensible", kN(out.P_b_exact), kN(out.N_exact), kN(out.T_uA_exact),
+        kN(out.T_uB_exact), kN(out.T_lA_exact), kN(out.T_lB_exact), out.loop_length_exact, out.residual_exact,
+        out.closure_exact);
   });
   return {};
 }
@@ -244,7 +248,7 @@ Outcome solve_position(const Input& in, const Setting& at, Sheet<T>& s, Output& 
     out.T_winch = pull_at_winch(in, out.T_lA);
     out.T_winch_exact = pull_at_winch(in, out.T_lA_exact);
   }
-  warn_of_input(in, s);
+  warn_of_input(in, c, s);
   warn_of_paper(c, out, s);
   warn_of_stop(c, out, s);
   if (single && c.midspan) {
@@ -267,9 +271,22 @@ Outcome solve_position(const Input& in, const Setting& at, Sheet<T>& s, Output& 
 template Outcome solve_position(const Input&, const Setting&, Sheet<double>&, Output&);
 template Outcome solve_position(const Input&, const Setting&, Sheet<Num>&, Output&);
 
+std::optional<catalogue::RopeStiffness> own_stiffness(const Input& in, double given,
+                                                      const std::optional<catalogue::RopeRow>& rope) {
+  if (in.mode != Mode::loop_length || std::isfinite(given) || !rope) return std::nullopt;
+  return catalogue::stiffness_of(*rope);
+}
+
 Setting setting_of(const Input& in, const Ropes& ropes, std::size_t index, const Engine& engine) {
-  return {
-      .x = in.position.empty() ? nullptr : &in.position[index], .q_b = ropes.q_b, .q_T = ropes.q_T, .engine = &engine};
+  const auto EA_of = [](const std::optional<catalogue::RopeStiffness>& own) {
+    return own ? std::optional(own->EA) : std::nullopt;
+  };
+  return {.x = in.position.empty() ? nullptr : &in.position[index],
+          .q_b = ropes.q_b,
+          .q_T = ropes.q_T,
+          .EA_b = EA_of(own_stiffness(in, in.return_stiffness, ropes.return_rope)),
+          .EA_T = EA_of(own_stiffness(in, in.traction_stiffness, ropes.traction_rope)),
+          .engine = &engine};
 }
 
 std::vector<Row> sweep(const Input& in, const Ropes& ropes, const Engine& engine) {

@@ -1,6 +1,8 @@
 #pragma once
+#include <optional>
 #include <vector>
 
+#include "taut/catalogue/modulus.hpp"
 #include "taut/methods/closed_loop/case.hpp"
 #include "taut/methods/closed_loop/engine.hpp"
 #include "taut/methods/closed_loop/sizing.hpp"
@@ -20,6 +22,11 @@ std::size_t worst_of(const std::vector<Row>& rows);
 
 /// The largest tensions over all feasible positions, `rows` as asked for and the same deck hauled the other way.
 Peaks peaks_of_both_hauls(const Input& in, const Ropes& ropes, const Engine& engine, const std::vector<Row>& rows);
+
+/// The stiffness by the catalogue of a rope for which the deck has none (`given` is infinite), in the mode whose sag
+/// depends on it: at a given length of the loop. Nothing: the catalogue has none.
+std::optional<catalogue::RopeStiffness> own_stiffness(const Input& in, double given,
+                                                      const std::optional<catalogue::RopeRow>& rope);
 
 /// The setting of row `index`.
 Setting setting_of(const Input& in, const Ropes& ropes, std::size_t index, const Engine& engine = no_engine);

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "taut/catalogue/trust.hpp"
@@ -36,6 +37,22 @@ Check rope_check(const char* role, const catalogue::RopeRow& rope, const Peak& p
   return c;
 }
 
+/// The deck's ropes by role, with the stiffness that it gives them and that of the catalogue in its place.
+struct Stretch {
+  const char* role;
+  double given;
+  std::optional<catalogue::RopeStiffness> own;
+};
+
+std::array<Stretch, 2> stretch_of(const Input& in, const Ropes& ropes) {
+  return {Stretch{.role = "return",
+                  .given = in.return_stiffness,
+                  .own = own_stiffness(in, in.return_stiffness, ropes.return_rope)},
+          Stretch{.role = "traction",
+                  .given = in.traction_stiffness,
+                  .own = own_stiffness(in, in.traction_stiffness, ropes.traction_rope)}};
+}
+
 void check_clearance(const Input& in, const Solved& found, Result& r) {
   double deepest = none, x = none;
   for (const Row& row : found.rows) {
@@ -54,6 +71,13 @@ void check_clearance(const Input& in, const Solved& found, Result& r) {
                         .trust = "user"});
   c.where = fmt::format("carriage at {:.4g} m", x);
   r.checks.push_back(std::move(c));
+  if (in.mode != Mode::loop_length) return;
+  for (const Stretch& rope : stretch_of(in, found.ropes)) {
+    if (std::isfinite(rope.given) || rope.own) continue;
+    r.unsafe.push_back(fmt::format(
+        "the clearance is judged with a {0} rope that does not stretch; a real one sags deeper: give {0}_stiffness",
+        rope.role));
+  }
 }
 
 /// `found`: the positions, with the peaks where a search for ropes has them already.
@@ -141,7 +165,8 @@ void add_comparisons(const Input& in, const Output& o, Result& r) {
                   "corrected: (10*), with the roller's push along the slope"));
 }
 
-void add_words(const Input& in, const std::vector<Row>& rows, Result& r) {
+void add_words(const Input& in, const Solved& found, Result& r) {
+  const std::vector<Row>& rows = found.rows;
   r.assumptions = {"Statics of one span; both branches hang parallel, with the same sag at the carriage.",
                    "Ropes are parabolas (small sag): the closed-form tier is within 2 % of catenaries for sags up to "
                    "0.15 of the span.",
@@ -152,6 +177,12 @@ void add_words(const Input& in, const std::vector<Row>& rows, Result& r) {
     r.assumptions.emplace_back(
         "Values that end in _exact: the same loop with catenaries and equilibrium of every node; ropes are checked and "
         "chosen by these.");
+  }
+  for (const Stretch& rope : stretch_of(in, found.ropes)) {
+    if (!rope.own) continue;
+    r.assumptions.push_back(
+        fmt::format("{0}_stiffness is not given: the {0} rope stretches as the catalogue has it, {1}.", rope.role,
+                    to_text(*rope.own)));
   }
   const auto failed = static_cast<std::size_t>(
       std::count_if(rows.begin(), rows.end(), [](const Row& row) { return !row.outcome.ok(); }));
@@ -197,7 +228,7 @@ Result run(const Input& in, const Engine& engine) {
   if (!outcome.ok()) r.figures = {loop_without_answer(in)};
   if (rows.empty()) return r;
   if (!in.position.empty() && rows.size() > 1) r.tables.push_back(positions_table(rows));
-  add_words(in, rows, r);
+  add_words(in, found, r);
   if (!outcome.ok()) return r;
   add_checks(in, engine, found, r);
   add_comparisons(in, out, r);

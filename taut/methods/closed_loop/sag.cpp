@@ -91,6 +91,21 @@ const char* condition_of(const Input& in) {
   return "the return rope is pulled at the carriage with the gathering force S";
 }
 
+/// Which of the ropes do not stretch.
+template <class T>
+void warn_of_no_stretch(bool return_rope, bool traction_rope, Sheet<T>& s) {
+  if (!return_rope && !traction_rope) return;
+  s.warn([&] {
+    const bool both = return_rope && traction_rope;
+    const char* const one = return_rope ? "return" : "traction";
+    return fmt::format(
+        "The sag is found from the loop's length with {} stretch; real ropes sag much more (in the paper's example "
+        "13.6 m instead of 10 m). Give {}.",
+        both ? "ropes that do not" : fmt::format("a {} rope that does not", one),
+        both ? "return_stiffness and traction_stiffness" : fmt::format("{}_stiffness", one));
+  });
+}
+
 /// The sag by exact catenaries.
 template <class T>
 Outcome set_exact_sag(const Input& in, const Case<double>& plain, const Engine& engine, Sheet<T>& s, Case<T>& c,
@@ -106,11 +121,7 @@ Outcome set_exact_sag(const Input& in, const Case<double>& plain, const Engine& 
   s.note([&] {
     return fmt::format("f = {:.6g} m: the smallest sag at which {}, by exact catenaries.", found.sag, condition_of(in));
   });
-  if (in.mode == Mode::loop_length && std::isinf(in.return_stiffness) && std::isinf(in.traction_stiffness)) {
-    s.warn(
-        "The sag is found from the loop's length with ropes that do not stretch; real ropes sag much more (in the "
-        "paper's example 13.6 m instead of 10 m). Give return_stiffness and traction_stiffness.");
-  }
+  if (in.mode == Mode::loop_length) warn_of_no_stretch(std::isinf(plain.EA_b), std::isinf(plain.EA_T), s);
   c.f = s.named("f", si::m, found.sag);
   out.f = found.sag;
   out.f_second = found.second;
