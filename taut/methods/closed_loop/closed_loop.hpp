@@ -140,6 +140,7 @@ struct Output {
   double F_traction_paper = none;
   double F_return = none;
   double F_traction = none;
+  double f_midspan = none;  ///< where the areas take another sag than f
   double safety_factor_return_paper = none;
   double safety_factor_traction_paper = none;
   // Exact catenaries; computed only with an engine.

@@ -39,7 +39,7 @@ void prove_paper_choice(const Input& in, Output& out, std::vector<std::string>& 
   Input own = in;
   own.position.clear();
   own.mode = Mode::sag;
-  own.sag = out.f;
+  own.sag = std::isfinite(out.f_midspan) ? out.f_midspan : out.f;
   own.winch_pull.reset();
   own.loop_length.reset();
   own.return_rope.reset();

@@ -205,6 +205,30 @@ Outcome add_exact(const Input& in, const Case<double>& plain, const Engine& engi
   return {};
 }
 
+/// The areas, which are those of the load at midspan. A sag that is given is taken for the one there; one that follows
+/// from a tension or a length is found there.
+template <class T>
+Outcome areas_at_midspan(const Input& in, const Setting& at, const Case<T>& c, const Paper<T>& p, Sheet<T>& s,
+                         Output& out) {
+  if (c.midspan || in.mode == Mode::sag) return areas(in, c, p, s, out);
+  Setting middle = at;
+  middle.x = nullptr;
+  Sheet<double> silent;
+  const Case<double> plain = make_case(in, middle, silent);
+  Case<double> found = plain;
+  Output there;
+  if (Outcome o = set_sag(in, plain, at.engine != nullptr ? *at.engine : no_engine, silent, found, there); !o.ok()) {
+    s.warn([&] { return fmt::format("The ropes can't be sized for the load at midspan: {}", o.message); });
+    return {};
+  }
+  out.f_midspan = found.f;
+  Case<T> load_at_midspan = c;
+  load_at_midspan.f = s.named("f_m", si::m, found.f);
+  s.note(
+      [&] { return fmt::format("f_m = {:.6g} m: the sag with the carriage at midspan, by the same rule.", found.f); });
+  return areas(in, load_at_midspan, p, s, out);
+}
+
 }  // namespace
 
 template <class T>
@@ -264,7 +288,7 @@ Outcome solve_position(const Input& in, const Setting& at, Sheet<T>& s, Output& 
     out.T_n_printed = printed.T_n;
     out.T_lA_printed = printed.T_lA;
   }
-  if (in.safety_factor && in.wire_strength) return areas(in, c, p, s, out);
+  if (in.safety_factor && in.wire_strength) return areas_at_midspan(in, at, c, p, s, out);
   return {};
 }
 
@@ -391,13 +415,14 @@ Outcome find_ropes(const Input& in, const Engine& engine, Solved& found) {
   return {};
 }
 
-/// The exact values of a position that is solved already, for its note; the engine itself where it had none. Both
-/// passes have the same numbers to the bit, so that all of them may be taken over.
+/// The exact values of a position that is solved already, for its note; the engine itself where it had none, and for
+/// the sag at another place. Both passes have the same numbers to the bit, so that all of them may be taken over.
 Engine known_answers(const Row& row, const Engine& engine) {
   if (!row.outcome.ok() || !std::isfinite(row.out.T_lA_exact)) return engine;
   Engine known;
   if (engine.sag) {
-    known.sag = [&row](const Input&, const Case<double>&, ExactSag& found) {
+    known.sag = [&row, &engine](const Input& in, const Case<double>& c, ExactSag& found) {
+      if (c.x != row.out.x) return engine.sag(in, c, found);
       found = {.sag = row.out.f, .second = row.out.f_second};
       return Outcome{};
     };

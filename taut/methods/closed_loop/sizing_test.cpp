@@ -195,4 +195,22 @@ TEST(ClosedLoopSizing, TwoSectionsPullTheRopeBetweenThem) {
   EXPECT_EQ(peaks_of(out).return_rope.tension, out.T_12);
 }
 
+// The areas are those of the load at midspan, wherever the carriage of the deck stands: near A the same pull leaves a
+// tenth of the sag there.
+TEST(ClosedLoopSizing, TheAreasTakeTheSagAtMidspan) {
+  Input in = sized();
+  in.sag.reset();
+  in.mode = Mode::winch_pull;
+  in.winch_pull = 82e3;
+  Output middle;
+  ASSERT_TRUE(solve(in, middle).ok());
+  in.position = {5};
+  Output near_A;
+  const Outcome o = solve(in, near_A);
+  ASSERT_TRUE(o.ok()) << o.message;
+  EXPECT_LT(near_A.f, middle.f / 5);
+  EXPECT_NEAR(near_A.F_return, middle.F_return, 1e-6 * middle.F_return);
+  EXPECT_NEAR(near_A.F_traction, middle.F_traction, 1e-6 * middle.F_traction);
+}
+
 }  // namespace taut::closed_loop::sizing_test

@@ -218,6 +218,7 @@ void describe_closed(Describe<Output>& d) {
 }
 
 void describe_areas(Describe<Output>& d) {
+  d.field(&Output::f_midspan, "f_midspan", "f_m", si::m, "sag with the carriage at midspan, that the areas take");
   d.field(&Output::F_return_paper, "F_return_paper", "F_return_paper", si::m2,
           "metallic area of the return rope, paper")
       .from("(8)");
