@@ -1,6 +1,6 @@
 """Made from the descriptions by python/tools/make_stub.py; do not edit. `./dev python stub` makes it again.
 
-schema: 302e3f0730c42449d3dfd041880c035dc09f5db60239fc02f464b0933ad07c7d
+schema: e03fea0f847a4cd013d6716fe3a15373e9031a3bef7fb21d4f088912b93bd76b
 """
 
 from collections.abc import Mapping, Sequence

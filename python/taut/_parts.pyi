@@ -1,6 +1,6 @@
 """Made from the descriptions by python/tools/make_stub.py; do not edit. `./dev python stub` makes it again.
 
-schema: 302e3f0730c42449d3dfd041880c035dc09f5db60239fc02f464b0933ad07c7d
+schema: e03fea0f847a4cd013d6716fe3a15373e9031a3bef7fb21d4f088912b93bd76b
 """
 
 from collections.abc import Mapping, Sequence
@@ -46,9 +46,9 @@ class Parts:
             construction; .inf: inextensible (above 0 MN).
         breaking_force: N. minimum breaking force (above 0 kN).
         diameter: m. nominal diameter (above 0 mm and at most 1e9 mm).
-        expansion: 1/K. thermal expansion. Default: 1.2e-5 1/K.
+        expansion: 1/K. thermal expansion (at least -0.0001 1/K and at most 0.0001 1/K). Default: 1.2e-5 1/K.
         reference_temperature: K. temperature at which lengths are given; default: that of the machine (at least -273.15
-            degC).
+            degC and at most 1726.8 degC).
         damping_ratio: damping ratio of the lowest mode that stretches it; used in motion only (at least 0).
         damping_time: s. T = EA (e + beta e'); used in motion only (at least 0 s).
 
@@ -454,9 +454,9 @@ class Parts:
         mass: kg/m. mass per metre; default: that of the catalogue, or A times 7850 kg/m3 (at least 0 kg/m and at most
             1000000 kg/m).
         steel: steel grade, for the check of the stress, as 'taut list steels' shows it.
-        expansion: 1/K. thermal expansion (EN 1993-1-1, 3.2.6) (at least 0 1/K). Default: 1.2e-5 1/K.
+        expansion: 1/K. thermal expansion (EN 1993-1-1, 3.2.6) (at least 0 1/K and at most 0.0001 1/K). Default: 1.2e-5 1/K.
         reference_temperature: K. temperature at which it reaches from 'from' to 'to' without stress; default: that of the
-            machine (at least -273.15 degC).
+            machine (at least -273.15 degC and at most 1726.8 degC).
         strong: direction of bending about its strong axis; default: upwards for a horizontal beam, x for a vertical one.
         elements: number of intervals between the sections that tables show; the largest values are looked for at 48 or more
             (at least 1 and at most 256). Default: 16.

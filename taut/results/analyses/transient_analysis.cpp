@@ -10,6 +10,7 @@
 #include "taut/calc/answers.hpp"
 #include "taut/checks/checked_parts.hpp"
 #include "taut/results/analyses/analyses.hpp"
+#include "taut/results/motion/straight_ropes.hpp"
 #include "taut/results/motion/transient_figures.hpp"
 #include "taut/results/motion/transient_state.hpp"
 #include "taut/results/motion/transient_tables.hpp"
@@ -113,6 +114,22 @@ void add_motion(const study::TransientRun& run, const Display& display, bool jud
   add_answer_line(r, "At the end", end);
 }
 
+/// Ropes that a settled motion takes for straight and that pull harder as they really hang: its checks judge too
+/// little.
+void warn_of_sag(const study::TransientRun& run, const checks::CheckedParts& checked, Result& r) {
+  const solve::TransientOptions& o = run.options;
+  if (o.from || o.start != solve::Start::settled || !o.rope_mass || o.branches == solve::Branches::catenary) return;
+  if (run.result.interrupted) return;
+  std::vector<double> peaks;
+  peaks.reserve(run.result.ropes.size());
+  for (const solve::RopeExtreme& rope : run.result.ropes) peaks.push_back(rope.T.max);
+  const solve::TransientFrame hangs = hanging_start(run.model, o);
+  for (const SaggingRope& rope : ropes_that_sag(run.model, run.result.frames.front(), hangs, peaks)) {
+    r.warnings.push_back(sag_words(words_of(run), rope));
+    if (checked.judged && checked.deck->checks) r.unmade.push_back(r.warnings.back());
+  }
+}
+
 }  // namespace
 
 void add_answer(const study::TransientRun& asked, MachineRun& machine, Result& r) {
@@ -133,6 +150,7 @@ void add_answer(const study::TransientRun& asked, MachineRun& machine, Result& r
   }
   if (result.frames.empty()) return;
   add_transient_tables(run, machine.checked->judged, r);
+  warn_of_sag(run, *machine.checked, r);
   add_transient_figures(run, r);
   add_motion(run, machine.display, machine.checked->judged, r);
   machine.key_figure.offer(Pictured::motion, key_figure_of_motion(run, r), machine.checked->judged);

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "taut/base/array.hpp"
+#include "taut/math/index.hpp"
 
 namespace taut::results {
 namespace {

@@ -8,7 +8,6 @@
 #include "taut/base/expects.hpp"
 #include "taut/catalogue/rule.hpp"
 #include "taut/results/described.hpp"
-#include "taut/results/motion/straight_ropes.hpp"
 
 namespace taut::results {
 namespace {
@@ -302,20 +301,6 @@ void add_kept_lengths(const study::TransientRun& run, Result& r) {
   }
 }
 
-/// Ropes that a settled motion takes for straight and that pull harder as they really hang: it judges too little.
-void warn_of_sag(const study::TransientRun& run, bool judged, Result& r) {
-  const solve::TransientOptions& o = run.options;
-  if (o.from || o.start != solve::Start::settled || !o.rope_mass || o.branches == solve::Branches::catenary) return;
-  const solve::TransientFrame hangs = hanging_start(run.model, o);
-  std::vector<double> peaks;
-  peaks.reserve(run.result.ropes.size());
-  for (const solve::RopeExtreme& rope : run.result.ropes) peaks.push_back(rope.T.max);
-  for (const SaggingRope& rope : ropes_that_sag(run.model, run.result.frames.front(), hangs, peaks)) {
-    r.warnings.push_back(sag_words(words_of(run), rope));
-    if (judged) r.unmade.push_back(r.warnings.back());
-  }
-}
-
 /// What straight branches leave out, where that is much: the heaviest one by its tension at the start.
 std::string weight_words(const study::TransientRun& run, std::size_t reeving) {
   const machine::Reeving& rope = run.model.reevings[reeving];
@@ -333,7 +318,7 @@ std::string weight_words(const study::TransientRun& run, std::size_t reeving) {
       much);
 }
 
-void add_words(const study::TransientRun& run, bool judged, Result& r) {
+void add_words(const study::TransientRun& run, Result& r) {
   const solve::TransientResult& result = run.result;
   const bool explicit_steps = run.options.method == solve::TimeMethod::verlet;
   std::string steps = fmt::format("{} steps from {:.3g} s to {:.3g} s, {} rejected", result.steps, result.smallest_step,
@@ -361,7 +346,6 @@ void add_words(const study::TransientRun& run, bool judged, Result& r) {
   }
   add_missed_events(run, r);
   add_kept_lengths(run, r);
-  warn_of_sag(run, judged, r);
   if (run.request.save && result.interrupted) {
     r.warnings.push_back(
         fmt::format("the saved state is that of t = {:.6g} s, where it was interrupted", result.t_end));
@@ -394,7 +378,7 @@ void add_transient_tables(const study::TransientRun& run, bool judged, Result& r
   add_events(run, r);
   add_energy(run, r);
   warn_of_errors(run, judged, r);
-  add_words(run, judged, r);
+  add_words(run, r);
 }
 
 }  // namespace taut::results
