@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <string>
@@ -80,10 +81,10 @@ TEST(ClosedLoopCatalogue, ChosenRopesStretchAtAGivenLength) {
 // A breaking force that nobody has compared with its source is no limit where the deck refuses such limits.
 TEST(ClosedLoopCatalogue, AnUnverifiedBreakingForceIsRefused) {
   const auto run_with = [](const std::string& ropes, const std::string& checks) {
-    return run_text(
-        "taut: 1\nmethod: closed_loop\ninput: {span: 200 m, sag: 10 m, gathering_force: 3000 kgf, gathering_angle: 30 "
-        "deg, tail_efficiency: 0.9, safety_factor: 3, " +
-        ropes + "}\n" + checks);
+    return run_text(fmt::format(
+        "taut: 1\nmethod: closed_loop\ninput: {{span: 200 m, sag: 10 m, gathering_force: 3000 kgf, gathering_angle: 30 "
+        "deg, tail_efficiency: 0.9, safety_factor: 3, {}}}\n{}",
+        ropes, checks));
   };
   const std::string row = "\"GOST 7668-80|6x36(1+7+7/7+14)-FC|29|1770\"";
   for (const std::string& ropes :

@@ -186,8 +186,8 @@ Pretension<T> settled(const Pretension<T>& set, const T& held, const T& kappa, s
 
 /// The pair that the corrected stiffness leaves.
 Pretension<double> corrected_pair(const Output& out) {
-  if (std::isnan(out.S10_set_corrected)) return {out.S10_set, out.S20_set};
-  return {out.S10_set_corrected, out.S20_set_corrected};
+  if (std::isnan(out.S10_set_corrected)) return {.S10 = out.S10_set, .S20 = out.S20_set};
+  return {.S10 = out.S10_set_corrected, .S20 = out.S20_set_corrected};
 }
 
 /// A pretension and its least, with their symbols.
@@ -303,12 +303,14 @@ RopeTensions shared(const Pretension<double>& pretension, double change, double 
 }  // namespace
 
 RopeTensions tensions(const Output& out, double F) {
-  return shared({out.S10_set, out.S20_set}, out.F0_set - F, F, {out.lambda_1, out.lambda_2});
+  return shared({.S10 = out.S10_set, .S20 = out.S20_set}, out.F0_set - F, F,
+                {.lambda_1 = out.lambda_1, .lambda_2 = out.lambda_2});
 }
 
 std::optional<RopeTensions> corrected_tensions(const Output& out, double F) {
   if (std::isnan(out.lambda_1_corrected)) return std::nullopt;
-  return shared(corrected_pair(out), out.F0_set - F, F, {out.lambda_1_corrected, out.lambda_2_corrected});
+  return shared(corrected_pair(out), out.F0_set - F, F,
+                {.lambda_1 = out.lambda_1_corrected, .lambda_2 = out.lambda_2_corrected});
 }
 
 template <class T>

@@ -54,9 +54,11 @@ TEST(SlipAngle, SaysWhenTheBoomIsTooLong) {
 TEST(SlipAngle, BelowTheHorizontalWhereItSlidesThere) {
   Sliding q;
   q.static_friction = 0;
-  const SlipAngle smooth = slip_angle(crane(), q, {15, 2943, 0, 6});
+  const SlipAngle smooth =
+      slip_angle(crane(), q, {.boom_length = 15, .suspended_weight = 2943, .overlap_change = 0, .falls = 6});
   EXPECT_NEAR(smooth.angle, -std::asin(2943 * 0.95 / 6 / (8.44e3 + 2943)), 1e-12);
-  const SlipAngle heavy = slip_angle(crane(), {}, {9, 100e3, 0, 2});
+  const SlipAngle heavy =
+      slip_angle(crane(), {}, {.boom_length = 9, .suspended_weight = 100e3, .overlap_change = 0, .falls = 2});
   EXPECT_NEAR(heavy.free_angle * 180 / std::numbers::pi, -16.84, 0.005);
   EXPECT_FALSE(heavy.jamming);
   EXPECT_NEAR(heavy.angle, heavy.free_angle, 1e-12);
@@ -65,8 +67,10 @@ TEST(SlipAngle, BelowTheHorizontalWhereItSlidesThere) {
 TEST(SlipAngle, PadsThatHoldAtEveryAngleAreAnAnswer) {
   Sliding q;
   q.offset_hoist = -10;  // the load presses the pads even where the boom points up
-  const SlipAngle held = slip_angle(crane(), q, {21, 32373, 0, 6});
-  const SlipAngle unknown = slip_angle(crane(), q, {25, 32373, 0, 6});
+  const SlipAngle held =
+      slip_angle(crane(), q, {.boom_length = 21, .suspended_weight = 32373, .overlap_change = 0, .falls = 6});
+  const SlipAngle unknown =
+      slip_angle(crane(), q, {.boom_length = 25, .suspended_weight = 32373, .overlap_change = 0, .falls = 6});
   EXPECT_TRUE(held.holds);
   EXPECT_TRUE(std::isnan(held.angle));
   EXPECT_FALSE(unknown.holds);
