@@ -1,6 +1,6 @@
 """Made from the descriptions by python/tools/make_stub.py; do not edit. `./dev python stub` makes it again.
 
-schema: e03fea0f847a4cd013d6716fe3a15373e9031a3bef7fb21d4f088912b93bd76b
+schema: 2ac2153d06be64d1e2f579600d16c8b993b85fc3ce86c1b34e63f53856ad4624
 """
 
 from collections.abc import Mapping, Sequence

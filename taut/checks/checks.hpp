@@ -1,4 +1,5 @@
 #pragma once
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -31,8 +32,9 @@ void finish_checks(const ChecksRequest& request, Result& r);
 // Ropes of a machine: rope_checks.cpp.
 std::vector<AskedRules> resolve_ropes(const ChecksRequest& request, const CheckedDeck& deck,
                                       const machine::Model& model, std::vector<Complaint>& complaints);
-/// All that is to be reported of one rope: checks, and what was left out.
-void add_checks_of(const RopeCheckRequest& request, const AskedRules& asked, const rope::RopeUse& use, Result& r);
+/// All that is to be reported of one rope: checks, and what was left out. `around`: as of `rope_rules`.
+void add_checks_of(const RopeCheckRequest& request, const AskedRules& asked, const rope::RopeUse& use, Result& r,
+                   std::optional<double> around = std::nullopt);
 /// `uses`: by reeving, over all states that are load cases.
 void add_rope_checks(const ChecksRequest& request, const CheckedDeck& deck, const machine::Model& model,
                      const std::vector<rope::RopeUse>& uses, Result& r);

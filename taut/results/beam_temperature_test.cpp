@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <string>
+#include <tuple>
 
 #include "test/support/machine_decks.hpp"
 
@@ -28,6 +29,23 @@ std::string pole(const std::string& beam, const std::string& rope, const std::st
 double top_of(const std::string& deck) {
   const Result r = run_text(deck);
   return value_of(r, "mast.top.z") - 30;
+}
+
+// A forgotten e-6, and temperatures at which nothing is a rope any more.
+TEST(BeamTemperature, WhatNoSolidDoesIsRefused) {
+  const std::string warm = "  temperature: 60 degC\n";
+  for (const auto& [beam, rope, machine, key] :
+       {std::tuple("", ", expansion: 12 1/K", warm, "expansion"),
+        std::tuple("", ", expansion: -0.001 1/K", warm, "expansion"),
+        std::tuple("", ", reference_temperature: 1e300 degC", warm, "reference_temperature"),
+        std::tuple(", expansion: 12 1/K", "", warm, "expansion"),
+        std::tuple(", reference_temperature: 1e300 degC", "", warm, "reference_temperature"),
+        std::tuple("", "", std::string("  temperature: 1e300 degC\n"), "temperature")}) {
+    const Result r = run_text(pole(beam, rope, machine, ""));
+    ASSERT_EQ(r.errors.size(), 1U) << beam << rope << machine;
+    EXPECT_NE(r.errors[0].message.find(key), std::string::npos) << r.errors[0].message;
+  }
+  EXPECT_TRUE(run_text(pole("", ", expansion: -1.2e-5 1/K", warm, "")).errors.empty()) << "fibres of polyethylene";
 }
 
 // Steel, 12e-6 1/K: 30 m are 14.4 mm longer for 40 K.

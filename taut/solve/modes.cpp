@@ -250,15 +250,38 @@ Outcome find_modes(Run& run, const Values& rest, int most, ModeSet& set) {
 }  // namespace taut::solve::dynamics
 
 namespace taut::solve {
+namespace {
 
-ModesResult modes(const machine::Model& model, const ModesOptions& options) {
-  machine::Model still = dynamics::ready_to_move(dynamics::at_rest(model), options.start);
+TransientOptions options_of(const ModesOptions& options) {
   TransientOptions o;
   o.duration = 1;
   o.start = options.start;
   o.damping_ratio = options.damping_ratio;
   o.rope_mass = options.rope_mass;
   o.branches = options.branches;
+  return o;
+}
+
+/// The state at rest with everything that a step leaves behind it.
+dynamics::Values at_rest(dynamics::Run& run) {
+  std::fill(run.before.nu.begin(), run.before.nu.end(), 0.0);
+  std::fill(run.before.rate.begin(), run.before.rate.end(), 0.0);
+  return dynamics::displaced_by(run, Eigen::VectorXd::Zero(run.m.size), run.before);
+}
+
+}  // namespace
+
+std::optional<TransientFrame> rest_of_modes(const machine::Model& model, const ModesOptions& options) {
+  const machine::Model still = dynamics::ready_to_move(dynamics::at_rest(model), options.start);
+  const TransientOptions o = options_of(options);
+  dynamics::Run run{.model = still, .options = o};
+  if (!dynamics::open_run(run)) return std::nullopt;
+  return dynamics::frame_of(run.m, at_rest(run));
+}
+
+ModesResult modes(const machine::Model& model, const ModesOptions& options) {
+  machine::Model still = dynamics::ready_to_move(dynamics::at_rest(model), options.start);
+  const TransientOptions o = options_of(options);
   dynamics::Run run{.model = still, .options = o};
   ModesResult result;
   const bool opened = dynamics::open_run(run);
@@ -272,11 +295,7 @@ ModesResult modes(const machine::Model& model, const ModesOptions& options) {
         "the machine has {} freedoms, more than {}: give its ropes fewer 'segments'", freedoms, most_mode_freedoms));
     return result;
   }
-  // the state at rest with everything that a step leaves behind it
-  std::fill(run.before.nu.begin(), run.before.nu.end(), 0.0);
-  std::fill(run.before.rate.begin(), run.before.rate.end(), 0.0);
-  const auto at_rest = [&] { return dynamics::displaced_by(run, Eigen::VectorXd::Zero(run.m.size), run.before); };
-  dynamics::Values rest = at_rest();
+  dynamics::Values rest = at_rest(run);
   result.rest = dynamics::frame_of(run.m, rest);
   std::vector<std::string> pads;
   for (std::size_t i = 0; i < result.rest.faces.size(); ++i) {
@@ -287,7 +306,7 @@ ModesResult modes(const machine::Model& model, const ModesOptions& options) {
     set.sheaves = sheaves;
     if (sheaves == Sheaves::released && !pads.empty()) {
       for (machine::FaceContact& contact : still.contacts) contact.static_friction = contact.kinetic_friction = 0;
-      rest = at_rest();
+      rest = at_rest(run);
     }
     result.outcome = dynamics::find_modes(run, rest, options.most, set);
     if (!result.outcome.ok()) return result;

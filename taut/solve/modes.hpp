@@ -69,4 +69,7 @@ inline constexpr int most_mode_freedoms = 400;
 /// branches stay slack. docs/theory/vibrations.md.
 ModesResult modes(const machine::Model& model, const ModesOptions& options = {});
 
+/// The state about which `modes` finds them; empty where the machine does not come to rest.
+std::optional<TransientFrame> rest_of_modes(const machine::Model& model, const ModesOptions& options = {});
+
 }  // namespace taut::solve

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "taut/units/parse.hpp"
+
 namespace taut::study {
 namespace {
 
@@ -108,6 +110,29 @@ const Description& AnalysisRequest::describe() {
           .exactly_one({"equilibrium", "load_path", "payload", "installation", "cycle", "envelope", "sweep",
                         "transient", "modes", "pretension"});
   return d;
+}
+
+std::optional<double> hottest_of(const machine::Machine& machine, const std::vector<AnalysisRequest>& analyses) {
+  std::optional<double> hottest = machine.temperature;
+  const auto take = [&](const std::optional<double>& one) {
+    if (one && (!hottest || *one > *hottest)) hottest = one;
+  };
+  for (const AnalysisRequest& one : analyses) {
+    if (one.envelope && one.envelope->judge) {
+      for (const double t : one.envelope->temperatures) take(t);
+    }
+    if (one.installation && one.installation->judge) {
+      for (const double t : one.installation->temperatures) take(t);
+      take(one.installation->from);
+      take(one.installation->to);
+    }
+    if (one.sweep && one.sweep->judge && one.sweep->heats()) {
+      for (const std::string& end : {one.sweep->from, one.sweep->to}) {
+        if (const auto t = parse_quantity(end, si::K)) take(*t);
+      }
+    }
+  }
+  return hottest;
 }
 
 AskedAll resolve(const std::vector<AnalysisRequest>& analyses, bool must_judge, const machine::Machine& machine,

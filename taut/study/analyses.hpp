@@ -34,6 +34,10 @@ struct AnalysisRequest {
   static const Description& describe();
 };
 
+/// The highest temperature of the machine in the states that these analyses show to the verdict, K; none where the deck
+/// says none.
+std::optional<double> hottest_of(const machine::Machine& machine, const std::vector<AnalysisRequest>& analyses);
+
 /// An analysis besides equilibria and load paths, with its names resolved.
 using Question = std::variant<PayloadRun, InstallationRun, CycleRun, EnvelopeRun, SweepRun, TransientRun, PretensionRun,
                               LeastTensionRun, ModesRun>;

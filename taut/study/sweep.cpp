@@ -100,7 +100,7 @@ void resolve_values(const SweepRequest& request, const std::string& path, Names&
   }
   run.unit = parameter->unit;
   run.judged_apart = !is_in_states(*parameter);
-  if (std::isnan(parameter->value) && below_machine(request.parameter) != "temperature") {
+  if (std::isnan(parameter->value) && !request.heats()) {
     p.complaints.push_back({path + ".parameter", fmt::format("'{}' has no value in the deck that could change: write "
                                                              "one there",
                                                              request.parameter)});
@@ -111,12 +111,14 @@ void resolve_values(const SweepRequest& request, const std::string& path, Names&
   run.from = *from;
   run.to = *to;
   if (run.from == run.to) p.complaints.push_back({path + ".to", "is the same value as 'from'"});
-  if (below_machine(request.parameter) == "temperature") {
+  if (request.heats()) {
     require_references(p.machine, path + ".parameter", p.complaints);
   }
 }
 
 }  // namespace
+
+bool SweepRequest::heats() const { return below_machine(parameter) == "temperature"; }
 
 bool puts_up_anew(const Parameter& parameter) {
   const std::string below = below_machine(parameter.place);

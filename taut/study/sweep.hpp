@@ -25,6 +25,8 @@ struct SweepRequest {
   std::vector<double> along = {1, 0};  ///< direction of x
   bool judge = true;                   ///< false: its states do not count for the verdict
   bool held = false;                   ///< whatever holds the carriage
+  /// Whether it is one of the temperature of the machine.
+  bool heats() const;
   static const Description& describe();
 };
 

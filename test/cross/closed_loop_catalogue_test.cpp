@@ -42,7 +42,10 @@ TEST(ClosedLoopCatalogue, RopesOfTheCatalogueStretchAtAGivenLength) {
   Input in = at_length();
   const Result plain = taut::app::run_closed_loop(in);
   EXPECT_NEAR(sag_of(plain), 10, 0.05);
-  EXPECT_EQ(plain.unsafe.size(), 2U) << "both ropes are given by their weight";
+  EXPECT_EQ(plain.unmade.size(), 2U) << "both ropes are given by their weight";
+  in.clearance = 9;
+  EXPECT_TRUE(taut::app::run_closed_loop(in).unmade.empty()) << "it fails without their stretch already";
+  in.clearance = 12;
   in.return_weight.reset();
   in.traction_weight.reset();
   in.return_rope = thin;
@@ -50,7 +53,7 @@ TEST(ClosedLoopCatalogue, RopesOfTheCatalogueStretchAtAGivenLength) {
   in.safety_factor = 2.2;
   const Result own = taut::app::run_closed_loop(in);
   EXPECT_NEAR(sag_of(own), 12.77, 0.005);
-  EXPECT_TRUE(own.unsafe.empty());
+  EXPECT_TRUE(own.unmade.empty());
   EXPECT_EQ(verdict_of(own)->kind, VerdictKind::fails) << verdict_of(own)->reason;
   in.return_stiffness = EA_of(thin);
   in.traction_stiffness = EA_of(thick);

@@ -65,7 +65,7 @@ def own_place():
 @functools.lru_cache(maxsize=None)
 def of(name):
     """The run of an example: the one that is kept, or a new one."""
-    folder = folder_of(os.environ.get("TAUT_EXAMPLE_RUNS", own_place().name), name)
+    folder = folder_of(os.environ.get("TAUT_EXAMPLE_RUNS") or own_place().name, name)
     if not (folder / "screen.json").exists():
         folder = folder_of(own_place().name, name)
         run(name, own_place().name)

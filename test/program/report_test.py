@@ -66,9 +66,10 @@ def height_of_page_one(report):
     alone = re.sub(r'<section id="(?!page-1).*?</section>', "", page, flags=re.S)
     alone = re.sub(r"\.sheet\{height:\d+mm\}", ".sheet{height:auto!important;break-after:auto!important}.sheet>*{flex:none!important}"
                    ".key,.room{display:none!important}", alone)
-    copy = report.with_name("page_one.html")
-    copy.write_text(alone)
-    return pages(copy)
+    with tempfile.TemporaryDirectory() as place:
+        copy = pathlib.Path(place, "page_one.html")
+        copy.write_text(alone)
+        return pages(copy)
 
 
 def longest(name, result):

@@ -16,6 +16,7 @@
 #include "taut/checks/rope/rope_rules.hpp"
 #include "taut/checks/rope/rope_uses.hpp"
 #include "taut/design/design.hpp"
+#include "taut/study/analyses.hpp"
 #include "taut/study/deck/parameter.hpp"
 #include "taut/study/deck/temperature.hpp"
 
@@ -117,8 +118,10 @@ void prune(const DeckPart& part, MachineDeck& deck) {
   if (!deck.analyses.empty()) deck.analyses = {std::move(deck.analyses[part.analysis.index])};
 }
 
-/// The heat of which a deck's checks tell weakens a rope in each analysis, as in a run of the deck.
-void weaken_by_heat(const MachineDeck& deck, Result& r) {
+/// The heat of which a deck's checks tell weakens a rope in each analysis, as in a run of the deck; so does that of the
+/// analysis alone, `part`.
+void weaken_by_heat(const MachineDeck& deck, const MachineDeck& part, Result& r) {
+  const std::optional<double> hottest = study::hottest_of(part.machine, part.analyses);
   const std::size_t asked = deck.checks ? deck.checks->ropes.size() : 0;
   std::vector<std::pair<std::string, std::string>> ropes;  // by the name of a reeving or guy
   ropes.reserve(deck.machine.reevings.size() + deck.machine.guys.size());
@@ -126,13 +129,13 @@ void weaken_by_heat(const MachineDeck& deck, Result& r) {
   for (const auto& one : deck.machine.guys) ropes.emplace_back(one.name, one.rope);
   for (std::size_t k = 0; k < asked; ++k) {
     const checks::RopeCheckRequest& request = deck.checks->ropes[k];
-    if (!deck.asked.ropes.at(k).of_any_rope.temperature) continue;
+    if (!request.temperature && !hottest) continue;
     const bool own =
         std::any_of(ropes.begin(), ropes.end(), [&](const auto& one) { return one.first == request.name; });
     for (const auto& [name, rope] : ropes) {
       if ((own ? name : rope) != request.name) continue;
       const catalogue::RopeRow row = checks::with_request(checks::row_in(deck, rope), request);
-      const auto share = checks::rope_rules(request, deck.asked.ropes.at(k), row).heat_strength;
+      const auto share = checks::rope_rules(request, deck.asked.ropes.at(k), row, hottest).heat_strength;
       for (Value& value : r.values) {
         if (share && value.name == name + ".safety_factor") value.value *= share->value;
       }
@@ -145,7 +148,7 @@ Result run_part(const MachineOfCase& whole, const DeckPart& part, const MachineD
   if (part.kind == DeckPart::Kind::checks) return run_machine(deck, RunDepth::checks, {}, many);
   if (part.kind == DeckPart::Kind::analysis) {
     Result r = run_machine(deck, RunDepth::values, {}, many);
-    weaken_by_heat(whole.deck, r);
+    weaken_by_heat(whole.deck, deck, r);
     return r;
   }
   const auto run = [](const MachineDeck& one, RunDepth depth, const std::function<bool(const Progress&)>& ask) {

@@ -11,6 +11,7 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <tuple>
 
 #include "taut/app/cases/read_cases.hpp"
 #include "test/paths.hpp"
@@ -235,6 +236,32 @@ TEST(MachineCases, ParametersAreReadAnewBesideOtherNumbers) {
   const std::vector<std::string> set = {"parameters.height=22.5 m", "machine.loads[0].mass=900 kg"};
   EXPECT_NEAR(a.outputs[0], value_with(set, "{equilibrium: {motion: at_rest}}", "sky.T_max"), 1e-4);
   EXPECT_NEAR(a.outputs[1], value_with(set, "{equilibrium: {motion: at_rest}}", "car.z"), 1e-7);
+}
+
+// A steel core keeps 0.65 of its strength up to 400 degC: each case has the factor of a run of the deck that it is.
+TEST(MachineCases, AHotMachineHasHotRopesInEveryCase) {
+  const std::string text =
+      "taut: 1\nmachine:\n  temperature: 20 degC\n  points: {A: [0 m, 0 m, 30 m], B: [200 m, 0 m, 30 m]}\n  ropes: {r: "
+      "{rope: \"EN 12385-4|6x36-IWRC|16|1960\", reference_temperature: 20 degC}}\n  reevings: [{rope: r, path: "
+      "[{anchor: A}, {anchor: B}], length: 200.5 m}]\nanalyses: [{equilibrium: {}}, {envelope: {temperatures: [20 "
+      "degC, 150 degC]}}]\nchecks: {ropes: {r: {safety_factor: 3}}}\n";
+  std::string told = text;
+  told.replace(told.find("safety_factor: 3"), 16, "safety_factor: 3, temperature: 20 degC");
+  const CaseQuestion question = question_of(
+      {"machine.temperature"}, {"equilibrium.r.safety_factor", "envelope.r.safety_factor", "checks.r.safety_factor"});
+  const CaseModel m = model_of(text, question), unweakened = model_of(told, question);
+  for (const auto& [t, words, alone] : {std::tuple(293.15, "20 degC", 1.0), std::tuple(623.15, "350 degC", 0.65)}) {
+    const CaseAnswer a = m.answer(std::vector<double>{t}), plain = unweakened.answer(std::vector<double>{t});
+    ASSERT_TRUE(a.outcome.ok()) << a.outcome.message;
+    ASSERT_TRUE(plain.outcome.ok()) << plain.outcome.message;
+    const double together = std::min(alone, 0.9);  // the envelope is at 150 degC
+    EXPECT_NEAR(a.outputs[0], alone * plain.outputs[0], 1e-9 * plain.outputs[0]) << words;
+    EXPECT_NEAR(a.outputs[2], together * plain.outputs[2], 1e-9 * plain.outputs[2]) << words;
+    EXPECT_NEAR(a.outputs[1], a.outputs[2], 1e-6 * a.outputs[2]) << words;
+    const Result whole = run(job_of(text, {fmt::format("machine.temperature={}", words)}));
+    const double check = whole.find_value("r.safety_factor")->value;
+    EXPECT_NEAR(a.outputs[2], check, 1e-9 * check) << words;
+  }
 }
 
 // 0.3 alone is no slope.

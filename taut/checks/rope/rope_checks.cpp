@@ -10,6 +10,7 @@
 #include "taut/checks/rope/rope_life.hpp"
 #include "taut/checks/rope/rope_rules.hpp"
 #include "taut/checks/rope/rope_uses.hpp"
+#include "taut/study/analyses.hpp"
 
 namespace taut::checks {
 namespace {
@@ -74,7 +75,7 @@ std::vector<AskedRules> resolve_ropes(const ChecksRequest& request, const Checke
     const catalogue::RopeRow rope = with_request(own, one);
     complain_of_values(one, own, path, complaints);
     const std::vector<std::string> rounds = rounds_of(model, reevings);
-    const AskedRules& asked = all.emplace_back(asked_rules(one, path, complaints, deck.machine.temperature));
+    const AskedRules& asked = all.emplace_back(asked_rules(one, path, complaints));
     complain_of_limits(one, asked, rope, path, complaints);
     complain_of_life(one, rope, rounds, path, complaints);
     complain_of_places(one, path, rounds, complaints);
@@ -82,8 +83,9 @@ std::vector<AskedRules> resolve_ropes(const ChecksRequest& request, const Checke
   return all;
 }
 
-void add_checks_of(const RopeCheckRequest& request, const AskedRules& asked, const rope::RopeUse& use, Result& r) {
-  const rope::RopeRules rules = rope_rules(request, asked, use.rope);
+void add_checks_of(const RopeCheckRequest& request, const AskedRules& asked, const rope::RopeUse& use, Result& r,
+                   std::optional<double> around) {
+  const rope::RopeRules rules = rope_rules(request, asked, use.rope, around);
   rope::RopeChecks found = rope::check_rope(use, rules);
   // the rope of the deck has them; a candidate of a design need not
   for (const MissingLimit& one : missing_limits(request, asked, use.rope, rules)) {
@@ -113,13 +115,14 @@ void add_checks_of(const RopeCheckRequest& request, const AskedRules& asked, con
 
 void add_rope_checks(const ChecksRequest& request, const CheckedDeck& deck, const machine::Model& model,
                      const std::vector<rope::RopeUse>& uses, Result& r) {
+  const std::optional<double> hottest = study::hottest_of(deck.machine, deck.analyses);
   for (std::size_t k = 0; k < request.ropes.size(); ++k) {
     const RopeCheckRequest& one = request.ropes[k];
     for (const std::size_t i : reevings_named(one.name, deck, model)) {
       rope::RopeUse use = uses[i];
       use.rope = with_request(std::move(use.rope), one);
       set_compensating(one, use);
-      add_checks_of(one, deck.asked.ropes.at(k), use, r);
+      add_checks_of(one, deck.asked.ropes.at(k), use, r, hottest);
     }
   }
 }

@@ -45,7 +45,7 @@ void add_place(Describe<RopeCheckRequest>& d) {
       .above(0)
       .at_most(1)
       .field(&R::temperature, "temperature", "t", si::K,
-             "temperature of the rope in use; default: that of the machine above 100 degC")
+             "temperature of the rope in use; default: the highest of the machine, where that is above 100 degC")
       .at_least(173.15)
       .at_most(873.15)
       .choice(&R::sheave_weakening, "sheave_weakening",

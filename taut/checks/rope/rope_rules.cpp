@@ -86,9 +86,8 @@ std::vector<std::string> terminations() {
 /// Finds what a deck names, and the limits that hold for any rope.
 class RequestReader {
  public:
-  RequestReader(const RopeCheckRequest& request, std::string path, std::vector<Complaint>& complaints,
-                std::optional<double> around)
-      : request_(request), path_(std::move(path)), complaints_(complaints), around_(around) {}
+  RequestReader(const RopeCheckRequest& request, std::string path, std::vector<Complaint>& complaints)
+      : request_(request), path_(std::move(path)), complaints_(complaints) {}
 
   AskedRules read() {
     for (std::size_t i = 0; i < request_.field.size(); ++i) field(request_.field[i], fmt::format("field[{}]", i));
@@ -102,7 +101,6 @@ class RequestReader {
     own_factors();
     dynamics();
     termination();
-    temperature();
     ratios();
     rules_.bending_modulus = request_.bending_modulus;
     drums();
@@ -246,17 +244,6 @@ class RequestReader {
     }
   }
 
-  void temperature() {
-    rules_.temperature = request_.temperature;
-    if (!rules_.temperature && around_ && weakens(*around_)) rules_.temperature = around_;
-    if (!rules_.temperature || !request_.termination) return;
-    for (const RuleRow& row : catalogue::rules_of("temperature.end")) {
-      if (row.group != (asked_.termination.empty() ? *request_.termination : asked_.termination)) continue;
-      const double upto = hottest_of(row);
-      rules_.hottest_end = Limit{.value = upto, .rule = words_of(row), .trust = trust_of(row)};
-    }
-  }
-
   bool runs() const {
     if (request_.running != Choose::by_field) return request_.running == Choose::yes;
     const auto& ids = asked_.fields;
@@ -311,7 +298,6 @@ class RequestReader {
   const RopeCheckRequest& request_;
   std::string path_;
   std::vector<Complaint>& complaints_;
-  std::optional<double> around_;
   bool used_group_ = false;
   bool all_cover_bending_ = false, all_cover_ends_ = false;  ///< of the fields; false without any
   AskedRules asked_;
@@ -321,8 +307,9 @@ class RequestReader {
 /// The limits of one rope.
 class RopeLimits {
  public:
-  RopeLimits(const RopeCheckRequest& request, const AskedRules& asked, const catalogue::RopeRow& rope)
-      : request_(request), asked_(asked), rope_(rope), rules_(asked.of_any_rope) {}
+  RopeLimits(const RopeCheckRequest& request, const AskedRules& asked, const catalogue::RopeRow& rope,
+             std::optional<double> around)
+      : request_(request), asked_(asked), rope_(rope), around_(around), rules_(asked.of_any_rope) {}
 
   rope::RopeRules read() {
     termination();
@@ -362,7 +349,14 @@ class RopeLimits {
   }
 
   void temperature() {
+    rules_.temperature = request_.temperature;
+    if (!rules_.temperature && around_ && weakens(*around_)) rules_.temperature = around_;
     if (!rules_.temperature) return;
+    const std::string end = asked_.termination.empty() ? request_.termination.value_or("") : asked_.termination;
+    for (const RuleRow& row : catalogue::rules_of("temperature.end")) {
+      if (row.group != end) continue;
+      rules_.hottest_end = Limit{.value = hottest_of(row), .rule = words_of(row), .trust = trust_of(row)};
+    }
     const char* const core = fibre() || rope_.core.empty() ? "FC" : "steel";
     for (const RuleRow& row : catalogue::rules_of(fmt::format("temperature.{}", core))) {
       const double upto = hottest_of(row);
@@ -423,6 +417,7 @@ class RopeLimits {
   const RopeCheckRequest& request_;
   const AskedRules& asked_;
   const catalogue::RopeRow& rope_;
+  std::optional<double> around_;
   rope::RopeRules rules_;
 };
 
@@ -466,13 +461,13 @@ void complain_of_values(const RopeCheckRequest& request, catalogue::RopeRow rope
   complain_of_second(request.grade, rope.grade.value_or(0), path + ".grade", complaints);
 }
 
-AskedRules asked_rules(const RopeCheckRequest& request, const std::string& path, std::vector<Complaint>& complaints,
-                       std::optional<double> around) {
-  return RequestReader(request, path, complaints, around).read();
+AskedRules asked_rules(const RopeCheckRequest& request, const std::string& path, std::vector<Complaint>& complaints) {
+  return RequestReader(request, path, complaints).read();
 }
 
-rope::RopeRules rope_rules(const RopeCheckRequest& request, const AskedRules& asked, const catalogue::RopeRow& rope) {
-  return RopeLimits(request, asked, rope).read();
+rope::RopeRules rope_rules(const RopeCheckRequest& request, const AskedRules& asked, const catalogue::RopeRow& rope,
+                           std::optional<double> around) {
+  return RopeLimits(request, asked, rope, around).read();
 }
 
 namespace {

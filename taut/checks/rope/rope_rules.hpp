@@ -27,14 +27,14 @@ struct AskedRules {
   std::string termination;          ///< by its name in the tables; empty: none, or by its efficiency
 };
 
-/// Complaints of names that the tables do not have, at paths below `path`. `around`: temperature of the machine, K,
-/// which a rope has of which none is said, where it is hotter than the tables' first one, 100 degC.
-AskedRules asked_rules(const RopeCheckRequest& request, const std::string& path, std::vector<Complaint>& complaints,
-                       std::optional<double> around = std::nullopt);
+/// Complaints of names that the tables do not have, at paths below `path`.
+AskedRules asked_rules(const RopeCheckRequest& request, const std::string& path, std::vector<Complaint>& complaints);
 
 /// The limits that a deck asks for, from the tables of rules, for this rope. Of a rule that is a range the safe end
-/// counts.
-rope::RopeRules rope_rules(const RopeCheckRequest& request, const AskedRules& asked, const catalogue::RopeRow& rope);
+/// counts. `around`: the highest temperature of the machine, K, which a rope has of which none is said, where it is
+/// hotter than the tables' first one, 100 degC.
+rope::RopeRules rope_rules(const RopeCheckRequest& request, const AskedRules& asked, const catalogue::RopeRow& rope,
+                           std::optional<double> around = std::nullopt);
 
 /// A limit that the deck asks for by name, and the tables do not have for this rope.
 struct MissingLimit {

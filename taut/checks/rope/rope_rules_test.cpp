@@ -56,10 +56,11 @@ TEST(RopeRules, a_hot_machine_has_hot_ropes) {
     RopeCheckRequest request;
     request.temperature = own;
     std::vector<Complaint> complaints;
-    return rope_rules(request, asked_rules(request, "checks.ropes.x", complaints, around), six_strand("IWRC"));
+    return rope_rules(request, asked_rules(request, "checks.ropes.x", complaints), six_strand("IWRC"), around);
   };
   EXPECT_EQ(in(623.15).temperature, 623.15);
   EXPECT_EQ(in(623.15).heat_strength->value, 0.65);
+  EXPECT_FALSE(in(623.15).hottest_end);
   EXPECT_FALSE(in(333.15).temperature);
   EXPECT_FALSE(in(333.15).heat_strength);
   EXPECT_EQ(in(623.15, 293.15).temperature, 293.15) << "the deck's own word counts";

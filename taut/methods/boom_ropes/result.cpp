@@ -106,24 +106,15 @@ void add_tables(const Input& in, const Output& out, Result& r) {
                                         std::round(out.F0_retraction / 10) * 10, in.tensioning_steps));
   }
   if (!out.grid.empty()) r.tables.push_back(extension_table(out));
-  if (in.sliding && !in.sliding->slip_angles.empty()) r.tables.push_back(slip_table(in));
-}
-
-/// Slip angles that were asked for and have no answer.
-void add_missing_slips(const Input& in, const Sliding& q, Result& r) {
-  MissingStates missing{.analysis = "slip angles",
-                        .missing = 0,
-                        .places = static_cast<int>(q.slip_angles.size()),
-                        .first = {},
-                        .reason = {}};
-  for (std::size_t i = 0; i < q.slip_angles.size(); ++i) {
-    const SlipAngle found = slip_angle(in, q, q.slip_angles[i]);
-    if (found.holds || !std::isnan(found.angle)) continue;
-    if (missing.missing++ > 0) continue;
-    missing.first = fmt::format("slip_angles[{}]", i);
-    missing.reason = found.reason;
+  if (!in.sliding || in.sliding->slip_angles.empty()) return;
+  std::vector<SlipAngle> slips;
+  slips.reserve(in.sliding->slip_angles.size());
+  for (const Slip& one : in.sliding->slip_angles) slips.push_back(slip_angle(in, *in.sliding, one));
+  for (std::size_t i = 0; i < slips.size(); ++i) {
+    if (slips[i].holds || !std::isnan(slips[i].angle)) continue;
+    r.unmade.push_back(fmt::format("slip_angles[{}] has no answer: {}", i, slips[i].reason));
   }
-  if (missing.missing > 0) r.missing.push_back(std::move(missing));
+  r.tables.push_back(slip_table(*in.sliding, slips));
 }
 
 void complain_of_sliding(const Sliding& q, std::vector<Complaint>& all) {
@@ -182,7 +173,6 @@ Result run(const Input& in) {
     r.missing.push_back(
         {"sliding", static_cast<int>(count), static_cast<int>(out.grid.size()), place(*first), first->reason});
   }
-  if (outcome.ok() && in.sliding) add_missing_slips(in, *in.sliding, r);
   r.unjudged = {"extension", "retraction"};  // their strength: the input names no ropes, checks may
   return r;
 }

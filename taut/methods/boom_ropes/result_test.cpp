@@ -143,18 +143,17 @@ TEST(BoomRopesResult, ASlipAngleWithoutAnAnswerIsNotJudged) {
                              {.boom_length = 21, .suspended_weight = 2943, .overlap_change = -3, .falls = 6}};
   const Result r = run(in);
   ASSERT_EQ(r.status, Status::ok) << r.message;
-  ASSERT_EQ(r.missing.size(), 1u);
-  EXPECT_EQ(r.missing[0].missing, 2);
-  EXPECT_EQ(r.missing[0].places, 3);
-  EXPECT_EQ(r.missing[0].first, "slip_angles[1]");
-  EXPECT_THAT(r.missing[0].reason, testing::HasSubstr("9 ... 21 m"));
+  ASSERT_EQ(r.unmade.size(), 2u);
+  EXPECT_THAT(r.unmade[0], testing::HasSubstr("slip_angles[1] has no answer: "));
+  EXPECT_THAT(r.unmade[0], testing::HasSubstr("9 ... 21 m"));
+  EXPECT_THAT(r.unmade[1], testing::HasSubstr("slip_angles[2]"));
   in.sliding->slip_angles.resize(1);
-  EXPECT_TRUE(run(in).missing.empty());
+  EXPECT_TRUE(run(in).unmade.empty());
   in.sliding->offset_hoist = -10;
   in.sliding->slip_angles[0] = {.boom_length = 21, .suspended_weight = 32373, .overlap_change = 0, .falls = 6};
   const Result held = run(in);
   EXPECT_THAT(std::get<std::string>(held.find_table("slip_angles")->rows[0][6]), testing::HasSubstr("every angle"));
-  EXPECT_TRUE(held.missing.empty()) << "that is an answer";
+  EXPECT_TRUE(held.unmade.empty()) << "that is an answer";
 }
 
 }  // namespace taut::boom_ropes::result_test

@@ -4,6 +4,7 @@
 
 #include "taut/calc/quantity.hpp"
 #include "taut/methods/boom_ropes/boom_ropes.hpp"
+#include "taut/methods/boom_ropes/slip.hpp"
 
 /// The tables of the result, each of one list of quantities.
 namespace taut::boom_ropes {
@@ -15,7 +16,8 @@ Table cases_table(const Input& in, const Output& out);
 /// Tensioning in turn until section 3, held by `friction` (N), begins to slip.
 Table tensioning_table(std::string name, std::string title, double friction, int steps);
 Table extension_table(const Output& out);
-Table slip_table(const Input& in);
+/// `found`: for each of `sliding.slip_angles`.
+Table slip_table(const Sliding& sliding, const std::vector<SlipAngle>& found);
 
 /// These tables as described.
 std::vector<TableWords> table_words();

@@ -206,7 +206,7 @@ Outcome add_exact(const Input& in, const Case<double>& plain, const Engine& engi
 }
 
 /// The areas, which are those of the load at midspan. A sag that is given is taken for the one there; one that follows
-/// from a tension or a length is found there.
+/// from a tension or a length is found there. Where that has none, the position of the deck keeps its answer.
 template <class T>
 Outcome areas_at_midspan(const Input& in, const Setting& at, const Case<T>& c, const Paper<T>& p, Sheet<T>& s,
                          Output& out) {
@@ -217,16 +217,20 @@ Outcome areas_at_midspan(const Input& in, const Setting& at, const Case<T>& c, c
   const Case<double> plain = make_case(in, middle, silent);
   Case<double> found = plain;
   Output there;
+  const auto without = [&](const Outcome& why) {
+    s.warn([&] { return fmt::format("The ropes can't be sized for the load at midspan: {}", why.message); });
+    return Outcome{};
+  };
   if (Outcome o = set_sag(in, plain, at.engine != nullptr ? *at.engine : no_engine, silent, found, there); !o.ok()) {
-    s.warn([&] { return fmt::format("The ropes can't be sized for the load at midspan: {}", o.message); });
-    return {};
+    return without(o);
   }
   out.f_midspan = found.f;
   Case<T> load_at_midspan = c;
   load_at_midspan.f = s.named("f_m", si::m, found.f);
   s.note(
       [&] { return fmt::format("f_m = {:.6g} m: the sag with the carriage at midspan, by the same rule.", found.f); });
-  return areas(in, load_at_midspan, p, s, out);
+  const Outcome sized = areas(in, load_at_midspan, p, s, out);
+  return sized.ok() ? sized : without(sized);
 }
 
 }  // namespace
@@ -316,8 +320,10 @@ Setting setting_of(const Input& in, const Ropes& ropes, std::size_t index, const
 std::vector<Row> sweep(const Input& in, const Ropes& ropes, const Engine& engine) {
   std::vector<Row> rows(std::max<std::size_t>(1, in.position.size()));
   Sheet<double> silent;
+  Input without_areas = in;  // they are the same wherever the carriage stands, and belong to the note
+  without_areas.wire_strength.reset();
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    rows[i].outcome = solve_position(in, setting_of(in, ropes, i, engine), silent, rows[i].out);
+    rows[i].outcome = solve_position(without_areas, setting_of(in, ropes, i, engine), silent, rows[i].out);
   }
   return rows;
 }
@@ -454,7 +460,7 @@ Outcome solve_deck(const Input& in, const Engine& engine, Sheet<Num>& s, Solved&
   const std::size_t at = worst_of(found.rows);
   const Engine known = known_answers(found.rows[at], engine);
   Outcome o = solve_position(in, setting_of(in, found.ropes, at, known), s, out);
-  if (!o.ok() && found.rows.size() > 1) {
+  if (!found.rows[at].outcome.ok() && found.rows.size() > 1) {
     o.message = fmt::format("none of the {} positions is feasible; the first: {}", found.rows.size(), o.message);
   }
   return o;

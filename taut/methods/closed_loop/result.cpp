@@ -70,14 +70,17 @@ void check_clearance(const Input& in, const Solved& found, Result& r) {
                         .rule = "sag under the chord at most clearance of the deck",
                         .trust = "user"});
   c.where = fmt::format("carriage at {:.4g} m", x);
-  r.checks.push_back(std::move(c));
-  if (in.mode != Mode::loop_length) return;
-  for (const Stretch& rope : stretch_of(in, found.ropes)) {
-    if (std::isfinite(rope.given) || rope.own) continue;
-    r.unsafe.push_back(fmt::format(
-        "the clearance is judged with a {0} rope that does not stretch; a real one sags deeper: give {0}_stiffness",
-        rope.role));
+  if (in.mode == Mode::loop_length) {
+    for (const Stretch& rope : stretch_of(in, found.ropes)) {
+      if (rope.own && rope.own->trust == catalogue::Trust::unverified)
+        c.trust = fmt::format("UNVERIFIED: stiffness of the {} rope, {}", rope.role, to_text(*rope.own));
+      if (std::isfinite(rope.given) || rope.own || !c.passes) continue;
+      r.unmade.push_back(fmt::format(
+          "the clearance holds with a {0} rope that does not stretch; a real one sags deeper: give {0}_stiffness",
+          rope.role));
+    }
   }
+  r.checks.push_back(std::move(c));
 }
 
 /// `found`: the positions, with the peaks where a search for ropes has them already.
@@ -231,6 +234,9 @@ Result run(const Input& in, const Engine& engine) {
   add_words(in, found, r);
   if (!outcome.ok()) return r;
   add_checks(in, engine, found, r);
+  if (in.safety_factor && in.wire_strength && std::isnan(out.F_return)) {
+    r.unmade.emplace_back("the ropes can't be sized for the load at midspan: the metallic areas have no answer");
+  }
   add_comparisons(in, out, r);
   if (std::isfinite(out.T_lA)) r.figures = {loop_drawing(in, out), force_polygon(in, out)};
   r.figures.emplace_back(tension_plot(in, found.ropes, rows, engine));

@@ -197,32 +197,45 @@ void add_modes(const study::ModesRun& run, MachineRun& machine, Result& r) {
   add_frequencies(run, r);
 }
 
+/// Whether the statics of a machine has all that holds it at rest, and nothing that only comes later.
+bool is_static(const machine::Model& m) {
+  const auto comes_later = [](const machine::Node& node) { return node.load.signal.has_value(); };
+  return m.contacts.empty() && m.actuators.empty() && m.motors.empty() &&
+         std::none_of(m.loads.begin(), m.loads.end(), [](const machine::Load& l) { return l.over_time.has_value(); }) &&
+         std::none_of(m.reevings.begin(), m.reevings.end(), [&](const machine::Reeving& rope) {
+           return std::any_of(rope.nodes.begin(), rope.nodes.end(), comes_later);
+         });
+}
+
 /// What vibrates may have straight ropes, and has no loss. At rest ropes sag and friction may hold more, which is
-/// judged too: by statics, or where statics has no faces, cylinders or motors, by the rest with sagging ropes.
+/// judged too: both by statics, where that has all of the machine; else the sag alone.
 void judge_rest(const study::ModesRun& run, MachineRun& machine, Result& r) {
   const std::string words = checks::analysis_words(run.ending, "modes");
   const std::string analysis = checks::analysis_name(run.ending, "modes");
-  machine.checked->take_rest(run.model, run.result.rest, run.options.rope_mass, words, analysis);
-  if (run.options.start != solve::Start::settled) return;
-  const machine::Model& m = machine.model;
-  if (m.contacts.empty() && m.actuators.empty() && m.motors.empty()) {
+  checks::CheckedParts& checked = *machine.checked;
+  checked.take_rest(run.model, run.result.rest, run.options.rope_mass, words, analysis);
+  const bool settled = run.options.start == solve::Start::settled, by_statics = settled && is_static(machine.model);
+  const bool asks = checked.judged && checked.deck->checks;
+  if (by_statics) {
     study::EquilibriumRun rest;
-    study::solve(m, rest);
+    study::solve(machine.model, rest);
     if (rest.result.outcome.ok()) {
-      machine.checked->take(rest.model, rest.result, words, analysis);
+      checked.take(rest.model, rest.result, words, analysis);
     } else {
       r.missing.push_back({words, 1, 1, "at rest", rest.result.outcome.message});
     }
+  } else if (asks && machine.equilibria.empty() && !run.result.sets.front().held.empty()) {
+    r.unmade.push_back(fmt::format("{}: what {} may hold by friction at rest is not judged: add an 'equilibrium'",
+                                   words, fmt::join(run.result.sets.front().held, ", ")));
   }
   if (!run.options.rope_mass || run.options.branches == solve::Branches::catenary) return;
   solve::ModesOptions sagging = run.options;
   sagging.branches = solve::Branches::catenary;
-  sagging.most = 1;
-  const solve::ModesResult hangs = solve::modes(run.model, sagging);
-  if (!hangs.outcome.ok()) return;
-  machine.checked->take_rest(run.model, hangs.rest, true, words, analysis);
-  for (const SaggingRope& rope : ropes_that_sag(run.model, run.result.rest, hangs.rest)) {
-    r.warnings.push_back(sag_words(run.words, rope));
+  const auto hangs = solve::rest_of_modes(run.model, sagging);
+  if (hangs) checked.take_rest(run.model, *hangs, true, words, analysis);
+  for (std::string& one : sag_warnings(run.words, run.model, run.result.rest, hangs)) {
+    if (asks && !hangs && !by_statics) r.unmade.push_back(one);
+    r.warnings.push_back(std::move(one));
   }
 }
 

@@ -114,19 +114,18 @@ void add_motion(const study::TransientRun& run, const Display& display, bool jud
   add_answer_line(r, "At the end", end);
 }
 
-/// Ropes that a settled motion takes for straight and that pull harder as they really hang: its checks judge too
+/// Ropes that a motion takes for straight and that pull harder as they really hang: its checks judge too
 /// little.
 void warn_of_sag(const study::TransientRun& run, const checks::CheckedParts& checked, Result& r) {
   const solve::TransientOptions& o = run.options;
-  if (o.from || o.start != solve::Start::settled || !o.rope_mass || o.branches == solve::Branches::catenary) return;
-  if (run.result.interrupted) return;
+  if (!o.rope_mass || o.branches == solve::Branches::catenary || run.result.interrupted) return;
   std::vector<double> peaks;
   peaks.reserve(run.result.ropes.size());
   for (const solve::RopeExtreme& rope : run.result.ropes) peaks.push_back(rope.T.max);
-  const solve::TransientFrame hangs = hanging_start(run.model, o);
-  for (const SaggingRope& rope : ropes_that_sag(run.model, run.result.frames.front(), hangs, peaks)) {
-    r.warnings.push_back(sag_words(words_of(run), rope));
-    if (checked.judged && checked.deck->checks) r.unmade.push_back(r.warnings.back());
+  for (std::string& one :
+       sag_warnings(words_of(run), run.model, run.result.frames.front(), hanging_start(run.model, o), peaks)) {
+    if (checked.judged && checked.deck->checks) r.unmade.push_back(one);
+    r.warnings.push_back(std::move(one));
   }
 }
 

@@ -1,43 +1,66 @@
 #include "taut/results/motion/straight_ropes.hpp"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 namespace taut::results::straight_ropes_test {
 
-/// Ropes with these tensions where the motion begins, and with their sag; breaking force 100 kN.
-std::vector<SaggingRope> found(const std::vector<double>& begins, const std::vector<double>& sagging,
-                               const std::vector<double>& peaks = {}) {
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+/// Ropes of one branch of 100 m and 10 N/m, with a breaking force of 100 kN.
+machine::Model ropes(std::size_t count) {
   machine::Model m;
-  solve::TransientFrame begin, hangs;
-  for (std::size_t i = 0; i < begins.size(); ++i) {
+  for (std::size_t i = 0; i < count; ++i) {
     machine::Reeving rope;
     rope.name = std::string(1, static_cast<char>('a' + i));
     rope.breaking_force = 1e5;
+    rope.weight = 10;
     m.reevings.push_back(rope);
-    solve::TransientFrame::Branch moves;
-    moves.reeving = static_cast<int>(i);
-    moves.T_from = begins[i];
-    begin.branches.push_back(moves);
-    moves.T_from = 0;
-    moves.T_to = sagging[i];
-    hangs.branches.push_back(moves);
   }
-  return ropes_that_sag(m, begin, hangs, peaks);
+  return m;
+}
+
+solve::TransientFrame state_of(const std::vector<double>& tensions) {
+  solve::TransientFrame state;
+  for (std::size_t i = 0; i < tensions.size(); ++i) {
+    solve::TransientFrame::Branch branch;
+    branch.reeving = static_cast<int>(i);
+    branch.T_from = branch.T_to = tensions[i];
+    branch.unstretched = 100;
+    state.branches.push_back(branch);
+  }
+  return state;
+}
+
+/// Ropes with these tensions where the motion begins, and with their sag.
+std::vector<std::string> told(const std::vector<double>& begins, const std::vector<double>& sagging,
+                              const std::vector<double>& peaks = {}) {
+  return sag_warnings("modes", ropes(begins.size()), state_of(begins), state_of(sagging), peaks);
 }
 
 TEST(StraightRopes, AreNamedWhereTheirSagPullsHarder) {
-  const auto some = found({5e3, 20e3, 30e3}, {36e3, 20.9e3, 10e3});
-  ASSERT_EQ(some.size(), 1U);
-  EXPECT_EQ(some[0].name, "a");
-  EXPECT_EQ(sag_words("modes", some[0]),
-            "modes: 'a' begins straight with 5 kN; with its sag it has 36 kN: use 'branches: catenary'");
+  EXPECT_THAT(told({5e3, 20e3, 30e3}, {36e3, 20.9e3, 10e3}),
+              ElementsAre("modes: 'a' begins straight with 5 kN; with its sag it has 36 kN: use 'branches: catenary'"));
 }
 
 TEST(StraightRopes, DoNotCountWhereTheMotionPullsHarderByFarOrTheyHangSlack) {
-  EXPECT_TRUE(found({5e3}, {7e3}, {50e3}).empty());
-  EXPECT_EQ(found({5e3}, {7e3}, {30e3}).size(), 1U);
-  EXPECT_TRUE(found({0}, {900}).empty()) << "a hundredth of its breaking force";
-  EXPECT_TRUE(found({0, 300e3}, {2e3, 300e3}).empty()) << "a hundredth of the largest tension of the machine";
+  EXPECT_THAT(told({5e3}, {7e3}, {50e3}), IsEmpty());
+  EXPECT_EQ(told({5e3}, {7e3}, {30e3}).size(), 1U);
+  EXPECT_THAT(told({0}, {900}), IsEmpty()) << "a hundredth of its breaking force";
+  EXPECT_THAT(told({0, 300e3}, {2e3, 300e3}), IsEmpty()) << "a hundredth of the largest tension of the machine";
+}
+
+// 1000 N of rope at 5 kN and at 50 kN.
+TEST(StraightRopes, ThatAreHeavyAreNamedWhereNothingHangs) {
+  const auto told = sag_warnings("modes", ropes(2), state_of({5e3, 50e3}), std::nullopt);
+  EXPECT_THAT(told, ElementsAre(HasSubstr("'a' is straight, though a free part of it weighs 20 % of its tension")));
+  machine::Model m = ropes(1);
+  EXPECT_DOUBLE_EQ(heaviest_share(m, state_of({5e3}), 0), 0.2);
+  EXPECT_EQ(heaviest_share(m, state_of({0}), 0), 1);
+  m.reevings[0].segments = 2;
+  EXPECT_EQ(heaviest_share(m, state_of({5e3}), 0), 0);
 }
 
 }  // namespace taut::results::straight_ropes_test

@@ -8,6 +8,7 @@
 #include "taut/base/expects.hpp"
 #include "taut/catalogue/rule.hpp"
 #include "taut/results/described.hpp"
+#include "taut/results/motion/straight_ropes.hpp"
 
 namespace taut::results {
 namespace {
@@ -303,14 +304,8 @@ void add_kept_lengths(const study::TransientRun& run, Result& r) {
 
 /// What straight branches leave out, where that is much: the heaviest one by its tension at the start.
 std::string weight_words(const study::TransientRun& run, std::size_t reeving) {
-  const machine::Reeving& rope = run.model.reevings[reeving];
-  if (!run.options.rope_mass || rope.segments > 1 || !(rope.weight > 0)) return {};
-  double most = 0;
-  for (const auto& branch : run.result.frames.front().branches) {
-    if (branch.reeving != static_cast<int>(reeving) || !branch.whole || !branch.curve.empty()) continue;
-    const double T = (branch.T_from + branch.T_to) / 2;
-    most = std::max(most, T > 0 ? rope.weight * branch.unstretched / T : 1.0);
-  }
+  if (!run.options.rope_mass) return {};
+  const double most = heaviest_share(run.model, run.result.frames.front(), reeving);
   if (most <= run.options.light) return {};
   const std::string much = most < 1 ? fmt::format("{:.0f} % of", 100 * most) : std::string("more than");
   return fmt::format(

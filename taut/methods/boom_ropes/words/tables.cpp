@@ -164,9 +164,10 @@ Table extension_table(const Output& out) {
                     out.grid);
 }
 
-Table slip_table(const Input& in) {
+Table slip_table(const Sliding& sliding, const std::vector<SlipAngle>& found) {
   std::vector<SlipRow> rows;
-  for (const Slip& s : in.sliding->slip_angles) rows.push_back({.asked = s, .found = slip_angle(in, *in.sliding, s)});
+  rows.reserve(found.size());
+  for (std::size_t i = 0; i < found.size(); ++i) rows.push_back({.asked = sliding.slip_angles[i], .found = found[i]});
   return make_table("slip_angles", "Luffing angle above which section 3 slides without its rope", slip_quantities(),
                     rows);
 }
