@@ -1,5 +1,7 @@
 #include "taut/catalogue/trust.hpp"
 
+#include <fmt/format.h>
+
 namespace taut::catalogue {
 
 std::string_view to_text(Trust trust) {
@@ -19,6 +21,11 @@ std::optional<Trust> parse_trust(std::string_view text) {
     if (text == to_text(trust)) return trust;
   }
   return std::nullopt;
+}
+
+std::string trust_words(Trust trust, const std::string& why) {
+  if (trust != Trust::unverified) return std::string(to_text(trust));
+  return fmt::format("UNVERIFIED: {}", why.empty() ? "its row of the catalogue says so" : why);
 }
 
 }  // namespace taut::catalogue

@@ -12,6 +12,13 @@ TEST(Trust, names_go_both_ways) {
   EXPECT_FALSE(parse_trust(""));
 }
 
+TEST(Trust, AsACheckHasItAndWhy) {
+  EXPECT_EQ(trust_words(Trust::verified, "read"), "verified");
+  EXPECT_EQ(trust_words(Trust::derived, ""), "derived");
+  EXPECT_EQ(trust_words(Trust::unverified, "recalled"), "UNVERIFIED: recalled");
+  EXPECT_EQ(trust_words(Trust::unverified, ""), "UNVERIFIED: its row of the catalogue says so");
+}
+
 TEST(Trust, order) {
   EXPECT_TRUE(at_least(Trust::verified, Trust::derived));
   EXPECT_TRUE(at_least(Trust::derived, Trust::derived));

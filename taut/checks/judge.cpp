@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "taut/calc/none.hpp"
+#include "taut/catalogue/trust.hpp"
 #include "taut/checks/described.hpp"
 #include "taut/checks/rope/rope_uses.hpp"
 #include "taut/math/index.hpp"
@@ -468,9 +469,7 @@ std::string Judge::strength_trust(std::size_t reeving) const {
       if (one.name == name && one.breaking_force) return "user";
     }
   }
-  const catalogue::RopeRow row = row_in(*deck_, name);
-  if (row.trust != catalogue::Trust::unverified) return std::string(to_text(row.trust));
-  return row.trust_text.empty() ? "UNVERIFIED: breaking force of the rope" : "UNVERIFIED: " + row.trust_text;
+  return catalogue::trust_words(row_in(*deck_, name));
 }
 
 std::vector<RopeSeen> Judge::ropes() const {

@@ -7,6 +7,7 @@
 
 #include "taut/catalogue/section_search.hpp"
 #include "taut/catalogue/steel.hpp"
+#include "taut/catalogue/trust.hpp"
 #include "taut/checks/checked_parts.hpp"
 #include "taut/checks/mast/machine_masts.hpp"
 #include "taut/solve/quantities.hpp"
@@ -87,9 +88,7 @@ void check_stress(const machine::description::Beam& given, const checks::BeamWor
     }
   }
   tell_corner(given, worst, yield, r);
-  const bool unverified = steel->trust == catalogue::Trust::unverified;
-  const std::string trust =
-      unverified ? fmt::format("UNVERIFIED: {}", steel->trust_text) : std::string(to_text(steel->trust));
+  const std::string trust = catalogue::trust_words(*steel);
   add_fact(given.name, stress.when,
            make_check(given.name + ".stress_max", stress.value, si::Pa,
                       {.sense = Sense::at_most,

@@ -78,14 +78,14 @@ class RopeChecker {
 
   /// Of a check in which the rope's breaking force has a part.
   std::string trust(const std::string& limit) const {
-    const bool weakened = heat_share() < 1 && !limit.starts_with("UNVERIFIED");
+    const bool weakened = heat_share() < 1 && !is_unverified(limit);
     return trust_with_rope(weakened ? rules_.heat_strength->trust : limit, use_.rope);
   }
   /// The same of the peak, where the dynamic factor has a part in it.
   std::string trust_of_peak(const std::string& limit) const {
     const bool of_motion = use_.peak > 0 && use_.peak >= rules_.dynamic_factor * use_.tension;
-    const bool doubted = !of_motion && rules_.dynamic_trust.starts_with("UNVERIFIED");
-    return trust(doubted && !limit.starts_with("UNVERIFIED") ? rules_.dynamic_trust : limit);
+    const bool doubted = !of_motion && is_unverified(rules_.dynamic_trust);
+    return trust(doubted && !is_unverified(limit) ? rules_.dynamic_trust : limit);
   }
   std::string strength_words() const {
     const std::string cold = fmt::format("breaking force {}", kilonewton(use_.rope.breaking_force));
@@ -162,7 +162,7 @@ class RopeChecker {
     for (const RopeEnd& end : use_.ends) {
       for (const Limit& limit : rules_.safety_factors) {
         if (limit.covers_ends || !(end.tension > 0)) continue;
-        const bool doubt = efficiency.trust.starts_with("UNVERIFIED");
+        const bool doubt = is_unverified(efficiency.trust);
         keep_worst(
             "termination", efficiency.value * strength() / end.tension, si::one,
             {.sense = Sense::at_least,
@@ -338,7 +338,7 @@ class RopeChecker {
     for (const Bend& bend : use_.bends) {
       if (!(bend.tension > 0) || bend.wrap < least_wrap) continue;
       const double bent = bending_stress(rules_.bending_modulus, wire, bend.diameter);
-      const bool doubt = rules_.wire->trust.starts_with("UNVERIFIED");
+      const bool doubt = is_unverified(rules_.wire->trust);
       keep_worst("wire_stress", bend.tension / use_.rope.area + bent, si::Pa,
                  {.sense = Sense::at_most,
                   .limit = *use_.rope.grade,
@@ -414,7 +414,7 @@ class RopeChecker {
 RopeChecks check_rope(const RopeUse& use, const RopeRules& rules) { return RopeChecker(use, rules).all(); }
 
 std::string trust_with_rope(const std::string& limit, const catalogue::RopeRow& rope) {
-  if (limit.starts_with("UNVERIFIED") || rope.trust != catalogue::Trust::unverified) return limit;
+  if (is_unverified(limit) || rope.trust != catalogue::Trust::unverified) return limit;
   return "UNVERIFIED: breaking force of the rope";
 }
 

@@ -13,6 +13,7 @@
 #include "taut/app/exact/mast_section_figures.hpp"
 #include "taut/calc/shown.hpp"
 #include "taut/catalogue/rule.hpp"
+#include "taut/catalogue/trust.hpp"
 #include "taut/methods/mast_section/run.hpp"
 #include "taut/structure/section_class.hpp"
 
@@ -335,12 +336,11 @@ void check_guys(const Input& in, const Solved& method, const Section& section, E
   const WeakestGuy weakest = weakest_guy(in, method, section, masts);
   const auto rule = catalogue::find_rule("safety.guyline.ch_at");
   if (std::isnan(weakest.safety) || !rule || !rule->low) return;
-  const bool unverified = rule->trust == catalogue::Trust::unverified;
   Check c = make_check("guylines do not break", weakest.safety, si::one,
                        {.sense = Sense::at_least,
                         .limit = *rule->low,
                         .rule = fmt::format("{}: {}, {}", rule->field, rule->item, rule->source),
-                        .trust = unverified ? "UNVERIFIED: " + rule->trust_text : std::string(to_text(rule->trust))});
+                        .trust = catalogue::trust_words(*rule)});
   c.where = fmt::format("guy {}, {}", weakest.name, weakest.where);
   r.checks.push_back(std::move(c));
 }

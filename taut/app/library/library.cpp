@@ -9,7 +9,7 @@
 
 #include "taut/catalogue/forestry/carriage.hpp"
 #include "taut/catalogue/forestry/yarder.hpp"
-#include "taut/checks/library_trust.hpp"
+#include "taut/catalogue/trust.hpp"
 #include "taut/io/deck/source.hpp"
 #include "taut/io/file.hpp"
 
@@ -71,7 +71,7 @@ void take_row(const io::Node& input, const std::string& path, const catalogue::C
   if (figures.takes("mass", fmt::format("mass {:.4g} kg", row.mass))) car.mass = row.mass;
   if (figures.takes("rated_payload", fmt::format("rated payload {:.4g} kg", row.payload))) {
     car.rated_payload = row.payload;
-    car.rating_trust = checks::library_trust(row.trust, row.trust_text);
+    car.rating_trust = catalogue::trust_words(row);
   }
   const bool knows_rope = row.rope_least && row.rope_most;
   if (knows_rope && figures.takes("rope_diameters", fmt::format("ropes of {:.3g} to {:.3g} mm", *row.rope_least * 1e3,

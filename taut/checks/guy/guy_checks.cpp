@@ -7,6 +7,7 @@
 
 #include "taut/base/suggest.hpp"
 #include "taut/catalogue/rule.hpp"
+#include "taut/catalogue/trust.hpp"
 #include "taut/checks/rope/rope_rules.hpp"
 
 namespace taut::checks {
@@ -97,8 +98,7 @@ RuleLimit rule_limit(const std::string& id, bool high_end) {
     return {.value = std::nan(""), .words = "there is no such rule", .trust = "UNVERIFIED: no such rule"};
   RuleLimit limit{.value = high_end ? *row->high : *row->low,
                   .words = fmt::format("{}: {} ({})", row->item, row->text.empty() ? row->id : row->text, row->source),
-                  .trust = row->trust == catalogue::Trust::unverified ? fmt::format("UNVERIFIED: {}", row->trust_text)
-                                                                      : std::string(to_text(row->trust))};
+                  .trust = catalogue::trust_words(*row)};
   if (*row->low != *row->high) limit.words += fmt::format("; of {:.4g} to {:.4g} the safe end", *row->low, *row->high);
   return limit;
 }

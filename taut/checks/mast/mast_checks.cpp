@@ -6,8 +6,10 @@
 #include <cmath>
 
 #include "taut/calc/none.hpp"
+#include "taut/calc/verdict.hpp"
 #include "taut/catalogue/section_search.hpp"
 #include "taut/catalogue/steel.hpp"
+#include "taut/catalogue/trust.hpp"
 #include "taut/checks/described.hpp"
 #include "taut/checks/guy/guy_checks.hpp"
 #include "taut/structure/hollow_section.hpp"
@@ -107,7 +109,7 @@ void add_member_checks(const MastReport& report, const MastUse& u, Result& r) {
 /// [sigma] of the deck, or as good as the yield stress that it is a share of.
 std::string trust_of_stress(const MastCheckRequest& request, const MastReport& report, std::size_t part) {
   const std::string& yield = report.materials[std::min(part, report.materials.size() - 1)].trust;
-  return request.safety && yield.starts_with("UNVERIFIED") ? yield : std::string("user");
+  return request.safety && is_unverified(yield) ? yield : std::string("user");
 }
 
 void add_stress_check(const MastCheckRequest& request, const MastReport& report, const MastUse& u, Result& r) {
@@ -257,8 +259,7 @@ std::optional<MastMaterial> mast_material(const MastCheckRequest& request, const
   m.allowable_stress = request.allowable_stress;
   if (request.safety) m.allowable_stress = *yield / *request.safety;
   m.steel = full_name(*found);
-  m.trust = found->trust == catalogue::Trust::unverified ? fmt::format("UNVERIFIED: {}", found->trust_text)
-                                                         : std::string(to_text(found->trust));
+  m.trust = catalogue::trust_words(*found);
   return m;
 }
 
@@ -344,7 +345,7 @@ void add_mast_report(const MastCheckRequest& request, const MastReport& report, 
   }
   add_stress_check(request, report, u, r);
   for (const MastMaterial& one : report.materials) {
-    if (!one.trust.starts_with("UNVERIFIED")) continue;
+    if (!is_unverified(one.trust)) continue;
     r.warnings.push_back(fmt::format("{}: f_y of {} is {}", report.name, one.steel, one.trust));
     break;
   }

@@ -8,6 +8,7 @@
 #include "taut/calc/none.hpp"
 #include "taut/catalogue/construction.hpp"
 #include "taut/catalogue/rule.hpp"
+#include "taut/catalogue/trust.hpp"
 #include "taut/checks/rope/rope_life.hpp"
 
 namespace taut::checks {
@@ -36,11 +37,6 @@ const Quantities<DiscardRow>& discard_quantities() {
       {"limit", "", si::one, "the limit in words, and what it rests on", &Row::limit},
       {"trust", "", si::one, "trust in the limit", &Row::trust}};
   return all;
-}
-
-std::string trust_words(const RuleRow& row) {
-  return row.trust == catalogue::Trust::unverified ? fmt::format("UNVERIFIED: {}", row.trust_text)
-                                                   : std::string(catalogue::to_text(row.trust));
 }
 
 /// "M5" is 5; 0: no class.
@@ -79,7 +75,7 @@ void add_wires(const RopeCheckRequest& request, const rope::RopeUse& use, std::v
                       .broken_wires = most,
                       .limit = fmt::format("{:.0f} or more on {} d: {} wires{}, {}", most, length, wires,
                                            turns ? "" : " in the outer strands", why),
-                      .trust = trust_words(*row)});
+                      .trust = catalogue::trust_words(*row)});
     }
   }
 }
@@ -95,8 +91,10 @@ void add_diameter(const rope::RopeUse& use, std::vector<DiscardRow>& rows) {
   std::string words = row->text;
   if (!std::isnan(least)) words += fmt::format(": {:.4g} mm", least * 1e3);
   if (core.empty()) words += "; core not known";
-  rows.push_back(
-      {.criterion = row->item, .least_diameter = least, .limit = std::move(words), .trust = trust_words(*row)});
+  rows.push_back({.criterion = row->item,
+                  .least_diameter = least,
+                  .limit = std::move(words),
+                  .trust = catalogue::trust_words(*row)});
 }
 
 }  // namespace
@@ -113,7 +111,7 @@ void add_discard(const RopeCheckRequest& request, const rope::RopeUse& use, Resu
   add_diameter(use, rows);
   for (const RuleRow& row : catalogue::rules_of("discard")) {
     if (row.low) continue;  // reported above
-    rows.push_back({.criterion = row.item, .limit = row.text, .trust = trust_words(row)});
+    rows.push_back({.criterion = row.item, .limit = row.text, .trust = catalogue::trust_words(row)});
   }
   if (use.rope.construction.empty() || !(use.rope.diameter > 0)) {
     r.warnings.push_back(fmt::format(

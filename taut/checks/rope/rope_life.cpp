@@ -8,19 +8,16 @@
 
 #include "taut/base/number.hpp"
 #include "taut/base/suggest.hpp"
+#include "taut/calc/verdict.hpp"
 #include "taut/catalogue/construction.hpp"
 #include "taut/catalogue/rule.hpp"
+#include "taut/catalogue/trust.hpp"
 #include "taut/checks/described.hpp"
 
 namespace taut::checks {
 namespace {
 
 constexpr const char* count_names[] = {"mean_break", "break_10", "discard", "discard_10"};
-
-std::string doubt(const catalogue::RuleRow& row) {
-  return row.trust == catalogue::Trust::unverified ? fmt::format("UNVERIFIED: {}", row.trust_text)
-                                                   : std::string(catalogue::to_text(row.trust));
-}
 
 /// "1.278; 0.029; 6.241; -1.613".
 std::array<double, 4> numbers_of(const std::string& text) {
@@ -47,7 +44,7 @@ std::vector<rope::LifeConstants> constants_of(const LifeRequest& life) {
   if (!all.empty()) return all;
   for (const catalogue::RuleRow& row : catalogue::rules_of("life.feyrer")) {
     all.push_back({row.id.substr(row.id.rfind('.') + 1), numbers_of(row.text),
-                   fmt::format("{}, of {} ({})", row.item, row.group, row.source), doubt(row)});
+                   fmt::format("{}, of {} ({})", row.item, row.group, row.source), catalogue::trust_words(row)});
   }
   return all;
 }
@@ -112,13 +109,12 @@ void add_table(const std::vector<rope::Life>& lives, const rope::RopeUse& use, R
 
 /// Of the number that is doubted most: constants, the weight of reverse bending, the dynamic factor.
 std::string trust_of_life(const RopeCheckRequest& request, const rope::Life& life, const rope::RopeRules& rules) {
-  const auto doubted = [](const std::string& trust) { return trust.starts_with("UNVERIFIED"); };
-  if (doubted(life.constants->trust)) return life.constants->trust;
+  if (is_unverified(life.constants->trust)) return life.constants->trust;
   const bool own_weight = request.life && request.life->reverse_weight;
   if (const auto row = catalogue::find_rule("life.reverse_weight"); life.reversed && !own_weight && row) {
-    if (doubted(doubt(*row))) return doubt(*row);
+    if (row->trust == catalogue::Trust::unverified) return catalogue::trust_words(*row);
   }
-  return doubted(rules.dynamic_trust) ? rules.dynamic_trust : life.constants->trust;
+  return is_unverified(rules.dynamic_trust) ? rules.dynamic_trust : life.constants->trust;
 }
 
 void add_life_check(const rope::Life& life, const rope::LifeRules& rules, const std::string& trust,

@@ -12,6 +12,7 @@
 #include "taut/catalogue/construction.hpp"
 #include "taut/catalogue/rope_words.hpp"
 #include "taut/catalogue/rule.hpp"
+#include "taut/catalogue/trust.hpp"
 #include "taut/rope/strength.hpp"
 
 namespace taut::checks {
@@ -34,11 +35,6 @@ bool weakens(double temperature) {
   return temperature > harmless;
 }
 
-std::string trust_of(const RuleRow& row) {
-  if (row.trust != catalogue::Trust::unverified) return std::string(catalogue::to_text(row.trust));
-  return fmt::format("UNVERIFIED: {}", row.trust_text.empty() ? "not compared with its source" : row.trust_text);
-}
-
 /// "cable logging (CH), standing skyline: MBF / largest tension (SEILAPLAN)".
 std::string words_of(const RuleRow& row) {
   std::string words = row.field.empty() ? row.item : fmt::format("{}, {}", row.field, row.item);
@@ -50,7 +46,9 @@ std::string words_of(const RuleRow& row) {
 /// The end of a range that is safe: the high one of what must be reached, the low one of what must not be passed.
 enum class SafeEnd { low, high };
 Limit limit_of(const RuleRow& row, SafeEnd end) {
-  Limit limit{.value = end == SafeEnd::high ? *row.high : *row.low, .rule = words_of(row), .trust = trust_of(row)};
+  Limit limit{.value = end == SafeEnd::high ? *row.high : *row.low,
+              .rule = words_of(row),
+              .trust = catalogue::trust_words(row)};
   if (*row.low != *row.high) {
     const bool angle = row.unit == "rad";
     const double shown = angle ? std::numbers::pi / 180 : 1;
@@ -145,7 +143,7 @@ class RequestReader {
     all_cover_bending_ = covers && (all_cover_bending_ || first);
     all_cover_ends_ = crane && (all_cover_ends_ || first);
     if (row->id == "safety.crane_running.en13001") {
-      rules_.resistance = Limit{.value = 0, .rule = words_of(*row), .trust = trust_of(*row)};
+      rules_.resistance = Limit{.value = 0, .rule = words_of(*row), .trust = catalogue::trust_words(*row)};
     } else if (row->low) {
       rules_.safety_factors.push_back(limit_of(*row, SafeEnd::high));
       rules_.safety_factors.back().covers_bending = covers;
@@ -170,7 +168,7 @@ class RequestReader {
     }
     if (request_.en13001 && !rules_.resistance) {
       if (const auto row = rule_named("safety.crane_running.en13001")) {
-        rules_.resistance = Limit{.value = 0, .rule = words_of(*row), .trust = trust_of(*row)};
+        rules_.resistance = Limit{.value = 0, .rule = words_of(*row), .trust = catalogue::trust_words(*row)};
       }
     }
     if (request_.en13001 && request_.en13001->bends) {
@@ -212,7 +210,7 @@ class RequestReader {
     const auto slope = rule_named(fmt::format("hoist.HC{}.beta2", number));
     if (!least || !slope) return;
     rules_.dynamic_factor = *least->low + *slope->low * given.speed;
-    rules_.dynamic_trust = trust_of(*least);
+    rules_.dynamic_trust = catalogue::trust_words(*least);
     rules_.dynamic_words = fmt::format("phi2 = {} + {} v_h, HC{}, v_h = {:.4g} m/s, {}, unverified", *least->low,
                                        *slope->low, number, given.speed, least->source);
   }
@@ -355,12 +353,12 @@ class RopeLimits {
     const std::string end = asked_.termination.empty() ? request_.termination.value_or("") : asked_.termination;
     for (const RuleRow& row : catalogue::rules_of("temperature.end")) {
       if (row.group != end) continue;
-      rules_.hottest_end = Limit{.value = hottest_of(row), .rule = words_of(row), .trust = trust_of(row)};
+      rules_.hottest_end = Limit{.value = hottest_of(row), .rule = words_of(row), .trust = catalogue::trust_words(row)};
     }
     const char* const core = fibre() || rope_.core.empty() ? "FC" : "steel";
     for (const RuleRow& row : catalogue::rules_of(fmt::format("temperature.{}", core))) {
       const double upto = hottest_of(row);
-      rules_.hottest = Limit{.value = upto, .rule = words_of(row), .trust = trust_of(row)};
+      rules_.hottest = Limit{.value = upto, .rule = words_of(row), .trust = catalogue::trust_words(row)};
       if (rope_.core.empty()) rules_.hottest->rule += "; the core is not known, a fibre core assumed";
       if (*rules_.temperature <= upto && !rules_.heat_strength) rules_.heat_strength = limit_of(row, SafeEnd::low);
     }

@@ -7,7 +7,7 @@
 
 #include "taut/base/suggest.hpp"
 #include "taut/calc/none.hpp"
-#include "taut/checks/library_trust.hpp"
+#include "taut/catalogue/trust.hpp"
 #include "taut/math/index.hpp"
 #include "taut/rope/drum.hpp"
 
@@ -91,13 +91,13 @@ void check_length(const YarderLineStates& s, Result& r) {
        .limit = available_length(drum_of(s), s.diameter),
        .rule = fmt::format("length of '{}' that is needed: {:.4g} m in use ({}), {:.4g} m spare{}; available: {}",
                            s.line.reeving, s.in_use.value, s.in_use.where, s.request->spare, aside, capacity_words(s)),
-       .trust = library_trust(drum_of(s).trust, drum_of(s).trust_text)},
+       .trust = catalogue::trust_words(drum_of(s))},
       r);
 }
 
 void check_pull(const YarderLineStates& s, Result& r) {
   const catalogue::YarderDrum& drum = drum_of(s);
-  const std::string trust = library_trust(drum.trust, drum.trust_text);
+  const std::string trust = catalogue::trust_words(drum);
   add_part_check(
       s.request->name, s.line.line + "_pull", s.tension.value, si::N,
       {.sense = Sense::at_most,

@@ -18,7 +18,7 @@ constexpr double none = Output::none;
 
 /// The limit is the deck's own; the breaking force is as good as its row of the catalogue.
 std::string trust_of(const catalogue::RopeRow& rope) {
-  if (rope.trust == catalogue::Trust::unverified) return fmt::format("UNVERIFIED: {}", rope.trust_text);
+  if (rope.trust == catalogue::Trust::unverified) return catalogue::trust_words(rope);
   return fmt::format("limit: user; breaking force: {}", catalogue::to_text(rope.trust));
 }
 

@@ -7,14 +7,10 @@
 #include "taut/base/expects.hpp"
 #include "taut/catalogue/construction.hpp"
 #include "taut/catalogue/rope_words.hpp"
+#include "taut/catalogue/trust.hpp"
 
 namespace taut::friction_drive {
 namespace {
-
-std::string trust_text(catalogue::Trust trust, const std::string& text) {
-  if (trust == catalogue::Trust::unverified) return fmt::format("UNVERIFIED: {}", text);
-  return std::string(to_text(trust));
-}
 
 /// "6x36WS IWRC" names a construction and a core, "18x7 / 19x7" two constructions.
 bool advice_fits(const std::string& group, const catalogue::RopeRow& rope) {
@@ -58,7 +54,7 @@ Check breaking_check(const catalogue::RopeRow& rope, double largest) {
                   .rule = fmt::format("largest tension below the minimum breaking force of {}; the safety that is "
                                       "wanted on top is the designer's",
                                       rope.id),
-                  .trust = trust_text(rope.trust, rope.trust_text)});
+                  .trust = catalogue::trust_words(rope)});
   breaks.part = "rope";
   breaks.limits = false;
   return breaks;
@@ -101,7 +97,7 @@ void check_rope(const Input& in, const catalogue::RopeRow& rope, Output& out, Re
                  {.sense = Sense::at_least,
                   .limit = *rule->low,
                   .rule = fmt::format("{}: {} {}, {}", rule->field, rule->item, rule->group, rule->source),
-                  .trust = trust_text(rule->trust, rule->trust_text)}));
+                  .trust = catalogue::trust_words(*rule)}));
 }
 
 }  // namespace taut::friction_drive

@@ -7,6 +7,7 @@
 
 #include "taut/base/expects.hpp"
 #include "taut/catalogue/steel.hpp"
+#include "taut/catalogue/trust.hpp"
 
 namespace taut::mast_section {
 namespace {
@@ -98,11 +99,7 @@ std::optional<double> allowable_stress(const StressLimit& limit, double thicknes
   return *yield / limit.safety;
 }
 
-std::string trust_of(const StressLimit& limit) {
-  if (!limit.steel) return "user";
-  const bool unverified = limit.steel->trust == catalogue::Trust::unverified;
-  return unverified ? fmt::format("UNVERIFIED: {}", limit.steel->trust_text) : std::string(to_text(limit.steel->trust));
-}
+std::string trust_of(const StressLimit& limit) { return limit.steel ? catalogue::trust_words(*limit.steel) : "user"; }
 
 ClampForces operator*(double factor, ClampForces f) {
   for (double* force :
