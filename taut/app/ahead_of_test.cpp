@@ -228,9 +228,12 @@ TEST(AheadOf, CycleAndEnvelopeGoOverAllSpans) {
   EXPECT_GT(most("mainline on guide1"), 1000);
   EXPECT_GT(most("mainline on guide2"), 1000);
   const Table& work = table_of(r, "cycle_work");
-  double taken = 0;
-  for (std::size_t i = 0; i < work.rows.size(); ++i) taken += cell(work, i, "rope_taken_in");
-  EXPECT_NEAR(taken, 0, 0.3);  // out and in: but for the stretch by the load
+  double taken = 0, pull = 0;
+  for (std::size_t i = 0; i < work.rows.size(); ++i) {
+    taken += cell(work, i, "rope_taken_in");
+    pull = std::max(pull, std::abs(cell(work, i, "pull_max")));
+  }
+  EXPECT_NEAR(taken, 0, 300 * pull / 7e6);  // out and in over 300 m: but for the stretch by the load
 }
 
 TEST(AheadOf, AMotionRefusesItByName) {

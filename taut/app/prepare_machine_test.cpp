@@ -123,7 +123,7 @@ analyses:
     const Result r = run_text(text);
     ASSERT_EQ(r.status, Status::ok) << r.message << to_text(r.errors);
     const Table* t = r.find_table("load_path");
-    ASSERT_EQ(t->rows.size(), 34U) << "on the support itself there is no span";
+    ASSERT_EQ(t->rows.size(), 36U) << "on the support itself there is no span, beside it are two places";
     ASSERT_EQ(r.warnings.size(), 1U);
     EXPECT_NE(r.warnings[0].find("x = 100 m"), std::string::npos);
     const Result at_end = run_text(text, {"analyses[0].load_path.from=0 m", "analyses[0].load_path.steps=4"});

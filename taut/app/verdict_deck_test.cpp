@@ -104,6 +104,29 @@ TEST(VerdictDeck, WhatAnAnalysisLeavesOutIsSaid) {
   EXPECT_EQ(exit_code(design), 2) << "a design is judged in every state";
 }
 
+// A sweep of a building is judged value by value; that the line is put up is no state of the deck beside it.
+TEST(VerdictDeck, ASweepThatIsJudgedApartMeetsTheInstallationOfEachValue) {
+  const Result r = run_text(R"(taut: 1
+machine:
+  temperature: 10 degC
+  points: {a: [0 m, 0 m, 0 m], b: [120 m, 0 m, 20 m], w: [121 m, 0 m, 18 m]}
+  ropes:
+    sky: {mass: 2 kg/m, stiffness: 20 MN, breaking_force: 330 kN, diameter: 22 mm}
+    main: {mass: 0.5 kg/m, stiffness: 6 MN, breaking_force: 84 kN, diameter: 11 mm}
+  supports: {tail: {at: [10 m, 0 m, 10 m], diameter: 500 mm, friction: 0.1}}
+  carriages: {car: {mass: 1 t, rides: sky, mainline: main, at: [60 m, 0 m, 12 m]}}
+  reevings:
+    - {rope: sky, path: [{anchor: a}, {over: tail}, {through: car}, {anchor: b}], install: {tension: 32 kN, at: end}}
+    - {rope: main, path: [{anchor: w}, {anchor: car}], length: 60 m}
+analyses:
+  - sweep: {parameter: supports.tail.at.z, from: 10 m, to: 12 m, steps: 2, carriage: car, x: 60 m}
+checks: {ropes: {sky: {safety_factor: 3, sheave_weakening: covered}, main: {safety_factor: 3}}}
+)");
+  EXPECT_TRUE(r.unmade.empty()) << r.unmade.front();
+  EXPECT_EQ(verdict_of(r)->kind, VerdictKind::passes) << verdict_of(r)->reason;
+  EXPECT_EQ(r.find_value("sky.dynamic_safety_factor"), nullptr) << "of the empty line alone";
+}
+
 TEST(VerdictDeck, ADesignNeverPicksWhatNobodyJudges) {
   const std::string choose =
       "design: {ropes: {skyline: {construction: 6x36, core: IWRC, grade: 1960 MPa, modulus: 100 GPa}}}\n";

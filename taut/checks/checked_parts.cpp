@@ -76,7 +76,7 @@ void CheckedParts::take_values(const machine::Model& model, const solve::Equilib
 void CheckedParts::take_empty(const machine::Model& model, const solve::EquilibriumResult& state,
                               const std::string& line, const std::string& words, bool put_up) {
   if (!judged) return;
-  seen = true;
+  if (!put_up) seen = true;  // of itself: the line is put up in whatever is asked of the deck
   ropes.take_empty(model, state, words);
   payloads.take_ropes(model, state, words);
   show_empty(model, state, line, words, put_up);

@@ -175,16 +175,16 @@ void Judge::take_beams(const solve::EquilibriumResult& e, const std::string& wor
   for (std::size_t i = 0; i < std::min(e.beams.size(), beams_.size()); ++i) {
     const solve::BeamResult& b = e.beams[i];
     BeamWorst& worst = beams_[i];
-    const bool buckles = std::isfinite(b.critical_factor);
+    const double factor = b.least_factor();
+    const bool buckles = std::isfinite(factor);
     worst.M.take(b.points[b.most_bent].M, words);
     worst.N.take(std::abs(b.points[b.most_pressed].N), words);
     worst.stress.take(b.points[b.most_stressed].stress, words);
     worst.stress_in_corner.take(b.stress_in_corner, words);
     worst.torsion_left_out.take(b.torsion_left_out > 0 ? b.torsion_left_out : none, words);
     worst.top_displacement.take(b.top_displacement, words);
-    worst.N_cr.take(buckles && b.compression > 0 ? b.critical_factor * b.compression : none, words, true);
-    worst.alpha_cr.take(buckles ? b.critical_factor : none, words, true);
-    worst.together.take(buckles ? std::min(b.critical_factor, b.critical_together) : none, words, true);
+    worst.N_cr.take(buckles && b.compression > 0 ? factor * b.compression : none, words, true);
+    worst.alpha_cr.take(buckles ? factor : none, words, true);
   }
 }
 
@@ -455,6 +455,7 @@ void Judge::take_moment(const machine::Model& m, const solve::TransientResult& s
     if (needs_corridor(m, one.reeving)) {
       for (const Vector3& place : one.places) take_off_line(m, one.reeving, place, when);
     }
+    if (!is_over_line(m, one.reeving, one.places)) continue;
     const study::RopeClearance own = clearance_of(m, one);
     const std::string part =
         fmt::format("{} between {} and {}", rope.name, rope.nodes[one.from].name, rope.nodes[one.to].name);
@@ -585,6 +586,9 @@ void Judge::add_scope(Result& r) const {
   add_beside("carriages", names_of_all(deck_->machine.carriages));
   add_beside("anchors", anchors_in_ground(*model_));
   add_beside("contacts", names_of_all(model_->contacts));
+  for (const std::string& rope : off_ground_) {
+    r.beside.push_back(fmt::format("the ground below {}, off the line of the terrain", rope));
+  }
   for (const std::string& rope : slack_over_ground_) {
     r.beside.push_back(fmt::format("the ground below {} where it is slack", rope));
   }

@@ -34,7 +34,6 @@ struct BeamWorst {
   WorstOf torsion_left_out;  ///< largest that the stresses don't contain, N m; NaN: they contain all
   WorstOf top_displacement;  ///< m
   WorstOf N_cr, alpha_cr;    ///< least, N, 1
-  WorstOf together;          ///< least alpha_cr of all beams that are pressed together with it
 };
 
 /// Least and largest of a length over several states, m; NaN: no state has it.
@@ -141,6 +140,7 @@ class Judge {
   void take_gap(const std::string& rope, const study::TerrainGap& gap);
   void add_gaps(Result& r) const;
   /// Whether a rope should be over the line of the terrain: it carries a carriage, or its clearance is asked for.
+  bool is_over_line(const machine::Model& model, int reeving, const Array<Vector3>& places);
   bool needs_corridor(const machine::Model& model, int reeving) const;
   void take_off_line(const machine::Model& model, int reeving, const Vector3& place, const std::string& where);
   void add_off_line(Result& r) const;
@@ -171,6 +171,7 @@ class Judge {
   const machine::Model* model_;
   std::map<std::string, RopeWorst> ropes_;  ///< by the name of a reeving or guy
   std::map<std::string, Height> carriages_, rope_heights_;
+  std::set<std::string> off_ground_;         ///< ropes of which a part leaves the corridor of the terrain
   std::set<std::string> slack_over_ground_;  ///< ropes that were slack over terrain: how low they hang is not known
   std::map<std::string, Beyond> beyond_;     ///< carriages
   std::map<std::string, OffLine> off_line_;  ///< ropes

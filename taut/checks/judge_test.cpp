@@ -450,6 +450,26 @@ machine:
   EXPECT_THAT(with("210 m", "150 m").unsafe, IsEmpty());
 }
 
+// The stump stands 18 m beside the line, 5 m below the ground there; a guy along the line is in the ground.
+TEST(Judge, AGuyBesideTheLineIsNotOverItsGround) {
+  const auto with = [](const std::string& stump) {
+    return run_text(R"(taut: 1
+machine:
+  terrain: {x: [-30 m, 30 m], z: [0 m, 0 m]}
+  ropes: {guy: {mass: 1 kg/m, stiffness: 20 MN, breaking_force: 270 kN}}
+  points: {head: [0 m, 0 m, 14 m], stump: )" +
+                    stump + R"(}
+  guys: {g: {rope: guy, from: head, to: stump, install: {tension: 30 kN}}}
+checks: {guys: {g: {safety_factor: 3, check_pretension: false}}}
+)");
+  };
+  const Result beside = with("[0 m, 18 m, -5 m]");
+  EXPECT_EQ(verdict_of(beside)->kind, VerdictKind::passes) << verdict_of(beside)->reason;
+  EXPECT_THAT(beside.beside, Contains(HasSubstr("the ground below g, off the line of the terrain")));
+  EXPECT_EQ(beside.find_value("rope_clearance_min"), nullptr);
+  EXPECT_EQ(verdict_of(with("[18 m, 0 m, -5 m]"))->kind, VerdictKind::fails);
+}
+
 // It hangs 8 m below the ground where that ends, and nowhere else over it.
 TEST(Judge, ARopeInTheGroundWhereTheTerrainEndsFails) {
   const Result r = run_text(R"(taut: 1

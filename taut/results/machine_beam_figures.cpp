@@ -136,9 +136,9 @@ void write_beams(Sheet<Num>& s, const MachineRun& run) {
                           stressed ? "stressed" : "bent", p.s, when));
     const Num N = s.named("N", si::N, std::abs(p.N)), M = s.named("M", si::N_m, p.M);
     if (stressed) write_stress(s, section, p, N, M);
-    if (worst->compression > 0 && std::isfinite(worst->critical_factor)) {
+    if (worst->compression > 0 && std::isfinite(worst->least_factor())) {
       const Num N_Ed = s.named("N_Ed", si::N, worst->compression);
-      const Num N_cr = s.named("N_cr", si::N, worst->critical_factor * worst->compression);
+      const Num N_cr = s.named("N_cr", si::N, worst->least_factor() * worst->compression);
       s.eq("", "alpha_cr", si::one, N_cr / N_Ed, "EN 1993-1-1, 5.2.1: critical over present axial force");
     }
   }

@@ -110,22 +110,21 @@ void check_buckling(const machine::description::Beam& given, const checks::Worst
             {.sense = Sense::at_least,
              .limit = checks::first_order_factor,
              .rule =
-                 "critical over present axial force, that of all beams growing alike, for an analysis of first order: "
-                 "EN 1993-1-1, 5.2.1 (3)",
+                 "critical over present axial force, alone or with all beams' growing alike, for an analysis of first "
+                 "order: EN 1993-1-1, 5.2.1 (3)",
              .trust = "verified"}),
         r);
     return;
   }
-  add_fact(
-      given.name, factor.when,
-      make_check(
-          given.name + ".alpha_cr", factor.value, si::one,
-          {.sense = Sense::at_least,
-           .limit = 1,
-           .rule = "critical over present axial force, in the state found (bending of second order is in the stress "
-                   "already)",
-           .trust = "derived"}),
-      r);
+  add_fact(given.name, factor.when,
+           make_check(
+               given.name + ".alpha_cr", factor.value, si::one,
+               {.sense = Sense::at_least,
+                .limit = 1,
+                .rule = "critical over present axial force, alone or with all beams' growing alike, in the state found "
+                        "(bending of second order is in the stress already)",
+                .trust = "derived"}),
+           r);
 }
 
 void add_worst(const machine::description::Beam& given, const checks::BeamWorst& worst, Result& r) {
@@ -144,7 +143,7 @@ void add_worst(const machine::description::Beam& given, const checks::BeamWorst&
   add("alpha_cr", worst.alpha_cr);
   check_stress(given, worst, r);
   tell_left_out(given, worst.torsion_left_out, r);
-  check_buckling(given, given.order == machine::description::Order::first ? worst.together : worst.alpha_cr, r);
+  check_buckling(given, worst.alpha_cr, r);
 }
 
 void add_base(const machine::description::Beam& given, const MachineRun& run, std::size_t i, Result& r) {

@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <limits>
 #include <vector>
 
@@ -34,13 +35,15 @@ struct BeamResult {
   double top_displacement = 0;  ///< magnitude of the deflection of the last point, m
   double lean = 0;  ///< inclination of the chord against its direction as built, of a beam with a free top, rad
   double bend = 0;  ///< largest rotation of a section against the first one, less that as built, rad
-  /// Critical load factor alpha_cr of EN 1993-1-1, 5.2.1: the factor on all internal forces of this beam, and
-  /// on what acts on the bodies at its ends, at which the tangent stiffness of the machine is no longer positive
-  /// definite; the stiffness of ropes and other beams unchanged. Infinite: no such factor (tension), or above 1000.
+  /// Critical factor of its own forces: the factor on all internal forces of this beam, and on what acts on the bodies
+  /// at its ends, at which the tangent stiffness of the machine is no longer positive definite; the stiffness of ropes
+  /// and other beams unchanged. Infinite: no such factor (tension), or above 1000.
   double critical_factor = std::numeric_limits<double>::infinity();
   /// The same with the forces of all beams of the machine growing alike: several legs buckle together before one would
   /// with the others as they are.
   double critical_together = std::numeric_limits<double>::infinity();
+  /// alpha_cr of EN 1993-1-1, 5.2.1: the least factor on the loading at which it buckles, alone or with the others.
+  double least_factor() const { return std::min(critical_factor, critical_together); }
   double compression = 0;       ///< largest compression, N; 0: none
   double stress_in_corner = 0;  ///< largest, see largest_stress_in_corner, Pa
   double torsion_left_out = 0;  ///< the largest that its stresses don't contain because W_t is not known, N m

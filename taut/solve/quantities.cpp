@@ -287,11 +287,11 @@ const Quantities<BeamRow>& beam_quantities() {
        [](const Row& r) { return r.part.top_displacement; }},
       {"N_cr", "N_cr", si::N, "least critical axial force",
        [](const Row& r) {
-         const bool known = std::isfinite(r.part.critical_factor) && r.part.compression > 0;
-         return known ? r.part.critical_factor * r.part.compression : none;
+         const double factor = r.part.least_factor();
+         return std::isfinite(factor) && r.part.compression > 0 ? factor * r.part.compression : none;
        }},
       {"alpha_cr", "alpha_cr", si::one, "critical over present axial force",
-       [](const Row& r) { return std::isfinite(r.part.critical_factor) ? r.part.critical_factor : none; }},
+       [](const Row& r) { return std::isfinite(r.part.least_factor()) ? r.part.least_factor() : none; }},
       {"Rx", "R_x", si::N, "force on the base", [](const Row& r) { return r.part.base_force.x(); }},
       {"Ry", "R_y", si::N, "force on the base", [](const Row& r) { return r.part.base_force.y(); }},
       {"Rz", "R_z", si::N, "force on the base", [](const Row& r) { return r.part.base_force.z(); }},

@@ -72,7 +72,7 @@ void take_station(const Mast& mast, const MastCase& c, const MastPlace& at, Mast
 
 void take_member(const Mast& mast, const MastCase& c, std::size_t load_case, std::size_t part, MastUse& u) {
   const CrossForces f = member_forces(mast, c, part);
-  if (f.N <= 0) return;
+  if (!is_pressed(mast.parts.at(part).member.steel, f)) return;
   u.pressed = true;
   Member member = member_in(mast, c, part);
   const MastPlace at{.load_case = load_case, .station = 0, .part = part};

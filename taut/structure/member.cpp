@@ -125,10 +125,14 @@ std::optional<double> buckling_factor(bool clamped_base, bool held_top) {
   return std::nullopt;
 }
 
+bool is_pressed(const SteelSection& steel, const CrossForces& f) {
+  return f.N > 1e-9 * steel.section.area * steel.yield;
+}
+
 template <class T>
 MemberUse member_use(const Member& m, const CrossForces& f, Sheet<T>& s) {
   MemberUse u;
-  if (f.N <= 0) return u;
+  if (!is_pressed(m.steel, f)) return u;
   const auto& r = m.steel.section;
   const int section_class = structure::section_class(r, m.steel.yield, f).value;
   expects(section_class < 4, "a section of class 4 is refused before its member is asked for");

@@ -38,8 +38,11 @@ struct MemberUse {
   double worst() const;  ///< of the two equations; they contain the first one
 };
 
-/// (6.46), (6.61) and (6.62) with N and the largest moments along the member, whatever their signs. In tension (N <= 0)
-/// all is 0: the sections decide.
+/// Whether the axial force presses it, by more than rounding: 1e-9 of A f_y.
+bool is_pressed(const SteelSection& steel, const CrossForces& f);
+
+/// (6.46), (6.61) and (6.62) with N and the largest moments along the member, whatever their signs. Where it is not
+/// pressed all is 0: the sections decide.
 ///
 /// k_yy = C_my (1 + (lambda_y - 0.2) n_y) <= C_my (1 + 0.8 n_y), n_y = N/(chi_y A f_y/gamma_M1), k_zz likewise with z,
 /// k_yz = 0.6 k_zz, k_zy = 0.6 k_yy (classes 1, 2); k_yy = C_my (1 + 0.6 lambda_y n_y) <= C_my (1 + 0.6 n_y), k_yz =

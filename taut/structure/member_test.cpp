@@ -40,6 +40,12 @@ TEST(Member, CantileverMastOfClassOne) {
   EXPECT_EQ(u.worst(), u.eq_6_61);
 }
 
+TEST(Member, AnAxialForceOfRoundingPressesNothing) {
+  const Member m = member("CHS 508x16", 16, 16);
+  EXPECT_EQ(use(m, forces(1e-9, 850e3)).worst(), 0);
+  EXPECT_GT(use(m, forces(1, 850e3)).worst(), 0.5);
+}
+
 // Class 3, cold-formed: curve c; N 400 kN, M 340 kN m, L_cr 12 m.
 TEST(Member, TubeOfClassThree) {
   const auto u = use(member("CHS-C 508x10", 12, 12), forces(400e3, 300e3, 160e3));

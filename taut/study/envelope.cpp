@@ -197,7 +197,7 @@ class Combination {
       const solve::BeamResult& b = e.beams[i];
       const double stress = b.points[b.most_stressed].stress;
       keep(fmt::format("stress of beam {}", i), std::isnan(stress) ? b.points[b.most_bent].M : stress, all, m, e);
-      keep(fmt::format("buckling of beam {}", i), 1 / b.critical_factor, all, m, e);
+      keep(fmt::format("buckling of beam {}", i), 1 / b.least_factor(), all, m, e);
     }
     if (!m.terrain.empty()) keep("rope in the ground", -rope_clearance(m, e).height, all, m, e);
   }

@@ -18,11 +18,13 @@ struct Way {
 };
 
 /// Positions first .. last within one span, with the carriage in that span's place of its rope's path. `support`: the
-/// single position lies on it, in no span.
+/// single position lies on it, in no span. `beside`: a single place between the positions instead, just beside a
+/// support that the carriage passes, where the rope bends most over it; first = last is the position before it.
 struct WayPart {
   machine::Model model;
   int first = 0, last = 0;
-  const machine::Node* support = nullptr;  ///< of the model that the parts were made of
+  const machine::Node* support = nullptr;       ///< of the model that the parts were made of
+  std::optional<double> beside = std::nullopt;  ///< m
 };
 
 /// Options: a carriage is moved along its line, in equal steps of x.

@@ -105,9 +105,9 @@ void take_gap(const study::TerrainGap& gap, LineStates& line) {
   if (gap.missing() > line.gap.missing()) line.gap = gap;
 }
 
-/// "load path, at rest, x = 40 m, at x = 12 m, 9 m from its fixed end".
-std::string place_words(const std::string& words, const study::RopeClearance& found) {
-  const std::string place = fmt::format("{}, at x = {:.4g} m", words, found.place.x());
+/// "load path, at rest, x = 40 m, at x = 12 m, 9 m from its fixed end"; the second x along the terrain.
+std::string place_words(const machine::Model& model, const std::string& words, const study::RopeClearance& found) {
+  const std::string place = fmt::format("{}, at x = {:.4g} m", words, terrain_x(model, found.place));
   return found.to_end ? fmt::format("{}, {:.3g} m from its fixed end", place, *found.to_end) : place;
 }
 
@@ -117,7 +117,7 @@ void take_clearance(const machine::Model& model, const FreeRope& rope, const std
   take_gap(study::terrain_gap(model, terrain_x(model, *low), terrain_x(model, *high)), line);
   const study::RopeClearance found = clearance_of(model, rope);
   if (std::isnan(found.height)) return;
-  line.clearance.least(found.height, place_words(words, found));
+  line.clearance.least(found.height, place_words(model, words, found));
 }
 
 /// The rope at the rounds between its ends: those that do not move may stand on the ground, but the line then is there.
@@ -125,9 +125,9 @@ void take_rounds(const CheckState& state, LineStates& line) {
   if (state.model->terrain.empty()) return;
   const std::size_t last = state.model->reevings[line.reeving].nodes.size() - 1;
   const auto take_place = [&](const Vector3& place) {
-    const double height = place.z() - study::ground_height(state.model->terrain, terrain_x(*state.model, place));
+    const double x = terrain_x(*state.model, place), height = place.z() - study::ground_height(state.model->terrain, x);
     if (std::isnan(height)) return;
-    line.clearance.least(height, fmt::format("{}, at x = {:.4g} m", state.words, place.x()));
+    line.clearance.least(height, fmt::format("{}, at x = {:.4g} m", state.words, x));
   };
   const auto& all = state.branches;
   const auto same = [](const CheckBranch& a, const CheckBranch& b) {  // pieces of a rope in segments
@@ -152,7 +152,7 @@ void take_clearance(const CheckState& state, LineStates& line) {
     if (branch.slack && line.slack.empty()) line.slack = state.words;
     const study::RopeClearance found = study::rope_clearance(*state.model, branch);
     if (std::isnan(found.height)) continue;
-    line.clearance.least(found.height, place_words(state.words, found));
+    line.clearance.least(found.height, place_words(*state.model, state.words, found));
   }
 }
 

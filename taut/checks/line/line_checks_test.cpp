@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -119,6 +120,20 @@ checks: {lines: {skyline: )") +
   EXPECT_TRUE(check_of(r, "skyline.clearance").passes);
   EXPECT_FALSE(check_of(run_text(deck("{least_clearance: 8 m}")), "skyline.clearance").passes);
   expect_mistake(run_text(line_over_tree("  lines: {skyline: {clearance: true}}\n")), "'terrain'");
+}
+
+// A terrain along y: the hill is 50 m along it, at x = 0 of the ground.
+TEST(LineChecks, APlaceIsNamedByItsDistanceAlongTheTerrain) {
+  const Result r = run_text(R"(taut: 1
+machine:
+  ropes: {skyline: {mass: 1 kg/m, stiffness: 30 MN, breaking_force: 300 kN}}
+  points: {left: [0 m, 0 m, 20 m], right: [0 m, 100 m, 20 m]}
+  reevings: [{rope: skyline, path: [{anchor: left}, {anchor: right}], tension_at_start: 50 kN}]
+  terrain: {x: [0 m, 50 m, 100 m], z: [0 m, 12 m, 0 m], from: [0 m, 0 m], along: [0, 1]}
+checks: {lines: {skyline: {clearance: true}}}
+)");
+  EXPECT_THAT(check_of(r, "skyline.clearance").where + check_of(r, "skyline.clearance").rule,
+              testing::HasSubstr("at x = 50 m"));
 }
 
 /// In motion the rope may come nearer to the ground than at rest: it is let out by 50 mm, and comes to rest again.

@@ -327,7 +327,25 @@ class MachineMast {
     if (!request_.buckling_length && inverse.most > 0) {
       for (const solve::BeamResult& b : state.beams) c.critical_force.push_back(b.compression / inverse.most);
     }
+    if (request_.buckling_length) compare_length(state);
     report_.loaded.cases.push_back(std::move(c));
+  }
+
+  /// By the forces of each beam alone, which gives the shorter length.
+  void compare_length(const BeamState& state) {
+    for (std::size_t i = 0; i < state.beams.size(); ++i) {
+      const solve::BeamResult& b = state.beams[i];
+      if (b.compression <= 0 || !presses(b) || b.critical_factor <= 0) continue;
+      const structure::BeamSection& section = model_.beams[mast_.beams[i]].pieces.front().rod.section;
+      const double length =
+          structure::buckling_length(std::min(section.EI_x, section.EI_y), b.critical_factor, b.compression);
+      if (as_rounded * length <= std::max(longest_, *request_.buckling_length)) continue;
+      longest_ = length;
+      report_.short_length = fmt::format(
+          "'buckling_length' of {:.4g} m is shorter than that of the machine, {:.4g} m: the beam buckles at {:.4g} "
+          "times its forces ({}); leave 'buckling_length' out, or put what holds the mast into the machine",
+          *request_.buckling_length, length, b.critical_factor, state.words);
+    }
   }
 
   void tell(bool crooked) {
@@ -340,7 +358,8 @@ class MachineMast {
                 : "(6.61) is asked for beside the sections in states without bow and sway as built of EN 1993-1-1, "
                   "5.3.2, in the direction of the bending, the bow from hold to hold of the mast; of second-order "
                   "moments that is on the safe side",
-        request_.buckling_length ? "from 'buckling_length'" : "from the critical load of the whole machine"));
+        request_.buckling_length ? fmt::format("from 'buckling_length', {:.4g} m", *request_.buckling_length)
+                                 : "from the critical load of the whole machine"));
   }
 
   /// The same forces in another section.
@@ -372,7 +391,8 @@ class MachineMast {
   const MastStates& mast_;
   MastReport report_;
   std::vector<double> lengths_;
-  double softer_ = 1;  ///< stiffness of the nominal wall over that of the wall that counts, the largest of the beams
+  double longest_ = 0;  ///< of the buckling lengths that are longer than that of the deck, m
+  double softer_ = 1;   ///< stiffness of the nominal wall over that of the wall that counts, the largest of the beams
 };
 
 }  // namespace

@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -12,6 +13,9 @@
 namespace taut::checks::machine_masts_test {
 
 using namespace taut_test;
+using testing::Contains;
+using testing::HasSubstr;
+using testing::IsEmpty;
 
 /// 20 m on a hinge, guyed at its top and, with `middle`, at half its height; pushed at a quarter.
 Result guyed(const std::string& bow, bool middle, const std::string& more = "") {
@@ -82,6 +86,30 @@ TEST(MachineMasts, AMastOfManyBeamsHasTheFactorOfAll) {
   EXPECT_TRUE(check_of(four, "all.buckling").passes);
   const std::string rule = check_of(upright(4, 100e3, 1.01 * alpha), "all.section").rule;
   EXPECT_NE(rule.find("the mast buckles, its critical factor is 2.39"), std::string::npos) << rule;
+}
+
+/// One mast of 8 m under 100 kN with these keys of its check.
+Result checked(const std::string& keys) {
+  return run_text(
+      "taut: 1\nmachine:\n  points: {foot: [0 m, 0 m, 0 m], head: [0 m, 0 m, 8 m]}\n  beams: {m: {from: "
+      "foot, to: head, section: CHS 219.1x8, steel: S355, mass: 0 kg/m}}\n  loads: [{at: m.top, force: [0.1 "
+      "kN, 0 kN, -100 kN]}]\nanalyses: [{equilibrium: {name: rest}}]\nchecks: {masts: {m: {" +
+      keys + "}}}\n");
+}
+
+// A cantilever of 8 m buckles as a column of 16 m.
+TEST(MachineMasts, ABucklingLengthShorterThanThatOfTheMachineIsUnsafe) {
+  const Result r = checked("load_factor: 1.35, buckling_length: 4 m");
+  EXPECT_THAT(r.unsafe, Contains(HasSubstr("'buckling_length' of 4 m is shorter than that of the machine, 16 m")));
+  EXPECT_EQ(verdict_of(r)->kind, VerdictKind::passes_with_warnings) << verdict_of(r)->reason;
+  EXPECT_THAT(checked("load_factor: 1.35, buckling_length: 16 m").unsafe, IsEmpty());
+}
+
+TEST(MachineMasts, LoadsThatCountWithLessThanTheyAreAreUnsafe) {
+  EXPECT_THAT(checked("load_factor: 0.3").unsafe, Contains(HasSubstr("its forces count with a factor of 0.3")));
+  EXPECT_THAT(checked("load_factor: 0.8, dynamic_factor: 1.3").unsafe, IsEmpty());
+  EXPECT_THAT(checked("combinations: {U: {rest: 0.2}}").unsafe, Contains(HasSubstr("the forces of 'rest' count with")));
+  EXPECT_THAT(checked("combinations: {U: {rest: 0.2}, V: {rest: 1.35}}").unsafe, IsEmpty());
 }
 
 // With a beam beside it that presses too, the sum is what is known, and said to be a bound.

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "taut/calc/none.hpp"
 #include "taut/calc/verdict.hpp"
@@ -315,6 +316,25 @@ TableWords mast_words() {
   return {.name = "masts", .rows = "every mast of `checks: masts:`", .columns = words_of(mast_quantities())};
 }
 
+/// Loads that count with less than they are, wherever they count.
+void warn_of_small_factors(const MastCheckRequest& request, const MastReport& report, Result& r) {
+  std::map<std::string, double> largest;  // by load case
+  for (const MastCombinationRequest& c : request.combinations) {
+    for (const MastTerm& t : c.terms) {
+      double& one = largest[t.name];
+      one = std::max(one, t.factor);
+    }
+  }
+  const auto warn = [&](double factor, const std::string& of, const char* key) {
+    if (factor * request.dynamic_factor >= 1) return;
+    warn_unsafe(
+        r, fmt::format("{}: {} count with a factor of {:.4g}, less than they are: give '{}' of 1 or more", report.name,
+                       of.empty() ? "its forces" : "the forces of '" + of + "'", factor * request.dynamic_factor, key));
+  };
+  if (request.combinations.empty()) warn(request.load_factor, "", "load_factor");
+  for (const auto& [name, factor] : largest) warn(factor, name, "combinations");
+}
+
 void add_mast_report(const MastCheckRequest& request, const MastReport& report, Result& r) {
   if (!report.materials.empty()) r.assumptions.push_back(factor_words(request, report));
   r.assumptions.insert(r.assumptions.end(), report.words.begin(), report.words.end());
@@ -322,6 +342,8 @@ void add_mast_report(const MastCheckRequest& request, const MastReport& report, 
     r.unjudged.push_back(fmt::format("{} in '{}', which none of its combinations names", report.name, analysis));
   }
   if (!report.relieved.empty()) r.warnings.push_back(fmt::format("{}: {}", report.name, report.relieved));
+  warn_of_small_factors(request, report, r);
+  if (!report.short_length.empty()) warn_unsafe(r, fmt::format("{}: {}", report.name, report.short_length));
   const bool factored = request.load_factor != 1 || !request.combinations.empty();
   if (!factored) {
     r.warnings.push_back(

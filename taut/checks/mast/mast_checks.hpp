@@ -45,6 +45,7 @@ struct MastReport {
   std::vector<MastMaterial> materials;  ///< by part
   std::string refused;                  ///< why there are no forces
   std::string relieved;                 ///< a combination in which its own weight relieves it by too much
+  std::string short_length;             ///< a buckling length of the deck that is shorter than the machine's
   std::set<std::string> left_out;       ///< analyses with states that no combination names
   std::vector<std::string> words;       ///< how it was computed
   structure::MastOf in_section;         ///< the same mast in another section, for `choose`

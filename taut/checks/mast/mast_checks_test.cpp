@@ -435,6 +435,8 @@ TEST(MastChecks, LegsThatBuckleTogether) {
   EXPECT_FALSE(check_of(first, "leg1.alpha_cr").passes);
   // 1.35 times 520 kN are more than 613 kN
   const Result second = legs(520, 0.5, "second");
+  EXPECT_NEAR(check_of(second, "leg1.alpha_cr").value, all / 520e3, 0.03 * all / 520e3);
+  EXPECT_NEAR(value_of(second, "leg1.N_cr"), all / 4, 0.03 * all / 4);
   EXPECT_EQ(verdict_of(second)->kind, VerdictKind::fails) << verdict_of(second)->reason;
   EXPECT_NE(verdict_of(second)->reason.find("the mast buckles, its critical factor is 1.1"), std::string::npos)
       << verdict_of(second)->reason;

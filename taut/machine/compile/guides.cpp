@@ -241,16 +241,15 @@ bool same_guides(const Model& a, const Model& b) {
   return true;
 }
 
-const Node* guide_at(const Model& model, int carriage, double x, const Vector3& along) {
+Array<PlacedGuide> guides_ahead_of(const Model& model, int carriage) {
+  Array<PlacedGuide> all;
   for (const Reeving& rope : model.reevings) {
     for (const Guides& guides : rope.guides) {
       if (carriage_end(rope, guides).at.body != model.carriages[carriage].body) continue;
-      for (const Node& node : guides.all) {
-        if (std::abs(starts_at(model, node).dot(along) - x) <= std::max(node.radius, on_guide)) return &node;
-      }
+      for (const Node& node : guides.all) all.push_back({.node = &node, .place = starts_at(model, node)});
     }
   }
-  return nullptr;
+  return all;
 }
 
 std::string misplaced_guide(const Model& model, const Array<Pose>& bodies) {

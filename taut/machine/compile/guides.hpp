@@ -37,8 +37,14 @@ Model with_guides_at(Model model, const State& state);
 /// Whether two models made of one have the same guides in their paths.
 bool same_guides(const Model& a, const Model& b);
 
-/// A guide that holds ahead of a carriage and over which x lies, nearer than its radius; nullptr without one.
-const Node* guide_at(const Model& model, int carriage, double x, const Vector3& along);
+/// A guide and where it stands at the start.
+struct PlacedGuide {
+  const Node* node = nullptr;
+  Vector3 place = Vector3::Zero();
+};
+
+/// The guides that hold ahead of a carriage, whether the path has them or not.
+Array<PlacedGuide> guides_ahead_of(const Model& model, int carriage);
 
 /// Where a carriage is found on the other side of a guide than the path of its rope has it: a sentence; empty without
 /// one.

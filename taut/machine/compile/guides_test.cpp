@@ -109,11 +109,15 @@ TEST(Guides, AtTheStartByThePlaceOfTheCarriage) {
   EXPECT_EQ(path_of(with_guides_at_start(compiled(m))).size(), 4U);
 }
 
-TEST(Guides, ACarriageAtAGuideIsOnNeitherSide) {
-  const Model m = compiled(line());
-  ASSERT_NE(guide_at(m, 0, 100.1, Vector3::UnitX()), nullptr);
-  EXPECT_EQ(guide_at(m, 0, 100.1, Vector3::UnitX())->name, "guide1");
-  EXPECT_EQ(guide_at(m, 0, 100.2, Vector3::UnitX()), nullptr);
+TEST(Guides, OfACarriageAreAllOfThemWhereverItIs) {
+  for (const double x : {50., 150., 250.}) {
+    const Model m = with_carriage_at(compiled(line()), 0, x);
+    const Array<PlacedGuide> all = guides_ahead_of(m, 0);
+    ASSERT_EQ(all.size(), 2U);
+    EXPECT_EQ(all[0].node->name, "guide2");
+    EXPECT_EQ(all[1].node->name, "guide1");
+    EXPECT_EQ(all[1].place.x(), 100);
+  }
 }
 
 TEST(Guides, AMisplacedCarriageIsNamed) {

@@ -189,7 +189,7 @@ analyses:
   const Table &t = table_of(held, "payload"), &u = table_of(ground, "payload");
   ASSERT_EQ(t.rows.size(), u.rows.size());
   for (std::size_t i = 0; i < t.rows.size(); ++i) EXPECT_EQ(text_cell(t, i, "governing"), text_cell(u, i, "governing"));
-  EXPECT_EQ(text_cell(t, 3, "governing"), "on 'j1'");
+  EXPECT_EQ(text_cell(t, 4, "governing"), "on 'j1'");
 }
 
 TEST(PayloadAnalysis, NothingCanBeCarriedIsAnAnswer) {

@@ -23,33 +23,92 @@ std::optional<Vector3> stays_at(const machine::Model& model, const machine::Node
   return Vector3(body.position + body.orientation * node.at.at);
 }
 
+constexpr double beside = 0.01;       ///< m: farther from a support than where a carriage is on it
+constexpr double half_carriage = 1;   ///< m: of a carriage that is a point; nearer to a support its length counts
+constexpr double least_reach = 1e-6;  ///< m: of what has no radius
+
+/// Around a support or guide, the coordinates along a way at which a carriage is on it.
+struct Zone {
+  const machine::Node* node = nullptr;
+  double middle = 0, reach = 0;  ///< m
+  double near = 0;               ///< from the middle to the places next to it, m
+
+  bool has(double x) const { return std::abs(middle - x) <= reach; }
+};
+
+/// How far the outer rollers are from the middle of a carriage, m.
+double half_length(const machine::Model& model, const machine::Carriage& car) {
+  double half = 0;
+  for (int k = 0; k < car.rollers; ++k)
+    half = std::max(half, std::abs(model.reevings[car.reeving].nodes[car.node + k].at.at.x()));
+  return half;
+}
+
+Array<Zone> zones_of(const machine::Model& model, int carriage, const Vector3& along) {
+  const machine::Carriage& car = model.carriages[carriage];
+  const double half = half_length(model, car);
+  Array<Zone> all;
+  for (const machine::Node& node : model.reevings[car.reeving].nodes) {
+    const auto place = stays_at(model, node);
+    if (!place) continue;
+    all.push_back({.node = &node,
+                   .middle = place->dot(along),
+                   .reach = std::max(node.radius + half, least_reach),
+                   .near = node.radius + (half > 0 ? half + beside : half_carriage)});
+  }
+  for (const machine::PlacedGuide& guide : machine::guides_ahead_of(model, carriage)) {
+    all.push_back({.node = guide.node,
+                   .middle = guide.place.dot(along),
+                   .reach = std::max(guide.node->radius, least_reach),
+                   .near = guide.node->radius + (half > 0 ? half + beside : half_carriage)});
+  }
+  return all;
+}
+
+const machine::Node* zone_at(const Array<Zone>& zones, double x) {
+  const auto zone = std::find_if(zones.begin(), zones.end(), [&](const Zone& one) { return one.has(x); });
+  return zone == zones.end() ? nullptr : zone->node;
+}
+
+/// The places next to the supports between two positions, in the order of the way.
+Array<double> places_beside(const Array<Zone>& zones, double from, double to) {
+  Array<double> all;
+  const auto [low, high] = std::minmax(from, to);
+  for (const Zone& zone : zones) {
+    for (const double x : {zone.middle - zone.near, zone.middle + zone.near}) {
+      if (low < x && x < high && zone_at(zones, x) == nullptr) all.push_back(x);
+    }
+  }
+  std::sort(all.begin(), all.end(), [&](double a, double b) { return to > from ? a < b : a > b; });
+  const auto same = [](double a, double b) { return std::abs(a - b) < beside; };
+  all.erase(std::unique(all.begin(), all.end(), same), all.end());
+  return all;
+}
+
 }  // namespace
 
 const machine::Node* support_at(const machine::Model& model, int carriage, double x, const Vector3& along) {
-  const machine::Carriage& car = model.carriages[carriage];
-  for (const machine::Node& node : model.reevings[car.reeving].nodes) {
-    const auto place = stays_at(model, node);
-    if (place && std::abs(place->dot(along) - x) <= std::max(node.radius, 1e-6)) return &node;
-  }
-  return machine::guide_at(model, carriage, x, along);
+  return zone_at(zones_of(model, carriage, along), x);
 }
 
 Array<WayPart> parts_of(const machine::Model& model, const Way& way) {
+  const auto at = [&](double x) { return machine::with_carriage_at(model, way.carriage, x, way.along); };
   const auto same_span = [&](const machine::Model& a, const machine::Model& b) {
     return a.carriages[way.carriage].node == b.carriages[way.carriage].node && machine::same_guides(a, b);
   };
+  const Array<Zone> zones = zones_of(model, way.carriage, way.along);
   Array<WayPart> parts;
-  for (int i = 0; i <= way.steps; i = parts.back().last + 1) {
-    WayPart part{.model = machine::with_carriage_at(model, way.carriage, way.x(i), way.along),
-                 .first = i,
-                 .last = i,
-                 .support = support_at(model, way.carriage, way.x(i), way.along)};
-    while (part.support == nullptr && part.last < way.steps &&
-           support_at(model, way.carriage, way.x(part.last + 1), way.along) == nullptr &&
-           same_span(machine::with_carriage_at(model, way.carriage, way.x(part.last + 1), way.along), part.model)) {
+  for (int i = 0; i <= way.steps; ++i) {
+    WayPart part{.model = at(way.x(i)), .first = i, .last = i, .support = zone_at(zones, way.x(i))};
+    while (part.support == nullptr && part.last < way.steps && zone_at(zones, way.x(part.last + 1)) == nullptr &&
+           same_span(at(way.x(part.last + 1)), part.model)) {
       ++part.last;
     }
+    i = part.last;
     parts.push_back(std::move(part));
+    if (i == way.steps) break;
+    for (const double x : places_beside(zones, way.x(i), way.x(i + 1)))
+      parts.push_back({.model = at(x), .first = i, .last = i, .support = nullptr, .beside = x});
   }
   return parts;
 }
@@ -57,8 +116,8 @@ Array<WayPart> parts_of(const machine::Model& model, const Way& way) {
 LoadPathOptions path_over(const Way& way, const WayPart& part) {
   LoadPathOptions options;
   options.carriage = way.carriage;
-  options.from = way.x(part.first);
-  options.to = way.x(part.last);
+  options.from = part.beside.value_or(way.x(part.first));
+  options.to = part.beside.value_or(way.x(part.last));
   options.along = way.along;
   options.steps = std::max(1, part.last - part.first);
   return options;

@@ -14,14 +14,16 @@ namespace taut::study {
 struct WayPlace;
 struct Names;
 
-/// The support or end of its rope over which x lies, nearer than its radius: a carriage, taken as a point, is in no
-/// span there. Also a guide that holds ahead of it: the carriage is on neither side of it. nullptr in a span.
+/// The support or end of its rope over which x lies, nearer than its radius and the distance from the carriage's middle
+/// to its outer rollers: it is in no span there. Also a guide that holds ahead of it and is nearer than its radius: the
+/// carriage is on neither side of it. nullptr in a span.
 const machine::Node* support_at(const machine::Model& model, int carriage, double x, const Vector3& along);
 
-/// A way span by span, in the order of its positions.
+/// A way span by span, in the order of its positions. Between two spans, and beside a support on which a position lies,
+/// are the places next to each support: bends over it, and forces on it, are largest there and grow fast towards it.
 Array<WayPart> parts_of(const machine::Model& model, const Way& way);
 
-/// A load path over the positions of a part; of a single position it has two, both there.
+/// A load path over the positions of a part; of a single place it has two, both there.
 LoadPathOptions path_over(const Way& way, const WayPart& part);
 
 /// The tops of the ground between the last place of one part and the first of the next, where the carriage passes a
