@@ -140,6 +140,15 @@ void DriveUses::keep(std::vector<Check> made, const std::string& words) {
   }
 }
 
+/// A sheave without a friction holds its rope whatever it pulls: that shows nothing of a driven one.
+void DriveUses::keep_grips(const machine::Model& m) {
+  for (const machine::Reeving& rope : m.reevings) {
+    for (const machine::Node& node : rope.nodes) {
+      if (node.motor && !std::isfinite(node.law.friction)) frictionless_.insert(node.name);
+    }
+  }
+}
+
 /// The turns on a drum take the tension from the rope's fastening by their friction.
 void DriveUses::keep_turns(const machine::Model& m, const solve::DrumResult& d, const std::string& words) {
   if (!d.length) return;
@@ -174,6 +183,7 @@ void DriveUses::keep_flange(const machine::Model& m, const solve::DrumResult& d)
 }
 
 void DriveUses::take(const machine::Model& m, const solve::EquilibriumResult& state, const std::string& words) {
+  keep_grips(m);
   std::vector<Check> made;
   for (const auto& d : solve::drives(m, state)) check_drive(m, d, made);
   const Array<solve::DrumResult> ends = solve::drums(m, state);
@@ -230,6 +240,7 @@ void DriveUses::take_set_brakes(const machine::Model& m, const solve::TransientF
 }
 
 void DriveUses::take(const machine::Model& m, const solve::TransientResult& motion, const std::string& words) {
+  keep_grips(m);
   for (std::size_t d = 0; d < m.drums.size(); ++d) {
     const machine::Drum& drum = m.drums[d];
     if (!stands_by_brake(drum)) continue;
@@ -288,6 +299,12 @@ void DriveUses::take_brakes(const machine::Model& m, const solve::TransientResul
 
 void DriveUses::add_checks(Result& r) const {
   for (const auto& [name, check] : worst_) r.checks.push_back(check);
+  for (const std::string& name : frictionless_) {
+    r.unmade.push_back(fmt::format(
+        "{}.grip is not checked: nothing says how well the rope holds on the driven sheave: give its 'friction'",
+        name));
+    r.warnings.push_back(r.unmade.back());
+  }
   for (const auto& [drum, words] : unloaded_brakes_) {
     if (braked_.contains(drum) || worst_.contains(drum + ".brake_torque")) continue;
     r.unmade.push_back(

@@ -32,6 +32,7 @@ class DriveUses {
   void keep(std::vector<Check> made, const std::string& words);
   void take_set_brakes(const machine::Model& model, const solve::TransientFrame& rest, const std::string& words);
   void take_brakes(const machine::Model& model, const solve::TransientResult& motion, const std::string& words);
+  void keep_grips(const machine::Model& model);
   void keep_turns(const machine::Model& model, const solve::DrumResult& drum, const std::string& words);
   void keep_layer(const machine::Model& m, const solve::DrumResult& d, const std::string& words);
   void keep_flange(const machine::Model& m, const solve::DrumResult& d);
@@ -42,6 +43,7 @@ class DriveUses {
     std::string words;
   };
   std::map<std::string, Slip> slips_;                   // the largest of each sheave
+  std::set<std::string> frictionless_;                  // driven sheaves that nothing says the friction of
   std::map<std::string, std::string> unbraked_;         // drums whose brake slips, or has not stopped them
   std::map<std::string, std::string> unloaded_brakes_;  // drums that no state shows by their brake: where
   std::set<std::string> braked_;                 // drums whose brake acts in full in a motion: their slip judges it

@@ -46,6 +46,20 @@ TEST(DriveUses, AGripThatFailsInAnyStateFails) {
   EXPECT_NE(swept.reason.find("sweep"), std::string::npos) << swept.reason;
 }
 
+TEST(DriveUses, ADrivenSheaveWithoutFrictionIsNotJudged) {
+  for (const char* analyses : {"equilibrium: {motion: in}", "transient: {duration: 0.2 s, tolerance: 1e-3}"}) {
+    std::string text = belt(analyses);
+    text.erase(text.find(" friction: 0.2,"), 15);
+    const Result r = run_text(text);
+    ASSERT_TRUE(verdict_of(r)) << to_text(r.errors);
+    EXPECT_EQ(to_text(verdict_of(r)->kind), "not_judged") << verdict_of(r)->reason;
+    EXPECT_NE(verdict_of(r)->reason.find("drive.grip is not checked"), std::string::npos) << verdict_of(r)->reason;
+    const Result arc = run_text(text, {"machine.sheaves.drive.motor.working_arc=170 deg"});
+    ASSERT_EQ(arc.errors.size(), 1U);
+    EXPECT_NE(arc.errors[0].message.find("needs the 'friction' of the sheave"), std::string::npos);
+  }
+}
+
 TEST(DriveUses, AnAnalysisThatIsNotJudgedDoesNotCount) {
   const Verdict v = judged(
       "equilibrium: {motion: in}, sweep: {parameter: \"rope_loads[0].rate\", from: 60 N/m, to: 400 N/m, steps: 4, "
