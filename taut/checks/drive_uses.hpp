@@ -38,17 +38,16 @@ class DriveUses {
   void keep_flange(const machine::Model& m, const solve::DrumResult& d);
 
   std::map<std::string, Check> worst_;
+  std::map<std::string, std::string> unmade_;  // checks that lack a number: why
   struct Slip {
     double slipped = 0;  ///< m
     std::string words;
   };
   std::map<std::string, Slip> slips_;                   // the largest of each sheave
-  std::set<std::string> frictionless_;                  // driven sheaves that nothing says the friction of
   std::map<std::string, std::string> unbraked_;         // drums whose brake slips, or has not stopped them
   std::map<std::string, std::string> unloaded_brakes_;  // drums that no state shows by their brake: where
   std::set<std::string> braked_;                 // drums whose brake acts in full in a motion: their slip judges it
   std::map<std::string, std::string> layers_;    // drums with more layers than they are calculated with
-  std::map<std::string, std::string> flanges_;   // drums with a flange that nothing can be held against: why
   std::map<std::string, std::string> yielding_;  // cylinders at their force limit
   struct Turns {
     double left = 0;
