@@ -80,9 +80,10 @@ std::map<int, DrumLoad> loads_of(const Array<solve::DrumResult>& ends, const Arr
   return loads;
 }
 
-/// Where the torque of a drum is given, the rope's tension follows from it, or it is a limit.
+/// Where the torque of a drum is given, the rope's tension follows from it, or it is a limit; not of a drum whose brake
+/// is set, against any drive.
 void check_torque(const machine::Drum& drum, const DrumLoad& d, std::vector<Check>& made, Unmade& unmade) {
-  if (drum.drive.kind != machine::DriveKind::torque) return;
+  if (drum.drive.kind != machine::DriveKind::torque || drum.drive.brake) return;
   const double given = machine::at(drum.drive.signal, 0).value;
   if (d.torque >= given * (1 - 1e-9) && d.torque <= given * (1 + 1e-9)) return;
   const auto range = torque_range(drum.name, drum.drive.signal, unmade);
@@ -92,9 +93,11 @@ void check_torque(const machine::Drum& drum, const DrumLoad& d, std::vector<Chec
                  {.sense = Sense::at_most, .limit = range->most, .rule = "the drum's torque", .trust = "user"}));
 }
 
-/// A drum that stands does so by its brake, or by a motor with a torque or a pull.
+/// A drum that stands does so by its brake, or, where that is not set, by a motor with a torque or a pull.
 bool stands_by_brake(const machine::Drum& drum) {
-  return drum.brake && drum.drive.kind != machine::DriveKind::torque && drum.drive.kind != machine::DriveKind::pull;
+  if (!drum.brake) return false;
+  const bool by_motor = drum.drive.kind == machine::DriveKind::torque || drum.drive.kind == machine::DriveKind::pull;
+  return drum.drive.brake || !by_motor;
 }
 
 /// It has to hold the pull of its rope.
