@@ -183,11 +183,17 @@ void DriveUses::keep_turns(const machine::Model& m, const solve::DrumResult& d, 
 /// Pulls, torques and brakes are those of the layer that the machine is calculated with.
 void DriveUses::keep_layer(const machine::Model& m, const solve::DrumResult& d, const std::string& words) {
   if (d.filled.value_or(0) <= d.layer) return;
-  const std::string& drum = m.drums[d.drum].name;
-  layers_.try_emplace(
-      drum, fmt::format("{}: the rope on '{}' reaches layer {}, but its torque and its brake are those of layer "
-                        "{}: give 'layers: auto'",
-                        words, drum, *d.filled, d.layer));
+  const machine::Drum& drum = m.drums[d.drum];
+  if (drum.brake || drum.drive.kind == machine::DriveKind::torque) {
+    const std::string check = drum.name + (stands_by_brake(drum) ? ".brake_torque" : ".torque");
+    unmade_.try_emplace(check, fmt::format("{} is not checked in layer {}, which the rope reaches ({}), but in layer "
+                                           "{}: give 'layers: auto'",
+                                           check, *d.filled, words, d.layer));
+    return;
+  }
+  layers_.try_emplace(drum.name, fmt::format("{}: the rope on '{}' reaches layer {}, but its torque is that of layer "
+                                             "{}: give 'layers: auto'",
+                                             words, drum.name, *d.filled, d.layer));
 }
 
 /// A flange limits the layers. What they hold has to be known, and what lies on them.

@@ -451,25 +451,34 @@ analyses: [)" + analyses + "]\n"))
 }
 
 // The brake of a drum in its third layer has more to hold than in the first one, with which the machine is calculated.
-TEST(DriveUses, ALayerThatTheRopePassesIsUnsafe) {
-  const auto run = [](const std::string& layers) {
+TEST(DriveUses, ALayerThatTheRopePassesIsNotJudged) {
+  const auto run = [](const std::string& drum) {
     return run_text(R"(taut: 1
 machine:
   ropes: {w: {diameter: 20 mm, mass: 0 kg/m, stiffness: 20 MN, breaking_force: 300 kN}}
   sheaves: {s1: {at: [0 m, 0 m, 10 m], diameter: 800 mm}}
   bodies: {load: {mass: 4 t, at: [0.4 m, 0 m, 2 m], free: [x, z]}}
   drums: {winch: {at: [-10 m, 0 m, 0 m], core_diameter: 400 mm, face_width: 400 mm, flange_diameter: 700 mm,
-    length_on_drum: 79 m, brake_torque: 9 kN m, inertia: 10 kg m^2)" +
-                    layers + R"(}}
+    length_on_drum: 79 m, inertia: 10 kg m^2)" +
+                    drum + R"(}}
   reevings: [{rope: w, path: [{drum: winch}, {over: s1}, {anchor: load}], length: 20 m}]
 checks: {ropes: {w: {safety_factor: 3}}}
 )");
   };
-  const Result first = run("");
-  ASSERT_EQ(first.unsafe.size(), 1U) << first.message << to_text(first.errors);
-  EXPECT_NE(first.unsafe[0].find("reaches layer 3"), std::string::npos) << first.unsafe[0];
-  EXPECT_TRUE(run(", layers: auto").unsafe.empty());
-  EXPECT_EQ(to_text(verdict_of(run(", layers: auto"))->kind), "fails");  // 39.2 kN x 0.25 m over 9 kN m
+  const std::string brake = ", brake_torque: 9 kN m";
+  const Result first = run(brake);
+  EXPECT_EQ(to_text(verdict_of(first)->kind), "not_judged") << first.message << to_text(first.errors);
+  EXPECT_NE(verdict_of(first)->reason.find("winch.brake_torque is not checked in layer 3"), std::string::npos)
+      << verdict_of(first)->reason;
+  EXPECT_EQ(to_text(verdict_of(run(", brake_torque: 8 kN m"))->kind), "fails") << "in layer 1 already";
+  EXPECT_EQ(to_text(verdict_of(run(", drive: {torque: 9 kN m}"))->kind), "not_judged");
+  const Result layers = run(brake + ", layers: auto");
+  EXPECT_TRUE(layers.unmade.empty());
+  EXPECT_EQ(to_text(verdict_of(layers)->kind), "fails");  // 39.2 kN x 0.25 m over 9 kN m
+  // without a limit of its torque nothing is judged by it
+  const Result free = run("");
+  ASSERT_EQ(free.unsafe.size(), 1U) << free.message << to_text(free.errors);
+  EXPECT_NE(free.unsafe[0].find("reaches layer 3"), std::string::npos) << free.unsafe[0];
 }
 
 /// A winch whose rope lies at 0.207 m; `drum`: how it is driven and braked, `more`: signals and events.
