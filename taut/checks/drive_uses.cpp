@@ -111,13 +111,16 @@ void add_brake_check(const machine::Drum& drum, const DrumLoad& d, std::vector<C
 void check_capacities(const machine::Model& m, const Array<solve::DrumResult>& ends, std::vector<Check>& made) {
   std::map<int, double> used;  // of the drum, as a share
   for (const solve::DrumResult& d : ends) {
-    if (d.length && d.capacity) used[d.drum] += m.reevings[d.reeving].copies * *d.length / *d.capacity;
+    if (d.length && d.capacity.value_or(0) > 0) used[d.drum] += m.reevings[d.reeving].copies * *d.length / *d.capacity;
   }
   for (const solve::DrumResult& d : ends) {
     if (!d.length || !d.capacity) continue;
-    const bool shared = m.reevings[d.reeving].copies > 1 || used[d.drum] * *d.capacity != *d.length;
+    // within flanges that hold no layer there is no share of it
+    const int copies = m.reevings[d.reeving].copies;
+    const double all = *d.capacity > 0 ? used[d.drum] * *d.capacity : copies * *d.length;
+    const bool shared = copies > 1 || all != *d.length;
     made.push_back(make_check(
-        m.drums[d.drum].name + ".capacity", used[d.drum] * *d.capacity, si::m,
+        m.drums[d.drum].name + ".capacity", all, si::m,
         {.sense = Sense::at_most,
          .limit = *d.capacity,
          .rule = fmt::format("rope that the drum takes within its flanges{}", shared ? ", all its ropes together" : ""),

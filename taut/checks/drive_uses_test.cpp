@@ -133,6 +133,9 @@ checks: {ropes: {line: {safety_factor: 4}}}
   const Result full = lift(core + face + rope);
   EXPECT_EQ(to_text(verdict_of(full)->kind), "fails") << verdict_of(full)->reason;
   EXPECT_FALSE(taut_test::check_of(full, "winch.capacity").passes);
+  EXPECT_EQ(taut_test::check_of(full, "winch.capacity").limit, 0);
+  EXPECT_EQ(taut_test::check_of(full, "winch.capacity").value, 60);
+  EXPECT_EQ(taut_test::check_of(full, "winch.capacity").rule.find("together"), std::string::npos);
   for (const auto& [drum, words] : {std::pair{core + rope, "give its 'face_width'"},
                                     {core, "give its 'face_width'"},
                                     {core + face, "give its 'length_on_drum'"},
