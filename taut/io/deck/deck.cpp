@@ -12,6 +12,7 @@
 #include "taut/io/deck/override.hpp"
 #include "taut/io/deck/parameters.hpp"
 #include "taut/io/deck/read.hpp"
+#include "taut/units/unit.hpp"
 
 namespace taut::io {
 namespace {
@@ -105,6 +106,11 @@ Display read_display(const Node& root, Diagnostics& mistakes) {
     if (enough(mistakes)) break;
     if (e.value.kind != Node::Kind::scalar) {
       add(mistakes, e.value.spot, fmt::format("display: a unit is expected, not {}", kind_text(e.value)));
+      continue;
+    }
+    if (e.key == si::rad.kind && e.value.text == "%") {  // of a wrap of 180 deg that would be 0
+      add(mistakes, e.value.spot,
+          "display: '%' shows slopes, and most angles are none: angles are shown in deg, rad, mrad or gon");
       continue;
     }
     const auto checked = check_display(e.key, e.value.text);
