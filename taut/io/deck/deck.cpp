@@ -189,7 +189,7 @@ std::optional<Document> read_document(std::string_view text, const std::string& 
   }
   for (Diagnostic& d : document->mistakes) add(mistakes, std::move(d));
   document->source->reading->read = std::move(read);
-  resolve_includes(*document, mistakes);
+  if (!resolve_includes(*document, mistakes)) return std::nullopt;
   for (const std::string& one : set) override_value(*document, one, deck_keys(), mistakes);
   return std::move(*document);
 }

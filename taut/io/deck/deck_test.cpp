@@ -327,6 +327,7 @@ TEST_F(Include, TellsWhatCanNotBeIncluded) {
   for (const auto& [text, expected] : rows) {
     const Reading t = run(fmt::format("{}\n{}", text, good));
     EXPECT_NE(t.text.find(expected), std::string::npos) << text << "\n-> " << t.text;
+    EXPECT_FALSE(t.deck) << text << ": without that part more would be missing";
   }
 }
 
