@@ -12,7 +12,7 @@ from . import _taut
 from ._deck import Deck, Job, job_of
 from ._errors import Interrupted, NoAnswer, QuestionError, raise_mistakes
 from ._result import Floats
-from ._run import Progress
+from ._run import Progress, number_of_threads
 from ._units import is_pint, pint_text
 
 
@@ -93,9 +93,7 @@ class Cases:
         if rows.ndim != 2 or rows.shape[1] != len(self.paths):
             raise ValueError(f"an array of shape (n, {len(self.paths)}) is expected, a column for each of "
                              f"{', '.join(self.paths)}; this one has {rows.shape}")
-        if threads < 0:
-            raise ValueError("threads: 0 for all cores, or a number of them")
-        found, without, interrupted, raised = self._native.evaluate(rows, threads, progress)
+        found, without, interrupted, raised = self._native.evaluate(rows, number_of_threads(threads), progress)
         reasons = dict(without)
         if isinstance(raised, KeyboardInterrupt):
             raise Interrupted("the evaluation was interrupted") from raised

@@ -17,6 +17,16 @@ Progress = Optional[Callable[[str, float, str], object]]
 """Called with what is calculated, the part that is done (0 to 1) and words; a returned False ends the calculation."""
 
 
+MOST_THREADS = 1024
+
+
+def number_of_threads(threads: int) -> int:
+    """The same number, where so many threads can be at work."""
+    if not 0 <= threads <= MOST_THREADS:
+        raise ValueError(f"threads: 0 for all cores, or a number of them up to {MOST_THREADS}, not {threads}")
+    return threads
+
+
 def finished(native: _taut.NativeResult | None, raised: BaseException | None, what: str) -> Result:
     """The result; raises what has ended the calculation, or the mistakes of the deck."""
     result = None if native is None else Result(native)
@@ -107,6 +117,7 @@ def study(
     one. All cases are in series["cases"].
     Raises DeckError, FileError, and Interrupted after Ctrl-C or a False of `progress`.
     """
+    threads = number_of_threads(threads)
     job = job_of(deck, set)
     with tempfile.TemporaryDirectory(prefix="taut-") as temporary:
         place = os.fspath(folder) if folder is not None else os.path.join(temporary, "study")
@@ -123,6 +134,7 @@ def calibrate(
     attachments["calibrated.yaml"] is the deck with the numbers found. progress: as in run(). Raises DeckError,
     FileError, and Interrupted after Ctrl-C or a False of `progress`.
     """
+    threads = number_of_threads(threads)
     job = job_of(deck, set)
     return finished(*_taut.calibrate(job.text, job.name, job.set, threads, progress), "the calibration")
 

@@ -287,6 +287,15 @@ class Cases(unittest.TestCase):
         self.assertFalse(np.isnan(found[0]).any())
         self.assertLess(costs[1], 1.1 * costs[0])
 
+    def test_more_threads_than_a_machine_gives_are_refused(self):
+        cases = taut.cases(SKYLINE, PATHS[:1], OF)
+        self.assertEqual(cases([1500.0], threads=1024).tolist(), cases([1500.0]).tolist())
+        for threads in (-1, 1025, 100000):
+            for ask in (lambda: cases([1500.0], threads=threads), lambda: taut.study(SKYLINE, threads=threads),
+                        lambda: taut.calibrate(SKYLINE, threads=threads)):
+                with self.assertRaisesRegex(ValueError, "up to 1024"):
+                    ask()
+
     def test_a_row_without_an_answer_is_nan_with_its_reason(self):
         cases = taut.cases(SKYLINE, PATHS[:1], OF)
         found, reasons = cases.evaluate([[1500.0], [-5.0], [np.nan]])

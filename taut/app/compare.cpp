@@ -66,7 +66,7 @@ ComparedSet read_compared(const Job& job, io::Document& document, Result& r) {
   }
   document = std::move(*parsed);
   r.errors = document.mistakes;
-  io::resolve_includes(document, r.errors);
+  if (!io::resolve_includes(document, r.errors)) return set;
   const std::vector<std::string> keys = {"taut", "title", "display", "compare", "parameters"};
   for (const std::string& one : job.set) io::override_value(document, one, keys, r.errors);
   io::resolve_parameters(document, r.errors);

@@ -61,11 +61,27 @@ TEST(Job, FindsMistakesOfHeadFieldsAndRulesInOneGo) {
 }
 
 TEST(Job, AMissingIncludeIsAMistake) {
-  // a deck that includes nothing readable is a mistake, not an exception
+  // a deck that includes nothing readable is a mistake, not an exception; what its part may hold is not missed too
   const Result r = run(
       Job{.text = "taut: 1\ninclude: nowhere.part.yaml\nmethod: mast_section\ninput: {}\n", .name = "m", .set = {}});
   EXPECT_EQ(r.status, Status::bad_deck);
-  EXPECT_GE(r.errors.size(), 1U);
+  EXPECT_EQ(r.errors.size(), 1U) << to_text(r.errors);
+}
+
+/// A field whose expression has no value is given: it is not missed too.
+TEST(Job, AFailedExpressionIsOneMistake) {
+  const std::string deck = R"(taut: 1
+parameters: {F: 3 kN}
+machine:
+  points: {top: [0 m, 0 m, 20 m]}
+  ropes: {r: {mass: 0 kg/m, stiffness: 50 MN, breaking_force: 200 kN}}
+  bodies: {b: {mass: 1 t, at: [0 m, 0 m, 0 m], free: [z]}}
+  reevings: [{rope: r, path: [{anchor: top}, {anchor: b}], length: 20 m}]
+  loads: [{at: b, force: [0 kN, 0 kN, "= -min(F, 3)"]}]
+)";
+  const Diagnostics mistakes = check(Job{.text = deck, .name = "d"});
+ASSERT_EQ(mistakes.size(), 1U) << to_text(mistakes);
+EXPECT_NE(mistakes[0].message.find("min: the first value"), std::string::npos) << mistakes[0].message;
 }
 
 /// Gives the files of a map, and notes what it was asked for.

@@ -73,6 +73,16 @@ TEST(MachineDrives, ATorqueWithNothingLeftToSetIsALimit) {
   EXPECT_NEAR(limit->value, cell(r, "drives", "torque"), 1e-9);
 }
 
+TEST(MachineDrives, ATorqueByASignalIsALimitToo) {
+  const std::vector<std::string> torque = {"machine.sheaves.drive.motor={torque: tq}",
+                                           "machine.signals={tq: {table: {t: [0 s, 9 s], value: [0 N m, -700 N m]}}}"};
+  const Result r = run_text(saw, torque);
+  const Check* limit = check_named(r, "drive.torque");
+  ASSERT_NE(limit, nullptr) << r.message << to_text(r.errors);
+  EXPECT_EQ(limit->limit, 700);
+  EXPECT_FALSE(limit->passes);
+}
+
 TEST(MachineDrives, ATorqueFindsTheForceItOvercomes) {
   const Result known = run_text(saw);
   std::string open = saw;

@@ -64,6 +64,11 @@ MethodDeck as_written(const MethodEntry& method, const io::Node& node, const io:
   return deck;
 }
 
+/// Whether no value is missing because its expression has none.
+bool is_whole(const io::Node& node, const io::Node* others) {
+  return !io::has_expression(node) && (others == nullptr || !io::has_expression(*others));
+}
+
 }  // namespace
 
 std::optional<MethodDeck> read_method(const MethodEntry& method, const io::Node& node, const io::Node* others,
@@ -75,7 +80,7 @@ std::optional<MethodDeck> read_method(const MethodEntry& method, const io::Node&
               {{"design", "the cases of a study have their choices made: a method's deck with 'design' has not"}},
               mistakes);
   }
-  if (mistakes.size() > before) return std::nullopt;
+  if (mistakes.size() > before || !is_whole(node, others)) return std::nullopt;
   deck.asked = deck.resolve(node, others, mistakes);
   if (mistakes.size() > before) return std::nullopt;
   return deck;
@@ -85,7 +90,7 @@ std::function<Result()> prepare_method(const MethodEntry& method, const io::Node
                                        const MethodSurroundings& around, Diagnostics& mistakes) {
   const std::size_t before = mistakes.size();
   MethodDeck deck = as_written(method, node, others, around.display, mistakes);
-  if (mistakes.size() > before) return {};
+  if (mistakes.size() > before || !is_whole(node, others)) return {};
   if (!deck.blocks.design) {
     deck.asked = deck.resolve(node, others, mistakes);
     if (mistakes.size() > before) return {};

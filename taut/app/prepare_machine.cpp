@@ -343,7 +343,8 @@ bool load_named(const io::Node& input, MachineDeck& deck, bool readable, Diagnos
 std::optional<ReadMachine> read_machine(const io::Node& input, const Display& display, Diagnostics& mistakes) {
   const auto deck = std::make_shared<MachineDeck>();
   deck->display = display;
-  const bool readable = io::read(input, MachineDeck::describe(), deck.get(), "the deck", mistakes);
+  const bool read_whole = io::read(input, MachineDeck::describe(), deck.get(), "the deck", mistakes);
+  const bool readable = read_whole && !io::has_expression(input);
   if (!load_named(input, *deck, readable, mistakes)) {
     if (all_parts_known(input)) place_in_machine(input, machine::unknown_names(deck->machine), mistakes);
     return std::nullopt;

@@ -20,17 +20,29 @@ constexpr double least_slip = 0.01, least_way = 1e-3;
 constexpr double standing = 1e-6;  ///< m/s; a drum that is slower stands
 
 /// Whether a motor's torque is no more than a limit: with the length and all loads given there is nothing it could set.
-/// A signal is no limit: it changes.
-bool is_limit(const machine::Model& m, const machine::Reeving& r) {
-  const auto motor = r.nodes.front().motor;
-  if (!motor || !m.motors[*motor].drive.signal.name.empty()) return false;
+bool is_limit(const machine::Reeving& r) {
   const bool open = std::any_of(r.nodes.begin(), r.nodes.end(), [](const machine::Node& n) {
     return n.kind == machine::NodeKind::load && n.load.open;
   });
   return r.closed && r.given == machine::Given::length && r.nodes.front().tension_drop && !open;
 }
 
-void check_drive(const machine::Model& m, const solve::DriveResult& d, std::vector<Check>& made) {
+/// Names of checks that lack a number, and why.
+using Unmade = std::map<std::string, std::string>;
+
+/// What a torque over time can be at most is known of a constant, a ramp, steps and a table.
+std::optional<machine::SignalRange> torque_range(const std::string& name, const machine::Signal& torque,
+                                                 Unmade& unmade) {
+  auto range = machine::range_of(torque);
+  if (range) return range;
+  unmade.try_emplace(name + ".torque",
+                     fmt::format("{}.torque is not checked: the largest value of the signal '{}' is not known: give a "
+                                 "constant torque, a ramp or a table",
+                                 name, torque.name));
+  return std::nullopt;
+}
+
+void check_drive(const machine::Model& m, const solve::DriveResult& d, std::vector<Check>& made, Unmade& unmade) {
   const machine::Node& own = m.reevings[d.reeving].nodes[d.node];
   if (std::isfinite(own.law.friction)) {
     made.push_back(make_check(
@@ -41,8 +53,10 @@ void check_drive(const machine::Model& m, const solve::DriveResult& d, std::vect
                                    : "ratio of tensions that friction holds, exp(mu theta), Euler-Eytelwein",
          .trust = "derived"}));
   }
-  if (!is_limit(m, m.reevings[d.reeving])) return;
-  const double most = std::abs(*own.tension_drop) * own.radius * m.reevings[d.reeving].copies;
+  if (!own.motor || own.kind != machine::NodeKind::drive || !is_limit(m.reevings[d.reeving])) return;
+  const auto range = torque_range(own.name, m.motors[*own.motor].drive.signal, unmade);
+  if (!range) return;
+  const double most = std::max(std::abs(range->least), std::abs(range->most));
   made.push_back(make_check(own.name + ".torque", std::abs(d.torque), si::N_m,
                             {.sense = Sense::at_most, .limit = most, .rule = "the motor's torque", .trust = "user"}));
 }
@@ -66,18 +80,24 @@ std::map<int, DrumLoad> loads_of(const Array<solve::DrumResult>& ends, const Arr
   return loads;
 }
 
-/// Where the torque of a drum is given, the rope's tension follows from it, or it is a limit.
-void check_torque(const machine::Drum& drum, const DrumLoad& d, std::vector<Check>& made) {
-  if (drum.drive.kind != machine::DriveKind::torque || !drum.drive.signal.name.empty()) return;
-  const double most = machine::at(drum.drive.signal, 0).value;
-  if (d.torque >= most * (1 - 1e-9) && d.torque <= most * (1 + 1e-9)) return;
-  made.push_back(make_check(drum.name + ".torque", d.torque, si::N_m,
-                            {.sense = Sense::at_most, .limit = most, .rule = "the drum's torque", .trust = "user"}));
+/// Where the torque of a drum is given, the rope's tension follows from it, or it is a limit; not of a drum whose brake
+/// is set, against any drive.
+void check_torque(const machine::Drum& drum, const DrumLoad& d, std::vector<Check>& made, Unmade& unmade) {
+  if (drum.drive.kind != machine::DriveKind::torque || drum.drive.brake) return;
+  const double given = machine::at(drum.drive.signal, 0).value;
+  if (d.torque >= given * (1 - 1e-9) && d.torque <= given * (1 + 1e-9)) return;
+  const auto range = torque_range(drum.name, drum.drive.signal, unmade);
+  if (!range) return;
+  made.push_back(
+      make_check(drum.name + ".torque", d.torque, si::N_m,
+                 {.sense = Sense::at_most, .limit = range->most, .rule = "the drum's torque", .trust = "user"}));
 }
 
-/// A drum that stands does so by its brake, or by a motor with a torque or a pull.
+/// A drum that stands does so by its brake, or, where that is not set, by a motor with a torque or a pull.
 bool stands_by_brake(const machine::Drum& drum) {
-  return drum.brake && drum.drive.kind != machine::DriveKind::torque && drum.drive.kind != machine::DriveKind::pull;
+  if (!drum.brake) return false;
+  const bool by_motor = drum.drive.kind == machine::DriveKind::torque || drum.drive.kind == machine::DriveKind::pull;
+  return drum.drive.brake || !by_motor;
 }
 
 /// It has to hold the pull of its rope.
@@ -91,13 +111,16 @@ void add_brake_check(const machine::Drum& drum, const DrumLoad& d, std::vector<C
 void check_capacities(const machine::Model& m, const Array<solve::DrumResult>& ends, std::vector<Check>& made) {
   std::map<int, double> used;  // of the drum, as a share
   for (const solve::DrumResult& d : ends) {
-    if (d.length && d.capacity) used[d.drum] += m.reevings[d.reeving].copies * *d.length / *d.capacity;
+    if (d.length && d.capacity.value_or(0) > 0) used[d.drum] += m.reevings[d.reeving].copies * *d.length / *d.capacity;
   }
   for (const solve::DrumResult& d : ends) {
     if (!d.length || !d.capacity) continue;
-    const bool shared = m.reevings[d.reeving].copies > 1 || used[d.drum] * *d.capacity != *d.length;
+    // within flanges that hold no layer there is no share of it
+    const int copies = m.reevings[d.reeving].copies;
+    const double all = *d.capacity > 0 ? used[d.drum] * *d.capacity : copies * *d.length;
+    const bool shared = copies > 1 || all != *d.length;
     made.push_back(make_check(
-        m.drums[d.drum].name + ".capacity", used[d.drum] * *d.capacity, si::m,
+        m.drums[d.drum].name + ".capacity", all, si::m,
         {.sense = Sense::at_most,
          .limit = *d.capacity,
          .rule = fmt::format("rope that the drum takes within its flanges{}", shared ? ", all its ropes together" : ""),
@@ -140,6 +163,18 @@ void DriveUses::keep(std::vector<Check> made, const std::string& words) {
   }
 }
 
+/// A sheave without a friction holds its rope whatever it pulls: that shows nothing of a driven one.
+void DriveUses::keep_grips(const machine::Model& m) {
+  for (const machine::Reeving& rope : m.reevings) {
+    for (const machine::Node& node : rope.nodes) {
+      if (!node.motor || std::isfinite(node.law.friction)) continue;
+      unmade_.try_emplace(node.name + ".grip", fmt::format("{}.grip is not checked: nothing says how well the rope "
+                                                           "holds on the driven sheave: give its 'friction'",
+                                                           node.name));
+    }
+  }
+}
+
 /// The turns on a drum take the tension from the rope's fastening by their friction.
 void DriveUses::keep_turns(const machine::Model& m, const solve::DrumResult& d, const std::string& words) {
   if (!d.length) return;
@@ -151,11 +186,17 @@ void DriveUses::keep_turns(const machine::Model& m, const solve::DrumResult& d, 
 /// Pulls, torques and brakes are those of the layer that the machine is calculated with.
 void DriveUses::keep_layer(const machine::Model& m, const solve::DrumResult& d, const std::string& words) {
   if (d.filled.value_or(0) <= d.layer) return;
-  const std::string& drum = m.drums[d.drum].name;
-  layers_.try_emplace(
-      drum, fmt::format("{}: the rope on '{}' reaches layer {}, but its torque and its brake are those of layer "
-                        "{}: give 'layers: auto'",
-                        words, drum, *d.filled, d.layer));
+  const machine::Drum& drum = m.drums[d.drum];
+  if (drum.brake || drum.drive.kind == machine::DriveKind::torque) {
+    const std::string check = drum.name + (stands_by_brake(drum) ? ".brake_torque" : ".torque");
+    unmade_.try_emplace(check, fmt::format("{} is not checked in layer {}, which the rope reaches ({}), but in layer "
+                                           "{}: give 'layers: auto'",
+                                           check, *d.filled, words, d.layer));
+    return;
+  }
+  layers_.try_emplace(drum.name, fmt::format("{}: the rope on '{}' reaches layer {}, but its torque is that of layer "
+                                             "{}: give 'layers: auto'",
+                                             words, drum.name, *d.filled, d.layer));
 }
 
 /// A flange limits the layers. What they hold has to be known, and what lies on them.
@@ -168,17 +209,19 @@ void DriveUses::keep_flange(const machine::Model& m, const solve::DrumResult& d)
                               : diameter == 0         ? "give the 'diameter' of its rope"
                               : drum.width < diameter ? "its rope is thicker than the face is wide"
                                                       : "give its 'length_on_drum'";
-  flanges_.try_emplace(drum.name, fmt::format("{}.capacity is not checked: whether the rope stays within the flange of "
-                                              "{:.4g} mm is not known: {}",
-                                              drum.name, drum.flange_diameter * 1e3, missing));
+  unmade_.try_emplace(drum.name + ".capacity",
+                      fmt::format("{}.capacity is not checked: whether the rope stays within the flange of "
+                                  "{:.4g} mm is not known: {}",
+                                  drum.name, drum.flange_diameter * 1e3, missing));
 }
 
 void DriveUses::take(const machine::Model& m, const solve::EquilibriumResult& state, const std::string& words) {
+  keep_grips(m);
   std::vector<Check> made;
-  for (const auto& d : solve::drives(m, state)) check_drive(m, d, made);
+  for (const auto& d : solve::drives(m, state)) check_drive(m, d, made, unmade_);
   const Array<solve::DrumResult> ends = solve::drums(m, state);
   for (const auto& [drum, load] : loads_of(ends, state.flow)) {
-    check_torque(m.drums[drum], load, made);
+    check_torque(m.drums[drum], load, made, unmade_);
     if (!stands_by_brake(m.drums[drum])) continue;
     if (load.stands) {
       add_brake_check(m.drums[drum], load, made);
@@ -230,6 +273,7 @@ void DriveUses::take_set_brakes(const machine::Model& m, const solve::TransientF
 }
 
 void DriveUses::take(const machine::Model& m, const solve::TransientResult& motion, const std::string& words) {
+  keep_grips(m);
   for (std::size_t d = 0; d < m.drums.size(); ++d) {
     const machine::Drum& drum = m.drums[d];
     if (!stands_by_brake(drum)) continue;
@@ -296,7 +340,7 @@ void DriveUses::add_checks(Result& r) const {
                     drum, words));
     r.warnings.push_back(r.unmade.back());
   }
-  for (const auto& [drum, words] : flanges_) {
+  for (const auto& [name, words] : unmade_) {
     r.unmade.push_back(words);
     r.warnings.push_back(words);
   }

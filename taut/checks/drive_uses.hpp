@@ -32,11 +32,13 @@ class DriveUses {
   void keep(std::vector<Check> made, const std::string& words);
   void take_set_brakes(const machine::Model& model, const solve::TransientFrame& rest, const std::string& words);
   void take_brakes(const machine::Model& model, const solve::TransientResult& motion, const std::string& words);
+  void keep_grips(const machine::Model& model);
   void keep_turns(const machine::Model& model, const solve::DrumResult& drum, const std::string& words);
   void keep_layer(const machine::Model& m, const solve::DrumResult& d, const std::string& words);
   void keep_flange(const machine::Model& m, const solve::DrumResult& d);
 
   std::map<std::string, Check> worst_;
+  std::map<std::string, std::string> unmade_;  // checks that lack a number: why
   struct Slip {
     double slipped = 0;  ///< m
     std::string words;
@@ -46,7 +48,6 @@ class DriveUses {
   std::map<std::string, std::string> unloaded_brakes_;  // drums that no state shows by their brake: where
   std::set<std::string> braked_;                 // drums whose brake acts in full in a motion: their slip judges it
   std::map<std::string, std::string> layers_;    // drums with more layers than they are calculated with
-  std::map<std::string, std::string> flanges_;   // drums with a flange that nothing can be held against: why
   std::map<std::string, std::string> yielding_;  // cylinders at their force limit
   struct Turns {
     double left = 0;

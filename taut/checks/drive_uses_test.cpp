@@ -46,6 +46,20 @@ TEST(DriveUses, AGripThatFailsInAnyStateFails) {
   EXPECT_NE(swept.reason.find("sweep"), std::string::npos) << swept.reason;
 }
 
+TEST(DriveUses, ADrivenSheaveWithoutFrictionIsNotJudged) {
+  for (const char* analyses : {"equilibrium: {motion: in}", "transient: {duration: 0.2 s, tolerance: 1e-3}"}) {
+    std::string text = belt(analyses);
+    text.erase(text.find(" friction: 0.2,"), 15);
+    const Result r = run_text(text);
+    ASSERT_TRUE(verdict_of(r)) << to_text(r.errors);
+    EXPECT_EQ(to_text(verdict_of(r)->kind), "not_judged") << verdict_of(r)->reason;
+    EXPECT_NE(verdict_of(r)->reason.find("drive.grip is not checked"), std::string::npos) << verdict_of(r)->reason;
+    const Result arc = run_text(text, {"machine.sheaves.drive.motor.working_arc=170 deg"});
+    ASSERT_EQ(arc.errors.size(), 1U);
+    EXPECT_NE(arc.errors[0].message.find("needs the 'friction' of the sheave"), std::string::npos);
+  }
+}
+
 TEST(DriveUses, AnAnalysisThatIsNotJudgedDoesNotCount) {
   const Verdict v = judged(
       "equilibrium: {motion: in}, sweep: {parameter: \"rope_loads[0].rate\", from: 60 N/m, to: 400 N/m, steps: 4, "
@@ -119,6 +133,9 @@ checks: {ropes: {line: {safety_factor: 4}}}
   const Result full = lift(core + face + rope);
   EXPECT_EQ(to_text(verdict_of(full)->kind), "fails") << verdict_of(full)->reason;
   EXPECT_FALSE(taut_test::check_of(full, "winch.capacity").passes);
+  EXPECT_EQ(taut_test::check_of(full, "winch.capacity").limit, 0);
+  EXPECT_EQ(taut_test::check_of(full, "winch.capacity").value, 60);
+  EXPECT_EQ(taut_test::check_of(full, "winch.capacity").rule.find("together"), std::string::npos);
   for (const auto& [drum, words] : {std::pair{core + rope, "give its 'face_width'"},
                                     {core, "give its 'face_width'"},
                                     {core + face, "give its 'length_on_drum'"},
@@ -437,25 +454,34 @@ analyses: [)" + analyses + "]\n"))
 }
 
 // The brake of a drum in its third layer has more to hold than in the first one, with which the machine is calculated.
-TEST(DriveUses, ALayerThatTheRopePassesIsUnsafe) {
-  const auto run = [](const std::string& layers) {
+TEST(DriveUses, ALayerThatTheRopePassesIsNotJudged) {
+  const auto run = [](const std::string& drum) {
     return run_text(R"(taut: 1
 machine:
   ropes: {w: {diameter: 20 mm, mass: 0 kg/m, stiffness: 20 MN, breaking_force: 300 kN}}
   sheaves: {s1: {at: [0 m, 0 m, 10 m], diameter: 800 mm}}
   bodies: {load: {mass: 4 t, at: [0.4 m, 0 m, 2 m], free: [x, z]}}
   drums: {winch: {at: [-10 m, 0 m, 0 m], core_diameter: 400 mm, face_width: 400 mm, flange_diameter: 700 mm,
-    length_on_drum: 79 m, brake_torque: 9 kN m, inertia: 10 kg m^2)" +
-                    layers + R"(}}
+    length_on_drum: 79 m, inertia: 10 kg m^2)" +
+                    drum + R"(}}
   reevings: [{rope: w, path: [{drum: winch}, {over: s1}, {anchor: load}], length: 20 m}]
 checks: {ropes: {w: {safety_factor: 3}}}
 )");
   };
-  const Result first = run("");
-  ASSERT_EQ(first.unsafe.size(), 1U) << first.message << to_text(first.errors);
-  EXPECT_NE(first.unsafe[0].find("reaches layer 3"), std::string::npos) << first.unsafe[0];
-  EXPECT_TRUE(run(", layers: auto").unsafe.empty());
-  EXPECT_EQ(to_text(verdict_of(run(", layers: auto"))->kind), "fails");  // 39.2 kN x 0.25 m over 9 kN m
+  const std::string brake = ", brake_torque: 9 kN m";
+  const Result first = run(brake);
+  EXPECT_EQ(to_text(verdict_of(first)->kind), "not_judged") << first.message << to_text(first.errors);
+  EXPECT_NE(verdict_of(first)->reason.find("winch.brake_torque is not checked in layer 3"), std::string::npos)
+      << verdict_of(first)->reason;
+  EXPECT_EQ(to_text(verdict_of(run(", brake_torque: 8 kN m"))->kind), "fails") << "in layer 1 already";
+  EXPECT_EQ(to_text(verdict_of(run(", drive: {torque: 9 kN m}"))->kind), "not_judged");
+  const Result layers = run(brake + ", layers: auto");
+  EXPECT_TRUE(layers.unmade.empty());
+  EXPECT_EQ(to_text(verdict_of(layers)->kind), "fails");  // 39.2 kN x 0.25 m over 9 kN m
+  // without a limit of its torque nothing is judged by it
+  const Result free = run("");
+  ASSERT_EQ(free.unsafe.size(), 1U) << free.message << to_text(free.errors);
+  EXPECT_NE(free.unsafe[0].find("reaches layer 3"), std::string::npos) << free.unsafe[0];
 }
 
 /// A winch whose rope lies at 0.207 m; `drum`: how it is driven and braked, `more`: signals and events.

@@ -191,6 +191,8 @@ TEST(Compile, TellsEachMistakeAtItsPath) {
        .expected = "reevings[0].path[2].parts: no sheave is beside this one"},
       {.spoil = [](Machine& m) { m.reevings[0].path[2] = falls(4, "jack", "jack"); },
        .expected = "path[2].between: two sheaves"},
+      {.spoil = [](Machine& m) { m.reevings[0].path[2] = falls(1, "jack", "head"); },
+       .expected = "path[2].between: belongs to a tackle of two 'parts' or more"},
       {.spoil = [](Machine& m) { m.reevings[0].path[1] = over("jack"); },
        .expected = "carriages.car: the path of the rope it rides on goes past"},
       {.spoil = [](Machine& m) { m.supports[0].motor.emplace(); },

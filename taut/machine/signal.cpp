@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 #include "taut/base/array.hpp"
 #include "taut/base/expects.hpp"
@@ -148,6 +149,17 @@ double integral_of_formula(const Signal& signal, double from, double to) {
 
 SignalValue at(const Signal& signal, double t) {
   return std::visit([&](const auto& law) { return value_of(law, t); }, signal.law);
+}
+
+std::optional<SignalRange> range_of(const Signal& signal) {
+  if (std::holds_alternative<Sine>(signal.law) || std::holds_alternative<TimeFormula>(signal.law)) return std::nullopt;
+  const double first = at(signal, 0).value;
+  SignalRange range{.least = first, .most = first};
+  for (const double t : breakpoints(signal)) {
+    const double value = at(signal, t).value;
+    range = {.least = std::min(range.least, value), .most = std::max(range.most, value)};
+  }
+  return std::isfinite(first) ? std::optional(range) : std::nullopt;
 }
 
 double integral(const Signal& signal, double from, double to) {

@@ -1,5 +1,6 @@
 #pragma once
 #include <memory>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -69,6 +70,13 @@ struct Signal {
 
 /// Value and derivatives at t. At a jump: those after the jump.
 SignalValue at(const Signal& signal, double t);
+
+/// The least and the largest value at the start and at the breakpoints. None of a sine or a formula, which swing
+/// between them, and of a constant that is not known (NaN).
+struct SignalRange {
+  double least = 0, most = 0;
+};
+std::optional<SignalRange> range_of(const Signal& signal);
 
 /// Integral of the value from `from` to `to`, `to` >= `from`; exact except for rounding, of a formula to 1e-12 of its
 /// largest value. It is the rope that a drum with a given speed takes in.

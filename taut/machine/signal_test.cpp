@@ -114,6 +114,17 @@ TEST(Signal, ATableIsLinearAndHeldOutside) {
   EXPECT_EQ(integral(s, 0, 5), 5 + 6 + 10 + 3);
 }
 
+TEST(Signal, TheRangeIsThatOfItsBreakpoints) {
+  const auto most = [](const auto& law) { return range_of(Signal{.name = "s", .unit = si::N_m, .law = law})->most; };
+  EXPECT_EQ(most(-3.0), -3);
+  EXPECT_EQ(most(Moves{.from = 1, .moves = {{.at = 2, .to = 7, .over = 1}, {.at = 5, .to = -9, .over = 0}}}), 7);
+  const Signal table{.name = "s", .unit = si::N_m, .law = Curve{.t = {0, 1, 2}, .value = {2, -8, 4}, .slopes = {}}};
+  EXPECT_EQ(range_of(table)->least, -8);
+  EXPECT_EQ(range_of(table)->most, 4);
+  EXPECT_FALSE(range_of(Signal{.name = "s", .unit = si::N_m, .law = Sine{.mean = 1, .amplitude = 2, .omega = 3}}));
+  EXPECT_FALSE(range_of(Signal{.name = "s", .unit = si::N_m, .law = std::nan("")}));
+}
+
 TEST(Signal, ACubicTableHasContinuousAcceleration) {
   const Signal s{.name = "s", .unit = si::rad, .law = smooth_curve({0, 1, 2.5, 3, 5}, {0, 1, -1, 0.5, 2})};
   const auto& curve = std::get<Curve>(s.law);

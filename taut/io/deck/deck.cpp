@@ -12,6 +12,7 @@
 #include "taut/io/deck/override.hpp"
 #include "taut/io/deck/parameters.hpp"
 #include "taut/io/deck/read.hpp"
+#include "taut/units/unit.hpp"
 
 namespace taut::io {
 namespace {
@@ -107,6 +108,11 @@ Display read_display(const Node& root, Diagnostics& mistakes) {
       add(mistakes, e.value.spot, fmt::format("display: a unit is expected, not {}", kind_text(e.value)));
       continue;
     }
+    if (e.key == si::rad.kind && e.value.text == "%") {  // of a wrap of 180 deg that would be 0
+      add(mistakes, e.value.spot,
+          "display: '%' shows slopes, and most angles are none: angles are shown in deg, rad, mrad or gon");
+      continue;
+    }
     const auto checked = check_display(e.key, e.value.text);
     if (checked) {
       units[e.key] = e.value.text;
@@ -183,7 +189,7 @@ std::optional<Document> read_document(std::string_view text, const std::string& 
   }
   for (Diagnostic& d : document->mistakes) add(mistakes, std::move(d));
   document->source->reading->read = std::move(read);
-  resolve_includes(*document, mistakes);
+  if (!resolve_includes(*document, mistakes)) return std::nullopt;
   for (const std::string& one : set) override_value(*document, one, deck_keys(), mistakes);
   return std::move(*document);
 }

@@ -35,14 +35,15 @@ const std::vector<std::string>& deck_keys();
 Display read_display(const Node& root, Diagnostics& mistakes);
 
 /// A deck as one document: its text with what it includes, and with the values that are set over it. Expressions stand
-/// in it as they were written. The arguments are those of read_deck; empty when the text is not YAML.
+/// in it as they were written. The arguments are those of read_deck; empty when the text is not YAML, or
+/// lacks a file that it includes.
 std::optional<Document> read_document(std::string_view text, const std::string& name,
                                       const std::vector<std::string>& set, Diagnostics& mistakes, FileReader read = {});
 
 /// Everything that comes before a method reads its input: YAML, `include:`, the overrides of `--set`, `parameters:`,
 /// and the keys `taut`, `title`, `project`, `method`, `display`, `input` (or `machine`, `analyses`). All mistakes are
-/// added to `mistakes`; when nothing can be read at all (not YAML) the result is empty. A deck with mistakes may still
-/// be read further, to find more of them; it must not be run.
+/// added to `mistakes`; when nothing can be read (not YAML, an include that can't be read) the result is empty. A deck
+/// with mistakes may still be read further, to find more of them; it must not be run.
 ///   name: what messages call the text; a relative `include` is looked for in its folder (in the current one for
 ///         a name without a folder)
 ///   set: "input.cases[0].falls=6" and so on, in order

@@ -89,6 +89,8 @@ TEST(Deck, TellsWhatIsWrongAroundTheInput) {
       {"display: {forse: kN}\n" + good,
        "deck.yaml:1:11: error: display: 'forse' is not a kind of quantity; did you mean"},
       {"display: {force: mm}\n" + good, "deck.yaml:1:18: error: display: 'mm' is a unit of length"},
+      {"display: {angle: '%'}\n" + good,
+       "deck.yaml:1:18: error: display: '%' shows slopes, and most angles are none: angles are shown in deg, rad"},
       {"display: {force: [kN]}\n" + good, "a unit is expected, not a list"},
       {"display: kN\n" + good, "display: a map of kinds and units"},
       {"- taut: 1\n", "a deck is a map, beginning with 'taut: 1'; this is a list"},
@@ -325,6 +327,7 @@ TEST_F(Include, TellsWhatCanNotBeIncluded) {
   for (const auto& [text, expected] : rows) {
     const Reading t = run(fmt::format("{}\n{}", text, good));
     EXPECT_NE(t.text.find(expected), std::string::npos) << text << "\n-> " << t.text;
+    EXPECT_FALSE(t.deck) << text << ": without that part more would be missing";
   }
 }
 

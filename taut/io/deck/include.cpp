@@ -41,11 +41,15 @@ class Includer {
     under.spot = root.spot;
     for (const Node* one : paths(include)) {
       const fs::path path = file.parent_path() / one->text;
-      if (auto part = read_part(*one, path)) under = merge(std::move(under), *part);
+      auto part = read_part(*one, path);
+      whole_ = whole_ && part.has_value();
+      if (part) under = merge(std::move(under), *part);
     }
     under_way_.pop_back();
     root = merge(std::move(under), root);
   }
+
+  bool whole() const { return whole_; }
 
  private:
   std::vector<const Node*> paths(const Node& include) {
@@ -58,6 +62,7 @@ class Includer {
       if (usable) {
         all.push_back(&one);
       } else {
+        whole_ = false;
         add(mistakes_, one.spot,
             fmt::format("include: the path of a deck, or a list of them, is expected, not {}",
                         one.kind == Node::Kind::scalar ? "an empty text" : kind_text(one)));
@@ -118,6 +123,7 @@ class Includer {
   }
 
   Diagnostics& mistakes_;
+  bool whole_ = true;  ///< no file was left out
   std::vector<std::string> under_way_;
   int files_ = 0;
   std::size_t bytes_ = 0;
@@ -170,8 +176,10 @@ Node merge(Node under, const Node& over) {
   return under;
 }
 
-void resolve_includes(Document& document, Diagnostics& mistakes) {
-  Includer(mistakes).resolve(document.root, document.source->name);
+bool resolve_includes(Document& document, Diagnostics& mistakes) {
+  Includer includer(mistakes);
+  includer.resolve(document.root, document.source->name);
+  return includer.whole();
 }
 
 }  // namespace taut::io

@@ -346,6 +346,13 @@ bool read(const Node& map, const Description& description, void* object, std::st
   return mistakes.size() == before && before < most_mistakes;
 }
 
+bool has_expression(const Node& input) {
+  if (input.kind == Node::Kind::scalar) return !input.text.empty() && input.text.front() == '=';
+  return std::any_of(input.items.begin(), input.items.end(), has_expression) ||
+         std::any_of(input.entries.begin(), input.entries.end(),
+                     [](const Entry& e) { return has_expression(e.value); });
+}
+
 void place(const Node& input, const std::vector<Complaint>& complaints, Diagnostics& mistakes) {
   for (const Complaint& c : complaints) {
     const Found found = follow(input, c.path);

@@ -14,6 +14,10 @@ namespace taut::io {
 /// True when there were no mistakes; otherwise the struct is filled in part and must not be used.
 bool read(const Node& map, const Description& description, void* object, std::string_view what, Diagnostics& mistakes);
 
+/// Whether an expression is left in the deck: it has no value, which has been reported (parameters.hpp). A struct read
+/// from there lacks what it stands for.
+bool has_expression(const Node& input);
+
 /// Tells rules between fields that the deck breaks: each at the node of its path below `input`, or at the nearest one
 /// above it that the deck has.
 void place(const Node& input, const std::vector<Complaint>& complaints, Diagnostics& mistakes);

@@ -182,7 +182,10 @@ Json object(const Description& d, bool whole) {
 Json display() {
   Json kinds = Json::object();
   for (const Unit& u : display_kinds()) {
-    kinds[std::string(u.kind)] = {{"type", "string"}, {"pattern", fmt::format("^{}$", unit_pattern(u))}};
+    const std::string pattern =
+        u.is_angle ? fmt::format("({})", names([](const NameRow& r) { return r.is_angle && r.name != "%"; }))
+                   : unit_pattern(u);
+    kinds[std::string(u.kind)] = {{"type", "string"}, {"pattern", fmt::format("^{}$", pattern)}};
   }
   return {{"type", "object"},
           {"description", "units of print, by kind of quantity"},

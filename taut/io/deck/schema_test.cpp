@@ -124,7 +124,7 @@ TEST_F(SchemaScript, AcceptsWhatTheReaderReads) {
   const std::vector<std::string> decks = {
       head + "input:\n  span: 200 m\n" + rope,
       head +
-          "title: 12\ndisplay: {force: kgf, angle: '%', section modulus: mm^3, compliance: mm/kN}\ninput:\n  span: 2e2 "
+          "title: 12\ndisplay: {force: kgf, angle: gon, section modulus: mm^3, compliance: mm/kN}\ninput:\n  span: 2e2 "
           "m\n" +
           rope,
       head +

@@ -284,6 +284,9 @@ void add_drives(const Machine& machine, Model& model, Complaints& complaints) {
       if (motor.drive.kind == DriveKind::torque && given.diameter == 0) {
         complaints.push_back({path + ".torque", "a torque needs the sheave's 'diameter'"});
       }
+      if (motor.working_arc && !given.friction) {
+        complaints.push_back({path + ".working_arc", "needs the 'friction' of the sheave, by which the rope holds"});
+      }
       model.motors.push_back(motor);
     }
   }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <variant>
 
 #include "taut/base/array.hpp"
@@ -13,11 +14,10 @@ namespace {
 /// The largest speed of a signal, m/s: a rope that runs up is calculated as it runs. Empty where nobody says it: a
 /// formula has no largest value without the duration of a motion.
 std::optional<double> speed_of(const Drive& drive) {
-  if (drive.kind != DriveKind::speed || std::holds_alternative<TimeFormula>(drive.signal.law)) return std::nullopt;
-  double speed = std::abs(at(drive.signal, 0).value);
-  if (const auto* sine = std::get_if<Sine>(&drive.signal.law)) speed = std::abs(sine->mean) + std::abs(sine->amplitude);
-  for (const double t : breakpoints(drive.signal)) speed = std::max(speed, std::abs(at(drive.signal, t).value));
-  return std::isfinite(speed) ? std::optional(speed) : std::nullopt;
+  if (drive.kind != DriveKind::speed) return std::nullopt;
+  if (const auto* sine = std::get_if<Sine>(&drive.signal.law)) return std::abs(sine->mean) + std::abs(sine->amplitude);
+  const auto range = range_of(drive.signal);
+  return range ? std::optional(std::max(std::abs(range->least), std::abs(range->most))) : std::nullopt;
 }
 
 void add_motor(Node& node, Reeving& reeving, const Motor& motor) {

@@ -112,7 +112,10 @@ class PathReader {
     }
     if (e.grip && !e.through) complain({at, "grip"}, "belongs to an element with 'through'");
     if (!e.over && e.parts != 1) complain({at, "parts"}, "belongs to an element with 'over'");
-    if (!e.between.empty() && (!e.over || e.parts == 1)) complain({at, "between"}, "belongs to 'over' with 'parts'");
+    if (e.between.empty() || (e.over && e.parts > 1)) return;
+    complain({at, "between"},
+             e.over ? "belongs to a tackle of two 'parts' or more; one part is the rope to the next sheave"
+                    : "belongs to an element with 'over'");
   }
 
   Array<Stop> stops;

@@ -22,7 +22,7 @@ constexpr double of_extremes = 1e-6;  ///< what is smaller than this share of th
 
 /// The saved state that the motion goes on from; the outcome says why it can't.
 std::optional<solve::DynamicState> saved_state(study::TransientRun& run) {
-  if (run.request.state.empty()) return std::nullopt;
+  if (!run.request.restart) return std::nullopt;
   auto from = state_from_json(run.request.state, run.model);
   if (from) return std::move(*from);
   run.result.outcome = infeasible(fmt::format("can't go on from '{}': {}", *run.request.restart, from.error()));

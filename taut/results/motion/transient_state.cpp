@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <stdexcept>
 
 #include "taut/units/display.hpp"
 #include "taut/units/expression.hpp"
@@ -16,6 +17,7 @@ using solve::DynamicState;
 using Json = nlohmann::ordered_json;
 
 constexpr int format = 2;
+constexpr double last = 1e9;  ///< s, thirty years: beyond, a time has too few digits left for the steps of a motion
 
 /// What JSON has no number for.
 Json json_number(double x) {
@@ -28,7 +30,9 @@ double number_in(const Json& j) {
   const auto text = j.get<std::string>();
   if (text == "nan") return std::numeric_limits<double>::quiet_NaN();
   const double infinity = std::numeric_limits<double>::infinity();
-  return text == "-inf" ? -infinity : infinity;
+  if (text == "inf") return infinity;
+  if (text == "-inf") return -infinity;
+  throw std::out_of_range("a number");
 }
 
 Json numbers(const std::vector<double>& all) {
@@ -184,6 +188,7 @@ Json on_drums(const solve::DynamicState& state) {
 solve::DynamicState state_in(const Json& j) {
   solve::DynamicState s;
   s.t = number_in(j.at("t"));
+  if (!(s.t >= 0 && s.t <= last)) throw std::out_of_range("a time");
   for (const Json& b : j.at("bodies")) {
     s.bodies.push_back({vector_in(b.at("position")), matrix_in(b.at("orientation")), vector_in(b.at("velocity")),
                         vector_in(b.at("spin"))});
@@ -286,7 +291,7 @@ tl::expected<solve::DynamicState, std::string> state_from_json(const std::string
     }
     return state;
   } catch (const std::exception&) {
-    return tl::unexpected(std::string("it is damaged: a part is missing or of another kind"));
+    return tl::unexpected(std::string("it is damaged: a part is missing, of another kind or out of range"));
   }
 }
 

@@ -117,6 +117,13 @@ TEST(TransientState, WhatDoesNotFitIsRefused) {
   EXPECT_THAT(state_from_json(text.substr(0, text.size() / 2), m).error(), HasSubstr("no saved state"));
   EXPECT_THAT(state_from_json("{\"taut_state\": 2}", m).error(), HasSubstr("damaged"));
   EXPECT_THAT(state_from_json("{\"taut_state\": 99}", m).error(), HasSubstr("another version"));
+  const std::string time = "\"t\": 0.3333333333333333";
+  ASSERT_NE(text.find(time), std::string::npos);
+  for (const char* bad : {"-5", "1e300", "\"inf\"", "\"nan\"", "\"soon\""}) {
+    std::string spoilt = text;
+    spoilt.replace(spoilt.find(time), time.size(), std::string("\"t\": ") + bad);
+    EXPECT_THAT(state_from_json(spoilt, m).error(), HasSubstr("out of range")) << bad;
+  }
   machine::Model other = m;
   other.bodies[0].name = "bucket";
   EXPECT_THAT(state_from_json(text, other).error(), HasSubstr("its bodies are others"));

@@ -308,7 +308,13 @@ TransientResult transient(const machine::Model& described, const TransientOption
     options.step = equal_step(options, options.step > 0 ? options.step : verlet_share * limit);
   }
   run.h = options.step;
-  run.resumed = options.from && take_memory(run, options.from->memory);
+  const Remembered memory = options.from ? take_memory(run, options.from->memory) : Remembered::other;
+  if (memory == Remembered::damaged) {
+    run.result.outcome =
+        infeasible("the state to go on from is damaged: numbers are missing in its 'memory', or too many");
+    return run.result;
+  }
+  run.resumed = memory == Remembered::taken;
   if (run.resumed && options.step > 0) run.h = options.step;
   for (const LineValues& line : run.before.lines) {
     const auto r = static_cast<std::size_t>(run.m.lines[&line - run.before.lines.data()].reeving);

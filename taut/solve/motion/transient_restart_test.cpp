@@ -112,6 +112,21 @@ TEST(TransientRestart, RopeOnRoundsIsTakenOver) {
   }
 }
 
+TEST(TransientRestart, ADamagedMemoryIsRefused) {
+  const machine::Model m = slipping(0);
+  TransientOptions options = by_steps(0.01, 1e-3, TimeMethod::implicit);
+  const TransientResult first = run_to_end(m, options);
+  const auto goes_on = [&](const auto& spoil) {
+    options.from = first.state;
+    spoil(options.from->memory);
+    return transient(m, options).outcome;
+  };
+  EXPECT_TRUE(goes_on([](auto& /*memory*/) {}).ok());
+  EXPECT_NE(goes_on([](auto& memory) { memory.pop_back(); }).message.find("'memory'"), std::string::npos);
+  EXPECT_FALSE(goes_on([](auto& memory) { memory.resize(3); }).ok());
+  EXPECT_FALSE(goes_on([](auto& memory) { memory.resize(memory.size() / 2); }).ok());
+}
+
 /// Without the integrator's memory rates are found anew at an unchanged time: the slip that goes on has its speed from
 /// there, but no rope has passed, and no tension has changed. (What counts for a rope's momentum is part of the memory:
 /// without weight here.)

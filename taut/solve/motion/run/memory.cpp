@@ -199,16 +199,23 @@ Array<double> memory_of(Run& run) {
   return memory;
 }
 
-bool take_memory(Run& run, const Array<double>& memory) {
+Remembered take_memory(Run& run, const Array<double>& memory) {
   run.L_first.resize(run.m.lines.size());
+  if (memory.empty()) return Remembered::other;
   const Array<double> head = head_of(run);
-  if (memory.size() < head.size() || !std::equal(head.begin(), head.end(), memory.begin())) return false;
+  if (memory.size() < head.size()) return Remembered::damaged;
+  if (!std::equal(head.begin(), head.end(), memory.begin())) return Remembered::other;
   std::size_t next = head.size();
   const std::size_t measures = next + static_cast<std::size_t>(head[1]);
-  if (memory.size() <= measures) return false;
+  if (memory.size() <= measures) return Remembered::damaged;
+  const double most = static_cast<double>(memory.size()) / per_measure;
+  if (!(memory[measures] >= 0 && memory[measures] <= most)) return Remembered::damaged;
   const auto kept = static_cast<std::size_t>(memory[measures]);
   const std::size_t breaks = measures + 1 + kept * per_measure;
-  if (memory.size() < breaks || (memory.size() - breaks) % 3 != 0) return false;
+  if (memory.size() < breaks || (memory.size() - breaks) % 3 != 0) return Remembered::damaged;
+  for (std::size_t i = breaks; i < memory.size(); i += 3) {
+    if (!(memory[i] >= 0 && memory[i] < static_cast<double>(run.m.lines.size()))) return Remembered::damaged;
+  }
   auto see = [&](double& x) { x = memory[next++]; };
   Walk walk(see);
   walk_run(walk, run);
@@ -217,7 +224,7 @@ bool take_memory(Run& run, const Array<double>& memory) {
     run.breaking.push_back({static_cast<int>(memory[next]), memory[next + 1], memory[next + 2]});
   }
   run.now = run.before;
-  return true;
+  return Remembered::taken;
 }
 
 }  // namespace taut::solve::dynamics

@@ -8,7 +8,12 @@ namespace taut::solve::dynamics {
 /// never stopped, to the last bit when its steps are given.
 Array<double> memory_of(Run& run);
 
-/// Takes such a list. False, and nothing is changed, when it is of another machine, method or share of damping.
-bool take_memory(Run& run, const Array<double>& memory);
+/// What became of such a list: in the last two cases nothing is changed.
+enum class Remembered {
+  taken,
+  other,   ///< none, or of another machine, method or share of damping
+  damaged  ///< of this run, but numbers are missing or left over
+};
+Remembered take_memory(Run& run, const Array<double>& memory);
 
 }  // namespace taut::solve::dynamics
