@@ -72,7 +72,7 @@ class Hostile(unittest.TestCase):
 
     def test_a_missing_file_beside_other_mistakes_is_a_mistake_of_the_deck(self):
         self.assertEqual(taut("run", "-", stdin=MAST + "include: /nowhere.yaml\n").returncode, 2)
-        self.assertEqual(taut("run", "-", stdin=MAST + "include: /dev/zero\nspeed: 1\n").returncode, 2)
+        self.assertEqual(taut("run", "-", stdin=MAST + "include: /dev/zero\nspeed: 1\nspeed: 2\n").returncode, 2)
 
     def test_a_pipe_that_the_shell_opened_is_read(self):
         for command in ('exec "$0" run -q <(cat "$1")', 'cat "$1" | exec "$0" run -q /dev/stdin',

@@ -10,7 +10,7 @@
 
 namespace taut::app {
 
-inline constexpr int most_threads = 1024;  ///< tbb ends the program where the system has no more of them to give
+inline constexpr int most_threads = 1024;  ///< an arena of tbb with some ten thousand ends the program
 
 /// Calls f(0) to f(count - 1) on so many threads, 1024 at most; 0: all that the machine has. The engine in a browser
 /// has one.

@@ -7,11 +7,11 @@
 
 namespace taut::app {
 
-/// A system gives a program some ten thousand threads at most; one that asks for more ends.
-TEST(OnThreads, NeverAsksForMoreThanTheSystemGives) {
-  std::atomic<std::size_t> sum = 0;
-  on_threads(1'000'000, 1000, [&](std::size_t i) { sum += i; });
-  EXPECT_EQ(sum, 999U * 1000 / 2);
+/// An arena of 100000 threads ends the program, whatever there is to do in it.
+TEST(OnThreads, AsksForSoManyThreadsAtMost) {
+  std::atomic<int> calls = 0;
+  on_threads(100'000, 1, [&](std::size_t) { ++calls; });
+  EXPECT_EQ(calls, 1);
 }
 
 }  // namespace taut::app
