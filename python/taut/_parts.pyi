@@ -1,6 +1,6 @@
 """Made from the descriptions by python/tools/make_stub.py; do not edit. `./dev python stub` makes it again.
 
-schema: 2ac2153d06be64d1e2f579600d16c8b993b85fc3ce86c1b34e63f53856ad4624
+schema: 6230a898c9f800ddc92778615feb7f04bad85ce183648406f3ccff733cb3b377
 """
 
 from collections.abc import Mapping, Sequence
