@@ -31,7 +31,7 @@ constexpr double least_reach = 1e-6;  ///< m: of what has no radius
 struct Zone {
   const machine::Node* node = nullptr;
   double middle = 0, reach = 0;  ///< m
-  double near = 0;               ///< from the middle to the places next to it, m
+  double near = 0;               ///< from the middle to the places next to it, m; 0: an end, which is not passed
 
   bool has(double x) const { return std::abs(middle - x) <= reach; }
 };
@@ -51,10 +51,11 @@ Array<Zone> zones_of(const machine::Model& model, int carriage, const Vector3& a
   for (const machine::Node& node : model.reevings[car.reeving].nodes) {
     const auto place = stays_at(model, node);
     if (!place) continue;
+    const bool end = node.kind == machine::NodeKind::anchor;
     all.push_back({.node = &node,
                    .middle = place->dot(along),
                    .reach = std::max(node.radius + half, least_reach),
-                   .near = node.radius + (half > 0 ? half + beside : half_carriage)});
+                   .near = end ? 0 : node.radius + (half > 0 ? half + beside : half_carriage)});
   }
   for (const machine::PlacedGuide& guide : machine::guides_ahead_of(model, carriage)) {
     all.push_back({.node = guide.node,
@@ -75,6 +76,7 @@ Array<double> places_beside(const Array<Zone>& zones, double from, double to) {
   Array<double> all;
   const auto [low, high] = std::minmax(from, to);
   for (const Zone& zone : zones) {
+    if (zone.near == 0) continue;
     for (const double x : {zone.middle - zone.near, zone.middle + zone.near}) {
       if (low < x && x < high && zone_at(zones, x) == nullptr) all.push_back(x);
     }

@@ -49,6 +49,7 @@ TEST(CarriageWay, HasPlacesBesideEachSupportBetweenItsSteps) {
   EXPECT_EQ(places(m, way(jack, jack + 10, 1)), (std::vector<double>{-1, behind, jack + 10})) << "the first step too";
   EXPECT_EQ(places(m, way(jack - 0.5, jack + 0.5, 1)), (std::vector<double>{jack - 0.5, jack + 0.5}))
       << "the steps are nearer";
+  EXPECT_EQ(places(m, way(0, 20, 1)), (std::vector<double>{-1, 20})) << "an end of the rope is not passed";
   EXPECT_EQ(places(m, way(jack + 5, jack + 10, 1)), (std::vector<double>{jack + 5, jack + 10}));
 }
 
