@@ -55,6 +55,7 @@ void CheckedParts::take(const machine::Model& model, const solve::EquilibriumRes
   judge.take(model, state, words);
   ropes.take(model, state, words);
   drives.take(model, state, words);
+  if (deck->checks) drives.take_grips(model);
   payloads.take(model, state, words);
   const bool shown = !guys.empty() || any_shown();
   if (shown) show(state_of(model, state, words, analysis));
@@ -166,6 +167,7 @@ void CheckedParts::take(const machine::Model& model, const solve::TransientResul
   judge.take(model, motion, words);
   if (motion.frames.empty()) return;
   drives.take(model, motion, words);
+  if (deck->checks) drives.take_grips(model);
   payloads.take(model, motion, words, slowly);
   for (std::size_t i = 0; i < motion.ropes.size(); ++i) {
     const solve::RopeExtreme& e = motion.ropes[i];

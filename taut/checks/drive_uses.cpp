@@ -163,8 +163,7 @@ void DriveUses::keep(std::vector<Check> made, const std::string& words) {
   }
 }
 
-/// A sheave without a friction holds its rope whatever it pulls: that shows nothing of a driven one.
-void DriveUses::keep_grips(const machine::Model& m) {
+void DriveUses::take_grips(const machine::Model& m) {
   for (const machine::Reeving& rope : m.reevings) {
     for (const machine::Node& node : rope.nodes) {
       if (!node.motor || std::isfinite(node.law.friction)) continue;
@@ -187,8 +186,9 @@ void DriveUses::keep_turns(const machine::Model& m, const solve::DrumResult& d, 
 void DriveUses::keep_layer(const machine::Model& m, const solve::DrumResult& d, const std::string& words) {
   if (d.filled.value_or(0) <= d.layer) return;
   const machine::Drum& drum = m.drums[d.drum];
-  if (drum.brake || drum.drive.kind == machine::DriveKind::torque) {
-    const std::string check = drum.name + (stands_by_brake(drum) ? ".brake_torque" : ".torque");
+  const bool braked = stands_by_brake(drum);
+  if (braked || drum.drive.kind == machine::DriveKind::torque) {
+    const std::string check = drum.name + (braked ? ".brake_torque" : ".torque");
     unmade_.try_emplace(check, fmt::format("{} is not checked in layer {}, which the rope reaches ({}), but in layer "
                                            "{}: give 'layers: auto'",
                                            check, *d.filled, words, d.layer));
@@ -216,7 +216,6 @@ void DriveUses::keep_flange(const machine::Model& m, const solve::DrumResult& d)
 }
 
 void DriveUses::take(const machine::Model& m, const solve::EquilibriumResult& state, const std::string& words) {
-  keep_grips(m);
   std::vector<Check> made;
   for (const auto& d : solve::drives(m, state)) check_drive(m, d, made, unmade_);
   const Array<solve::DrumResult> ends = solve::drums(m, state);
@@ -273,7 +272,6 @@ void DriveUses::take_set_brakes(const machine::Model& m, const solve::TransientF
 }
 
 void DriveUses::take(const machine::Model& m, const solve::TransientResult& motion, const std::string& words) {
-  keep_grips(m);
   for (std::size_t d = 0; d < m.drums.size(); ++d) {
     const machine::Drum& drum = m.drums[d];
     if (!stands_by_brake(drum)) continue;

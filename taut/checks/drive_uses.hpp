@@ -27,12 +27,14 @@ class DriveUses {
   /// Each check at its worst; a rope that slips in a motion, a brake that does not hold, a cylinder that gives way,
   /// and too few turns on a drum are unsafe warnings.
   void add_checks(Result& r) const;
+  /// Where a verdict is asked for. A sheave without a friction holds its rope whatever it pulls, which shows nothing of
+  /// the grip of a driven one.
+  void take_grips(const machine::Model& model);
 
  private:
   void keep(std::vector<Check> made, const std::string& words);
   void take_set_brakes(const machine::Model& model, const solve::TransientFrame& rest, const std::string& words);
   void take_brakes(const machine::Model& model, const solve::TransientResult& motion, const std::string& words);
-  void keep_grips(const machine::Model& model);
   void keep_turns(const machine::Model& model, const solve::DrumResult& drum, const std::string& words);
   void keep_layer(const machine::Model& m, const solve::DrumResult& d, const std::string& words);
   void keep_flange(const machine::Model& m, const solve::DrumResult& d);

@@ -54,6 +54,7 @@ TEST(DriveUses, ADrivenSheaveWithoutFrictionIsNotJudged) {
     ASSERT_TRUE(verdict_of(r)) << to_text(r.errors);
     EXPECT_EQ(to_text(verdict_of(r)->kind), "not_judged") << verdict_of(r)->reason;
     EXPECT_NE(verdict_of(r)->reason.find("drive.grip is not checked"), std::string::npos) << verdict_of(r)->reason;
+    EXPECT_TRUE(run_text(text.substr(0, text.find("checks:"))).unmade.empty()) << "no verdict is asked for";
     const Result arc = run_text(text, {"machine.sheaves.drive.motor.working_arc=170 deg"});
     ASSERT_EQ(arc.errors.size(), 1U);
     EXPECT_NE(arc.errors[0].message.find("needs the 'friction' of the sheave"), std::string::npos);

@@ -455,8 +455,8 @@ void Judge::take_moment(const machine::Model& m, const solve::TransientResult& s
     if (needs_corridor(m, one.reeving)) {
       for (const Vector3& place : one.places) take_off_line(m, one.reeving, place, when);
     }
-    if (!is_over_line(m, one.reeving, one.places)) continue;
     const study::RopeClearance own = clearance_of(m, one);
+    if (!is_over_line(m, one.reeving, one.places, own.place)) continue;
     const std::string part =
         fmt::format("{} between {} and {}", rope.name, rope.nodes[one.from].name, rope.nodes[one.to].name);
     take_height(rope.name, part, own.height, terrain_x(m, own.place), when, rope_heights_);

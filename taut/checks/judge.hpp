@@ -140,7 +140,7 @@ class Judge {
   void take_gap(const std::string& rope, const study::TerrainGap& gap);
   void add_gaps(Result& r) const;
   /// Whether a rope should be over the line of the terrain: it carries a carriage, or its clearance is asked for.
-  bool is_over_line(const machine::Model& model, int reeving, const Array<Vector3>& places);
+  bool is_over_line(const machine::Model& model, int reeving, const Array<Vector3>& places, const Vector3& lowest);
   bool needs_corridor(const machine::Model& model, int reeving) const;
   void take_off_line(const machine::Model& model, int reeving, const Vector3& place, const std::string& where);
   void add_off_line(Result& r) const;

@@ -50,15 +50,15 @@ bool Judge::needs_corridor(const machine::Model& m, int reeving) const {
   return carries(m, reeving) || asks_clearance(deck_->checks, m.reevings[reeving].name);
 }
 
-/// Whether a part of a rope with these places is over the ground of the line. A rope with a carriage, or of which a
-/// clearance is asked, counts as such, and is named where it is not; of the others the ground is not known there.
-bool Judge::is_over_line(const machine::Model& m, int reeving, const Array<Vector3>& places) {
+/// Whether the place at which a part of a rope is lowest, by the ground of the line, is over that ground. A rope with a
+/// carriage, or of which a clearance is asked, counts as such, and is named where it is not; of the others the ground
+/// is not known off the line. `places`: of that part.
+bool Judge::is_over_line(const machine::Model& m, int reeving, const Array<Vector3>& places, const Vector3& lowest) {
   if (needs_corridor(m, reeving)) return true;
   const double corridor = deck_->machine.terrain->corridor;
   const auto off = [&](const Vector3& place) { return distance_off(m, place) > corridor; };
-  if (std::none_of(places.begin(), places.end(), off)) return true;
-  off_ground_.insert(m.reevings[reeving].name);
-  return false;
+  if (std::any_of(places.begin(), places.end(), off)) off_ground_.insert(m.reevings[reeving].name);
+  return !off(lowest);
 }
 
 void Judge::take_off_line(const machine::Model& m, int reeving, const Vector3& place, const std::string& where) {
@@ -105,7 +105,7 @@ void Judge::take_heights(const machine::Model& m, const solve::EquilibriumResult
     const study::RopeClearance own = study::rope_clearance(m, branch);
     const std::string& rope = m.reevings[branch.reeving].name;
     if (branch.slack) slack_over_ground_.insert(rope);
-    if (!is_over_line(m, branch.reeving, {branch.start, branch.end})) continue;
+    if (!is_over_line(m, branch.reeving, {branch.start, branch.end}, own.place)) continue;
     take_height(rope, span_words(m, branch), own.height, terrain_x(m, own.place), words, rope_heights_);
   }
   warn_of_buried(m, words);

@@ -470,6 +470,20 @@ checks: {guys: {g: {safety_factor: 3, check_pretension: false}}}
   EXPECT_EQ(verdict_of(with("[18 m, 0 m, -5 m]"))->kind, VerdictKind::fails);
 }
 
+// A haul rope whose end stands 6 m beside the line hangs into the ground on the line: its lowest place counts.
+TEST(Judge, ARopeThatIsInTheGroundOnTheLineFailsWhereverItEnds) {
+  const Result r = run_text(R"(taut: 1
+machine:
+  points: {A: [0 m, 0 m, 20 m], B: [200 m, 6 m, 20 m]}
+  ropes: {haul: {mass: 1.7 kg/m, stiffness: 20 MN, breaking_force: 300 kN, diameter: 20 mm}}
+  reevings: [{rope: haul, path: [{anchor: A}, {anchor: B}], length: 203 m}]
+  terrain: {x: [-10 m, 210 m], z: [8 m, 8 m]}
+checks: {ropes: {haul: {safety_factor: 3}}}
+)");
+  EXPECT_LT(check_of(r, "haul.ground").value, -2);
+  EXPECT_THAT(r.beside, Contains(HasSubstr("the ground below haul, off the line of the terrain")));
+}
+
 // It hangs 8 m below the ground where that ends, and nowhere else over it.
 TEST(Judge, ARopeInTheGroundWhereTheTerrainEndsFails) {
   const Result r = run_text(R"(taut: 1

@@ -39,6 +39,20 @@ TEST(MachineBeams, PoleIsTheBeamColumnWithoutAnyRope) {
   EXPECT_NEAR(cell(table_of(s, "beams"), 8, "s"), 4, 1e-12);
 }
 
+// A tie buckles with no other beam, however near to it they are.
+TEST(MachineBeams, WhatIsPulledHasNoCriticalFactor) {
+  const taut::Result r = run_text(R"(taut: 1
+machine:
+  points: {foot: [0 m, 0 m, 0 m], head: [0 m, 0 m, 8 m], hook: [3 m, 0 m, 8 m], low: [3 m, 0 m, 0 m]}
+  beams:
+    mast: {from: foot, to: head, section: CHS 219.1x8, steel: S355, mass: 0 kg/m}
+    tie: {from: hook, to: low, section: CHS 219.1x8, steel: S355, mass: 0 kg/m}
+  loads: [{at: mast.top, force: [0 kN, 0 kN, -100 kN]}, {at: tie.top, force: [0 kN, 0 kN, -50 kN]}]
+)");
+  EXPECT_TRUE(has_check(r, "mast.alpha_cr")) << to_text(r.errors);
+  EXPECT_FALSE(has_check(r, "tie.alpha_cr"));
+}
+
 TEST(MachineBeams, FirstOrderIsStatics) {
   const taut::Result r = run_text(pole(", order: first, elements: 3"));
   EXPECT_EQ(exit_code(r), 4) << "alpha_cr is below 10";

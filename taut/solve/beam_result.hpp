@@ -42,8 +42,11 @@ struct BeamResult {
   /// The same with the forces of all beams of the machine growing alike: several legs buckle together before one would
   /// with the others as they are.
   double critical_together = std::numeric_limits<double>::infinity();
-  /// alpha_cr of EN 1993-1-1, 5.2.1: the least factor on the loading at which it buckles, alone or with the others.
-  double least_factor() const { return std::min(critical_factor, critical_together); }
+  /// alpha_cr of EN 1993-1-1, 5.2.1: the least factor on the loading at which it buckles, alone or with the others;
+  /// of what is not pressed anywhere that of its own forces.
+  double least_factor() const {
+    return compression > 0 ? std::min(critical_factor, critical_together) : critical_factor;
+  }
   double compression = 0;       ///< largest compression, N; 0: none
   double stress_in_corner = 0;  ///< largest, see largest_stress_in_corner, Pa
   double torsion_left_out = 0;  ///< the largest that its stresses don't contain because W_t is not known, N m

@@ -172,14 +172,13 @@ class Laws(unittest.TestCase):
     def test_a_pulley_is_released(self):
         for side in ("", "-"):
             deck = PULLEY.replace("SIDE -", side + "-").replace("SIDE ", side).replace("--", "")
-            # a driven sheave without friction is not judged: 4
-            rows = self.run_deck(deck.replace("start: assembled", "start: assembled, arcs: rigid"), expected=4)["rows"]
+            rows = self.run_deck(deck.replace("start: assembled", "start: assembled, arcs: rigid"))["rows"]
             for i, T1, T2 in ((0, 981, 1177.2), (1, 1113.734318, 1021.676961), (5, 1045.907490, 1080.440868),
                               (10, 1155.896844, 1008.819138)):
                 self.assertAlmostEqual(rows[i]["r[1].T"] / T1, 1, delta=1e-6, msg=f"{side} {i}")
                 self.assertAlmostEqual(rows[i]["r[2].T"] / T2, 1, delta=1e-6, msg=f"{side} {i}")
             # each leg with half of the rope on the sheave; by Runge-Kutta of order 4 in 1e5 steps
-            rows = self.run_deck(deck, expected=4)["rows"]
+            rows = self.run_deck(deck)["rows"]
             for i, T1, T2 in ((0, 981, 1177.2), (1, 1076.409002, 1056.317451), (5, 1138.071755, 1002.164877),
                               (10, 1003.238647, 1115.915852)):
                 self.assertAlmostEqual(rows[i]["r[1].T"] / T1, 1, delta=2e-6, msg=f"{side} {i}")
