@@ -30,7 +30,8 @@ bool is_limit(const machine::Reeving& r) {
 /// Names of checks that lack a number, and why.
 using Unmade = std::map<std::string, std::string>;
 
-/// What a torque over time can be at most is known of a constant, a ramp, steps and a table.
+/// What a torque over time can be at most is known of a constant, a ramp, steps and a table. What stands needs the
+/// torque that the motor keeps.
 std::optional<machine::SignalRange> torque_range(const std::string& name, const machine::Signal& torque,
                                                  Unmade& unmade) {
   auto range = machine::range_of(torque);
@@ -56,9 +57,9 @@ void check_drive(const machine::Model& m, const solve::DriveResult& d, std::vect
   if (!own.motor || own.kind != machine::NodeKind::drive || !is_limit(m.reevings[d.reeving])) return;
   const auto range = torque_range(own.name, m.motors[*own.motor].drive.signal, unmade);
   if (!range) return;
-  const double most = std::max(std::abs(range->least), std::abs(range->most));
-  made.push_back(make_check(own.name + ".torque", std::abs(d.torque), si::N_m,
-                            {.sense = Sense::at_most, .limit = most, .rule = "the motor's torque", .trust = "user"}));
+  made.push_back(
+      make_check(own.name + ".torque", std::abs(d.torque), si::N_m,
+                 {.sense = Sense::at_most, .limit = range->kept, .rule = "the motor's torque", .trust = "user"}));
 }
 
 /// All ropes of a drum together.
@@ -88,9 +89,9 @@ void check_torque(const machine::Drum& drum, const DrumLoad& d, std::vector<Chec
   if (d.torque >= given * (1 - 1e-9) && d.torque <= given * (1 + 1e-9)) return;
   const auto range = torque_range(drum.name, drum.drive.signal, unmade);
   if (!range) return;
-  made.push_back(
-      make_check(drum.name + ".torque", d.torque, si::N_m,
-                 {.sense = Sense::at_most, .limit = range->most, .rule = "the drum's torque", .trust = "user"}));
+  const double limit = std::min(range->most, range->kept);
+  made.push_back(make_check(drum.name + ".torque", d.torque, si::N_m,
+                            {.sense = Sense::at_most, .limit = limit, .rule = "the drum's torque", .trust = "user"}));
 }
 
 /// A drum that stands does so by its brake, or, where that is not set, by a motor with a torque or a pull.

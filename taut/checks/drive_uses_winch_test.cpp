@@ -26,8 +26,9 @@ machine:
 checks: {ropes: {r: {safety_factor: 5}}}
 )");
   };
-  for (const auto& [law, limit] :
-       {std::pair{"constant: 0.5 kN m", 500.0}, {"ramp: {to: 1.9 kN m, duration: 1 s}", 1900}}) {
+  for (const auto& [law, limit] : {std::pair{"constant: 0.5 kN m", 500.0},
+                                   {"ramp: {to: 1.9 kN m, duration: 1 s}", 1900},
+                                   {"ramp: {from: 3 kN m, to: 0.2 kN m, duration: 10 s}", 200}}) {
     const Result r = lift(law);
     EXPECT_EQ(to_text(verdict_of(r)->kind), "fails") << law;
     EXPECT_NEAR(taut_test::check_of(r, "winch.torque").value, 1e3 * 9.80665 * 0.2, 1e-6);

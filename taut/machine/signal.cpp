@@ -154,10 +154,14 @@ SignalValue at(const Signal& signal, double t) {
 std::optional<SignalRange> range_of(const Signal& signal) {
   if (std::holds_alternative<Sine>(signal.law) || std::holds_alternative<TimeFormula>(signal.law)) return std::nullopt;
   const double first = at(signal, 0).value;
-  SignalRange range{.least = first, .most = first};
+  SignalRange range{.least = first, .most = first, .kept = std::abs(first)};
+  double largest = range.kept;
   for (const double t : breakpoints(signal)) {
-    const double value = at(signal, t).value;
-    range = {.least = std::min(range.least, value), .most = std::max(range.most, value)};
+    const double value = at(signal, t).value, size = std::abs(value);
+    range.least = std::min(range.least, value);
+    range.most = std::max(range.most, value);
+    range.kept = size >= largest ? size : std::min(range.kept, size);
+    largest = std::max(largest, size);
   }
   return std::isfinite(first) ? std::optional(range) : std::nullopt;
 }

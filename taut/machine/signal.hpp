@@ -75,6 +75,7 @@ SignalValue at(const Signal& signal, double t);
 /// between them, and of a constant that is not known (NaN).
 struct SignalRange {
   double least = 0, most = 0;
+  double kept = 0;  ///< the least size from the time of the largest size on: the end of a ramp, up or down
 };
 std::optional<SignalRange> range_of(const Signal& signal);
 

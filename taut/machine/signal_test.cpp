@@ -121,6 +121,13 @@ TEST(Signal, TheRangeIsThatOfItsBreakpoints) {
   const Signal table{.name = "s", .unit = si::N_m, .law = Curve{.t = {0, 1, 2}, .value = {2, -8, 4}, .slopes = {}}};
   EXPECT_EQ(range_of(table)->least, -8);
   EXPECT_EQ(range_of(table)->most, 4);
+  EXPECT_EQ(range_of(table)->kept, 4);
+  const auto kept = [](double from, const Array<Move>& moves) {
+    return range_of(Signal{.name = "s", .unit = si::N_m, .law = Moves{.from = from, .moves = moves}})->kept;
+  };
+  EXPECT_EQ(kept(0, {{.at = 1, .to = -3, .over = 2}}), 3);
+  EXPECT_EQ(kept(3, {{.at = 1, .to = 1, .over = 2}}), 1);
+  EXPECT_EQ(kept(0, {{.at = 1, .to = 5, .over = 2}, {.at = 4, .to = 2, .over = 0}, {.at = 6, .to = 4, .over = 1}}), 2);
   EXPECT_FALSE(range_of(Signal{.name = "s", .unit = si::N_m, .law = Sine{.mean = 1, .amplitude = 2, .omega = 3}}));
   EXPECT_FALSE(range_of(Signal{.name = "s", .unit = si::N_m, .law = std::nan("")}));
 }

@@ -47,4 +47,6 @@ Loss loss(const machine::ContactLaw& law, double wrap) {
   return grip < bearing ? Loss{.log = grip, .by_wrap = law.friction} : Loss{.log = bearing, .by_wrap = 0};
 }
 
+double bearing_share(const machine::ContactLaw& law) { return (1 - law.efficiency) / (1 + law.efficiency); }
+
 }  // namespace taut::mechanics

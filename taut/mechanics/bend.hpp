@@ -20,4 +20,8 @@ struct Loss {
 };
 Loss loss(const machine::ContactLaw& law, double wrap);
 
+/// The bearing of a driven sheave takes this share of T_in + T_out, both less m v^2, of its motor's pull while the rope
+/// runs: (1 - eta)/(1 + eta). Without a pull the tensions are then those of a sheave that no motor drives, 1/eta.
+double bearing_share(const machine::ContactLaw& law);
+
 }  // namespace taut::mechanics

@@ -163,6 +163,11 @@ void add_turn(Assembly& a, int turn, int row, double factor_in, double factor_ou
   }
 }
 
+void add_drop(Assembly& a, int turn, int row) {
+  const DropRates rates = drop_rates(a.system, a.system.layout.turns[turn]);
+  add_turn(a, turn, row, rates.by_in, rates.by_out, 0);
+}
+
 void add_arc(Assembly& a, int turn, int row) {
   const Layout::Turn& t = a.system.layout.turns[turn];
   const machine::Reeving& rope = a.system.model.reevings[t.reeving];
@@ -176,7 +181,7 @@ void add_contact(Assembly& a, int turn) {
   const Layout::Turn& t = a.system.layout.turns[turn];
   const machine::Node& node = a.system.model.reevings[t.reeving].nodes[t.node];
   if (node.tension_drop) {
-    add_turn(a, turn, *t.row, 1, -1, 0);
+    add_drop(a, turn, *t.row);
     return;
   }
   const Loss lost = loss(node.law, a.e.bends[turn].wrap);
@@ -220,7 +225,7 @@ void add_given(Assembly& a, const Layout::Rope& rope, machine::Given given, int 
       add_tension(a, a.system.layout.ropes[as_size(equal_to)].first, true, row, -1);
       break;
     case machine::Given::torque:
-      add_turn(a, *rope.drive, row, 1, -1, 0);
+      add_drop(a, *rope.drive, row);
       break;
   }
 }

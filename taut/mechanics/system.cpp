@@ -54,10 +54,12 @@ void add_ropes(const System& s, const Configuration& c, Evaluation& e) {
   }
 }
 
-/// What the tensions beside a drive are off its torque, N.
+/// What the tensions beside a drive are off its torque, less what its bearing takes, N.
 double drop_misfit(const System& s, const Evaluation& e, int turn) {
   const Layout::Turn& t = s.layout.turns[turn];
-  return e.branches[t.before].T_to - e.branches[t.after].T_from - node_of(s, t).tension_drop.value_or(0);
+  const auto [by_in, by_out] = drop_rates(s, t);
+  return by_in * e.branches[t.before].T_to + by_out * e.branches[t.after].T_from -
+         node_of(s, t).tension_drop.value_or(0);
 }
 
 /// Whether the row of a turn is a length.
@@ -133,6 +135,11 @@ void keep_shape(const machine::Reeving& rope, const Branch& branch, machine::Bra
 
 const machine::Node& node_of(const System& s, const Layout::Turn& t) {
   return s.model.reevings[t.reeving].nodes[t.node];
+}
+
+DropRates drop_rates(const System& system, const Layout::Turn& turn) {
+  const double share = system.losses * turn.runs * bearing_share(node_of(system, turn).law);
+  return {.by_in = 1 + share, .by_out = share - 1};
 }
 
 rope::CatenaryRope rope_of(const machine::Reeving& reeving, double length) {

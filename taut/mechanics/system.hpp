@@ -90,6 +90,12 @@ Misfit misfit(const System& system, const Evaluation& e);
 /// The node of a rope's path at which it turns.
 const machine::Node& node_of(const System& system, const Layout::Turn& turn);
 
+/// Of the motor's pull at a driven sheave, by the tensions beside it: 1 and -1, and what its bearing takes of both.
+struct DropRates {
+  double by_in = 1, by_out = -1;
+};
+DropRates drop_rates(const System& system, const Layout::Turn& turn);
+
 /// A branch's rope as it is: warmer, shorter.
 rope::CatenaryRope rope_of(const machine::Reeving& reeving, double length);
 

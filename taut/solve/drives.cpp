@@ -11,6 +11,7 @@
 
 #include "taut/base/array.hpp"
 #include "taut/machine/compile/drums.hpp"
+#include "taut/mechanics/bend.hpp"
 #include "taut/rope/contact.hpp"
 #include "taut/solve/running.hpp"
 
@@ -26,6 +27,10 @@ const ContactResult* contact_at(const EquilibriumResult& result, int reeving, in
   const auto found = std::find_if(result.contacts.begin(), result.contacts.end(),
                                   [&](const ContactResult& c) { return c.reeving == reeving && c.node == node; });
   return found == result.contacts.end() ? nullptr : &*found;
+}
+
+double bearing_pull(const machine::Node& node, double T_in, double T_out, double centrifugal) {
+  return mechanics::bearing_share(node.law) * (T_in + T_out - 2 * centrifugal);
 }
 
 void fill_grip(const machine::Node& node, const machine::Reeving& rope, const std::optional<double>& working_arc,
@@ -68,6 +73,8 @@ void fill_ledger(const machine::Reeving& rope, int sense, const EquilibriumResul
       case machine::NodeKind::drive:
         driven -= power;
         given += rope.copies * (c.T_in - c.T_out) * *d.speed;
+        *d.power_losses +=
+            rope.copies * std::abs(*d.speed) * bearing_pull(rope.nodes[c.node], c.T_in, c.T_out, d.centrifugal);
         break;
       case machine::NodeKind::anchor:
         break;
@@ -139,12 +146,14 @@ Array<DriveResult> drives(const machine::Model& model, const EquilibriumResult& 
       d.T_out = c->T_out;
       d.wrap = c->wrap;
       d.centrifugal = centrifugal(rope, result.flow[r]);
-      d.torque = rope.copies * node.radius * (d.T_in - d.T_out);
-      fill_grip(node, rope, node.motor ? model.motors[*node.motor].working_arc : std::nullopt, d);
       const int sense = sense_of(result.flow[r]);
+      d.bearing = std::abs(sense) * bearing_pull(node, d.T_in, d.T_out, d.centrifugal);
+      const double pull = rope.copies * (d.T_in - d.T_out + sense * d.bearing);
+      d.torque = node.radius * pull;
+      fill_grip(node, rope, node.motor ? model.motors[*node.motor].working_arc : std::nullopt, d);
       if (rope.speed > 0 && sense != 0) {
         d.speed = sense * rope.speed;
-        d.power = rope.copies * (d.T_in - d.T_out) * *d.speed;
+        d.power = pull * *d.speed;
         if (rope.closed && node.kind == machine::NodeKind::drive) fill_ledger(rope, sense, result, d);
       }
       all.push_back(d);

@@ -15,7 +15,8 @@ struct DriveResult {
   int reeving = 0, node = 0;
   double T_in = 0, T_out = 0;  ///< N, by the order of the path, centrifugal tension contained
   double centrifugal = 0;      ///< c = m v^2, N
-  double torque = 0;           ///< R (T_in - T_out), N m, positive along the path
+  double bearing = 0;          ///< what its bearing takes of the motor's pull while the rope runs, N, >= 0
+  double torque = 0;           ///< R (T_in - T_out) and what the bearing takes, N m, positive along the path
   double wrap = 0;             ///< rad
   double arc = 0;              ///< of it, what can pull, rad
   double ratio = 1;            ///< (T_1 - c)/(T_2 - c); infinite where T_2 <= c

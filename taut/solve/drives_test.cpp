@@ -18,14 +18,14 @@ using solve::Motion;
 constexpr double EA = 3e6, mass = 0.8, speed = 18;
 
 /// A loop over a drive, two idlers with losses and a tightened slide, cut on its upper strand.
-machine::Model saw(double force = 2500) {
+machine::Model saw(double force = 2500, double efficiency = 1) {
   machine::Model m;
   m.bodies.push_back(body("slide", {8, 0, 0.3}, 0, "x"));
   m.bodies.push_back(body("cut", {5.2, 0, 1.05}, 0, "xyz"));
   m.loads.push_back({{.body = 0, .at = origin}, {14e3, 0, 0}});
   machine::Node drive = sheave("drive", {0, 0, 0}, 0.4, 1);
   drive.kind = machine::NodeKind::drive;
-  drive.law = {.friction = 0.3, .efficiency = 1};
+  drive.law = {.friction = 0.3, .efficiency = efficiency};
   machine::Node cut = anchor_on("cut", 1);
   cut.kind = machine::NodeKind::load;
   cut.load.force = force;
@@ -79,6 +79,33 @@ TEST(Drives, PowerInIsPowerCutAndPowerLost) {
     EXPECT_EQ(d.torque > 0, motion == Motion::in) << "it drives the way the rope runs";
     EXPECT_LT(e.closure.balance, 1e-5);
   }
+}
+
+TEST(Drives, TheMotorTurnsItsOwnBearingToo) {
+  for (const Motion motion : {Motion::in, Motion::out}) {
+    const double eta = 0.9;
+    const auto light = run(saw(), motion).drive, d = run(saw(2500, eta), motion).drive;
+    // the loss of its own sheave changes no tension of the rope
+    EXPECT_NEAR(d.T_in, light.T_in, 1e-7 * light.T_in);
+    EXPECT_NEAR(d.T_out, light.T_out, 1e-7 * light.T_out);
+    const double lost = (1 - eta) / (1 + eta) * (d.T_in + d.T_out - 2 * d.centrifugal);
+    EXPECT_NEAR(d.power - light.power, lost * speed, 1e-7 * d.power);
+    EXPECT_NEAR(std::abs(d.torque) - std::abs(light.torque), lost * 0.4, 1e-7 * std::abs(d.torque));
+    EXPECT_NEAR(*d.power_losses - *light.power_losses, lost * speed, 1e-7 * d.power);
+    EXPECT_NEAR(*d.power_creep, *light.power_creep, 1e-7 * d.power);
+  }
+  EXPECT_NEAR(run(saw(2500, 0.9), Motion::at_rest).drive.torque, run(saw(), Motion::at_rest).drive.torque, 1e-6);
+}
+
+/// A sheave that no motor drives is one whose motor has no torque.
+TEST(Drives, AMotorWithoutTorqueIsASheaveWithItsLoss) {
+  machine::Model m = saw();
+  const auto known = run(m, Motion::in);
+  m.reevings[0].nodes[1].tension_drop = 0;
+  const auto found = run(m, Motion::in);
+  EXPECT_NEAR(found.drive.T_in, known.drive.T_in, 1e-7 * known.drive.T_in);
+  EXPECT_NEAR(found.drive.T_out, known.drive.T_out, 1e-7 * known.drive.T_out);
+  EXPECT_NEAR(found.drive.power, known.drive.power, 1e-7 * known.drive.power);
 }
 
 TEST(Drives, AtRestThereIsATorqueButNoPower) {
@@ -149,16 +176,19 @@ TEST(Drives, AnEndlessRopeReadTheOtherWayIsTheSame) {
 }
 
 TEST(Drives, ATorqueSetsTheOpenLoad) {
-  const auto known = run(saw(), Motion::in);
-  machine::Model m = saw();
-  m.reevings[0].nodes[0].tension_drop = known.drive.torque / 0.4;
-  m.reevings[0].nodes[2].load.open = true;
-  const auto found = run(m, Motion::in);
-  EXPECT_NEAR(found.e.rope_loads.at(0).along_path, -2500, 1e-5);
+  for (const double efficiency : {1.0, 0.9}) {
+    machine::Model m = saw(2500, efficiency);
+    const auto known = run(m, Motion::in);
+    m.reevings[0].nodes[0].tension_drop = known.drive.torque / 0.4;
+    m.reevings[0].nodes[2].load.open = true;
+    const auto found = run(m, Motion::in);
+    EXPECT_NEAR(found.e.rope_loads.at(0).along_path, -2500, 1e-5);
+    EXPECT_NEAR(found.drive.torque, known.drive.torque, 1e-6 * known.drive.torque);
+  }
 }
 
 TEST(Drives, ATorqueSetsTheLengthWhereLossesGrowWithTheTension) {
-  machine::Model m = saw(0);
+  machine::Model m = saw(0, 0.95);
   m.bodies[0].position = run(m, Motion::in).e.state.bodies[0].position;
   m.bodies[0].free.clear();
   m.loads.clear();

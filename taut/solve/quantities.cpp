@@ -221,7 +221,7 @@ const Quantities<DriveRow>& drive_quantities() {
       {"power", "P", si::W, "power", [](const Row& r) { return r.part.speed ? r.part.power : none; }},
       {"power_loads", "", si::W, "part of it that the loads take",
        [](const Row& r) { return r.part.power_loads.value_or(none); }},
-      {"power_losses", "", si::W, "part lost at sheaves and supports",
+      {"power_losses", "", si::W, "part lost at sheaves and supports, the driven ones' bearings too",
        [](const Row& r) { return r.part.power_losses.value_or(none); }},
       {"power_carriages", "", si::W, "part that the carriages take",
        [](const Row& r) { return r.part.power_carriages.value_or(none); }},

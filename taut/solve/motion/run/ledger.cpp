@@ -179,23 +179,28 @@ void price(const Mechanism& m, const Values& v, Ledger& ledger) {
   ledger.last = powers(m, v);
 }
 
+/// Moment of the bearing against a spin whose turning is given: its drive overcomes it, N m.
+double against(const SpinValues& is) { return is.omega == 0 ? 0 : std::copysign(is.capacity, is.omega); }
+
 }  // namespace
 
 double drive_moment(const Mechanism& m, int spin, const Values& v) {
   const Spin& of = m.spins[spin];
   if (!prescribed(m, of, v, v.when)) return drive_torque(m, of, v, v.when);
+  const double bearing = against(v.spins[spin]);
   double alpha = v.spins[spin].alpha;
   if (of.body >= 0) alpha += (v.bodies[of.body].R * of.axis).dot(acceleration(m, of.body, v).second);
-  return of.inertia * alpha + of.drag * v.spins[spin].omega - rope_moment(m, of, v, v);
+  return of.inertia * alpha + of.drag * v.spins[spin].omega + bearing - rope_moment(m, of, v, v);
 }
 
 Powers powers(const Mechanism& m, const Values& v) {
   Powers p;
   for (std::size_t i = 0; i < m.spins.size(); ++i) {
     const SpinValues& is = v.spins[i];
-    p.bearings += (is.turns * is.capacity + m.spins[i].drag * is.omega) * is.omega;
+    const bool set = prescribed(m, m.spins[i], v, v.when).has_value();
+    p.bearings += ((set ? against(is) : is.turns * is.capacity) + m.spins[i].drag * is.omega) * is.omega;
     if (m.spins[i].drum < 0 && m.spins[i].motor < 0) continue;
-    const bool light = m.spins[i].inertia <= 0 && !prescribed(m, m.spins[i], v, v.when);
+    const bool light = m.spins[i].inertia <= 0 && !set;
     if (!light) p.supplied += drive_moment(m, static_cast<int>(i), v) * is.omega;
   }
   for (std::size_t k = 0; k < m.tensioner.size(); ++k) {
@@ -313,7 +318,8 @@ void move_in_a_second(const Mechanism& m, const Values& before, const Values& no
 
 /// Moment that a bearing holds or takes: all that its ropes and its drive ask of it, N m.
 double bearing_moment(const Mechanism& m, std::size_t i, const Values& v) {
-  if (v.spins[i].capacity <= 0 || prescribed(m, m.spins[i], v, v.when)) return 0;
+  if (v.spins[i].capacity <= 0) return 0;
+  if (prescribed(m, m.spins[i], v, v.when)) return against(v.spins[i]);
   return drive_torque(m, m.spins[i], v, v.when) + rope_moment(m, m.spins[i], v, v);
 }
 
