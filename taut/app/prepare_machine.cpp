@@ -173,7 +173,7 @@ Result refused(const std::vector<Complaint>& complaints) {
   return r;
 }
 
-void judge_apart(const MachineDeck& deck, const results::MachineRun& run, Result& r);
+SweptVerdict judge_apart(const MachineDeck& deck, const results::MachineRun& run, Result& r);
 
 /// All that was asked, as deep as wanted. `run`: what it rests on, for whoever goes on from there.
 Result compute(const MachineDeck& deck, machine::Model model, study::AskedAll asked, RunDepth depth,
@@ -237,8 +237,9 @@ Result compute(const MachineDeck& deck, machine::Model model, study::AskedAll as
   if (report) {
     for (std::string& words : absurd_answers(results::answers_of(run))) r.warnings.push_back(std::move(words));
   }
-  judge_apart(deck, run, r);
+  SweptVerdict swept = judge_apart(deck, run, r);
   if (run.judges) checks::add_checks(deck, run.model, *run.checked, r);
+  std::move(swept).put_values_into(r);
   return r;
 }
 
@@ -254,7 +255,7 @@ Result at_value(const MachineDeck& deck, study::EquilibriumRun state) {
 }
 
 /// Checks that read the machine itself see it at each value of a sweep.
-void judge_apart(const MachineDeck& deck, const results::MachineRun& run, Result& r) {
+SweptVerdict judge_apart(const MachineDeck& deck, const results::MachineRun& run, Result& r) {
   SweptVerdict verdict;
   for (const study::SweepRun& sweep : run.judged_apart) {
     const auto points = static_cast<int>(sweep.answer.points.size());
@@ -277,7 +278,8 @@ void judge_apart(const MachineDeck& deck, const results::MachineRun& run, Result
     }
     watch.note(r);
   }
-  std::move(verdict).put_into(r);
+  verdict.put_into(r);
+  return verdict;
 }
 
 /// The names of what a result has only where its states are shown to the verdict: of other analyses and beams all.

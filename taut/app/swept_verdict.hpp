@@ -8,18 +8,21 @@
 namespace taut::app {
 
 /// What is said against a machine at the values of a sweep, each judged as a deck of its own: of every check the worst,
-/// of every kind of warning the first.
+/// of every kind of warning the first, of every value of the checks the worst.
 class SweptVerdict {
  public:
   /// `words`: which state it is, "ropes.sky.breaking_force = 60 kN, at rest".
   void take(Result at, const std::string& words);
-  /// Adds it to the result of the whole deck.
-  void put_into(Result& r) &&;
+  /// Adds it to the result of the whole deck, but for the values.
+  void put_into(Result& r);
+  /// Adds the values, behind the deck's own checks and theirs.
+  void put_values_into(Result& r) &&;
 
  private:
   bool is_new(const std::string& sentence);
 
   Result all_;
+  std::vector<Value> values_;
   std::set<std::string> known_;  ///< sentences without their numbers
 };
 

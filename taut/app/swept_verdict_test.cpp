@@ -24,7 +24,7 @@ TEST(SweptVerdict, KeepsAllChecksWithTheirStateAndEachWarningOnce) {
   none.message = "no room";
   verdict.take(none, "d = 1 mm");
   Result r;
-  std::move(verdict).put_into(r);
+  verdict.put_into(r);
   ASSERT_EQ(r.checks.size(), 3U);
   EXPECT_EQ(r.checks[2].where, "d = 16 mm");
   EXPECT_FALSE(r.checks[2].passes);
@@ -34,6 +34,30 @@ TEST(SweptVerdict, KeepsAllChecksWithTheirStateAndEachWarningOnce) {
   EXPECT_EQ(r.unsafe[0], "d = 16 mm: strained by 2.1 %");
   ASSERT_EQ(r.unmade.size(), 1U);
   EXPECT_EQ(r.unmade[0], "d = 1 mm: its checks have no answer: no room");
+}
+
+/// The least factor and the largest use, whatever the order; other values stay those of the deck.
+TEST(SweptVerdict, KeepsTheWorstValueOfTheChecks) {
+  const auto valued = [](double factor, double use, double tension) {
+    Result r;
+    const auto add = [&](const char* name, double value, const char* label) {
+      r.values.push_back({.name = name, .value = value, .unit = si::one, .symbol = "", .label = label, .source = ""});
+    };
+    add("sky.dynamic_safety_factor", factor, "factor of sky (at rest)");
+    add("mast.utilisation", use, "use of mast");
+    add("sky.T_max", tension, "tension");
+    return r;
+  };
+  SweptVerdict verdict;
+  verdict.take(valued(4, 0.5, 10), "d = 20 mm");
+  verdict.take(valued(2, 0.3, 20), "d = 16 mm");
+  Result r = valued(3, 0.4, 15);
+  std::move(verdict).put_values_into(r);
+  ASSERT_EQ(r.values.size(), 3U);
+  EXPECT_EQ(r.values[0].value, 2);
+  EXPECT_EQ(r.values[0].label, "factor of sky (at rest), d = 16 mm");
+  EXPECT_EQ(r.values[1].value, 0.5);
+  EXPECT_EQ(r.values[2].value, 15);
 }
 
 }  // namespace taut::app::swept_verdict_test

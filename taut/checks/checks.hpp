@@ -32,9 +32,10 @@ void finish_checks(const ChecksRequest& request, Result& r);
 // Ropes of a machine: rope_checks.cpp.
 std::vector<AskedRules> resolve_ropes(const ChecksRequest& request, const CheckedDeck& deck,
                                       const machine::Model& model, std::vector<Complaint>& complaints);
-/// All that is to be reported of one rope: checks, and what was left out. `around`: as of `rope_rules`.
+/// All that is to be reported of one rope: checks, and what was left out. `around`: as of `rope_rules`. `chosen`: it is
+/// a candidate of a design, which has to be judged in all that a designer would expect.
 void add_checks_of(const RopeCheckRequest& request, const AskedRules& asked, const rope::RopeUse& use, Result& r,
-                   std::optional<double> around = std::nullopt);
+                   std::optional<double> around = std::nullopt, bool chosen = false);
 /// `uses`: by reeving, over all states that are load cases.
 void add_rope_checks(const ChecksRequest& request, const CheckedDeck& deck, const machine::Model& model,
                      const std::vector<rope::RopeUse>& uses, Result& r);

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <utility>
 
 #include "taut/checks/anchor/support_checks.hpp"
@@ -52,6 +53,16 @@ const std::vector<ValueKind>& value_kinds() {
                 "diameter at breast height of the tree that carries the support, by force and height",
                 "guide/checks.md")};
   return all;
+}
+
+std::optional<Sense> worst_side(const std::string& name) {
+  const auto part_of = [](const std::string& of) { return of.substr(of.rfind('.') + 1); };
+  const std::string part = part_of(name);
+  const bool known = std::any_of(value_kinds().begin(), value_kinds().end(), [&](const ValueKind& kind) {
+    return kind.of != every_state && part_of(kind.about.name) == part;
+  });
+  if (!known) return std::nullopt;
+  return part == "dynamic_safety_factor" || part == "life_repeats" ? Sense::at_least : Sense::at_most;
 }
 
 std::vector<TableWords> table_words() {

@@ -1,7 +1,10 @@
 #pragma once
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "taut/calc/quantity.hpp"
+#include "taut/calc/result.hpp"
 #include "taut/calc/value_kind.hpp"
 
 namespace taut::checks {
@@ -12,5 +15,9 @@ std::vector<TableWords> table_words();
 /// The values that the verdict and the checks answer with by name: those of every judged state, of `checks:` of a
 /// machine and of a method.
 const std::vector<ValueKind>& value_kinds();
+
+/// Of a value that `checks:` of a machine adds, whether the least or the largest of several states is the worst one;
+/// empty: another value.
+std::optional<Sense> worst_side(const std::string& name);
 
 }  // namespace taut::checks

@@ -10,6 +10,7 @@
 #include "taut/calc/verdict.hpp"
 #include "taut/checks/guy/guy_checks.hpp"
 #include "taut/solve/drives.hpp"
+#include "taut/solve/running.hpp"
 
 namespace taut::checks {
 namespace {
@@ -57,8 +58,10 @@ void check_drive(const machine::Model& m, const solve::DriveResult& d, std::vect
   if (!own.motor || own.kind != machine::NodeKind::drive || !is_limit(m.reevings[d.reeving])) return;
   const auto range = torque_range(own.name, m.motors[*own.motor].drive.signal, unmade);
   if (!range) return;
+  const double rounding = 1e-9 * m.reevings[d.reeving].copies * own.radius * (d.T_in + d.T_out);
+  const double torque = std::abs(d.torque) > rounding ? std::abs(d.torque) : 0;
   made.push_back(
-      make_check(own.name + ".torque", std::abs(d.torque), si::N_m,
+      make_check(own.name + ".torque", torque, si::N_m,
                  {.sense = Sense::at_most, .limit = range->kept, .rule = "the motor's torque", .trust = "user"}));
 }
 
@@ -216,10 +219,67 @@ void DriveUses::keep_flange(const machine::Model& m, const solve::DrumResult& d)
                                   drum.name, drum.flange_diameter * 1e3, missing));
 }
 
+/// A drum turns one way: all ropes that run on it or off it have to agree on which. At rest they are asked as they run
+/// while the machine hauls in. Which side a rope leaves it follows from the places where the path gives none.
+void DriveUses::keep_winding(const machine::Model& m, const Array<solve::DrumResult>& ends,
+                             const solve::EquilibriumResult& state) {
+  if (ends.size() < 2) return;
+  const auto runs = [](const Array<Array<int>>& flow) {
+    return std::any_of(flow.begin(), flow.end(), [](const Array<int>& rope) {
+      return std::any_of(rope.begin(), rope.end(), [](int f) { return f != 0; });
+    });
+  };
+  Array<Array<int>> flow = state.flow;
+  if (!runs(flow)) {
+    solve::EquilibriumOptions hauling;
+    hauling.motion = solve::Motion::in;
+    flow = solve::flow_of(m, hauling);
+  }
+  std::map<int, int> turns;  // +1: as the first of its ropes
+  for (const solve::DrumResult& d : ends) {
+    const Array<int>& rope = flow[d.reeving];
+    if (rope.empty()) continue;
+    const int along = d.at_end ? rope.back() : rope.front();
+    if (along == 0) continue;
+    const int turn = d.sense * (d.at_end ? along : -along);
+    if (turns.try_emplace(d.drum, turn).first->second == turn) continue;
+    const std::string& name = m.drums[d.drum].name;
+    unmade_.try_emplace(
+        name + ".winding",
+        fmt::format("'{0}' would have to turn both ways at once, as its ropes run on it and off it: give "
+                    "the 'side' on which each leaves '{0}'; a rope with both ends on one drum is two "
+                    "ropes, which meet where it stands",
+                    name));
+  }
+}
+
+/// Where sheaves lose, a rope pulls less while it runs off its drum than at rest and hauled in.
+void DriveUses::keep_senses(const machine::Model& m, const Array<solve::DrumResult>& ends,
+                            const solve::EquilibriumResult& state, const std::string& words) {
+  for (const solve::DrumResult& d : ends) {
+    const machine::Reeving& rope = m.reevings[d.reeving];
+    const Array<int>& flow = state.flow[d.reeving];
+    const int along = d.at_end ? flow.back() : flow.front();
+    const bool loses = std::any_of(rope.nodes.begin(), rope.nodes.end(), [](const machine::Node& node) {
+      return node.kind == machine::NodeKind::contact && node.law.efficiency < 1 && node.law.friction > 0;
+    });
+    if (loses && (d.at_end ? along < 0 : along > 0)) {
+      paid_out_.try_emplace(rope.name,
+                            fmt::format("'{}' is judged only while it runs off '{}' ({}), where losses help: add an "
+                                        "equilibrium at rest, or with 'motion: in'",
+                                        rope.name, m.drums[d.drum].name, words));
+    } else {
+      hauled_.insert(rope.name);
+    }
+  }
+}
+
 void DriveUses::take(const machine::Model& m, const solve::EquilibriumResult& state, const std::string& words) {
   std::vector<Check> made;
   for (const auto& d : solve::drives(m, state)) check_drive(m, d, made, unmade_);
   const Array<solve::DrumResult> ends = solve::drums(m, state);
+  keep_winding(m, ends, state);
+  keep_senses(m, ends, state, words);
   for (const auto& [drum, load] : loads_of(ends, state.flow)) {
     check_torque(m.drums[drum], load, made, unmade_);
     if (!stands_by_brake(m.drums[drum])) continue;
@@ -282,6 +342,7 @@ void DriveUses::take(const machine::Model& m, const solve::TransientResult& moti
       unloaded_brakes_.try_emplace(drum.name, words);
     }
   }
+  for (const machine::Reeving& rope : m.reevings) hauled_.insert(rope.name);
   const solve::TransientFrame& first = motion.frames.front();
   if (motion.brake_ways.empty()) take_set_brakes(m, first, words);
   for (std::size_t c = 0; c < motion.ways.size(); ++c) {
@@ -338,6 +399,11 @@ void DriveUses::add_checks(Result& r) const {
                     "an analysis at rest",
                     drum, words));
     r.warnings.push_back(r.unmade.back());
+  }
+  for (const auto& [rope, words] : paid_out_) {
+    if (hauled_.contains(rope)) continue;
+    r.unmade.push_back(words);
+    r.warnings.push_back(words);
   }
   for (const auto& [name, words] : unmade_) {
     r.unmade.push_back(words);

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "taut/base/array.hpp"
 #include "taut/calc/result.hpp"
 #include "taut/solve/drives.hpp"
 #include "taut/solve/equilibrium.hpp"
@@ -36,6 +37,10 @@ class DriveUses {
   void take_set_brakes(const machine::Model& model, const solve::TransientFrame& rest, const std::string& words);
   void take_brakes(const machine::Model& model, const solve::TransientResult& motion, const std::string& words);
   void keep_turns(const machine::Model& model, const solve::DrumResult& drum, const std::string& words);
+  void keep_winding(const machine::Model& m, const Array<solve::DrumResult>& ends,
+                    const solve::EquilibriumResult& state);
+  void keep_senses(const machine::Model& m, const Array<solve::DrumResult>& ends, const solve::EquilibriumResult& state,
+                   const std::string& words);
   void keep_layer(const machine::Model& m, const solve::DrumResult& d, const std::string& words);
   void keep_flange(const machine::Model& m, const solve::DrumResult& d);
 
@@ -48,6 +53,8 @@ class DriveUses {
   std::map<std::string, Slip> slips_;                   // the largest of each sheave
   std::map<std::string, std::string> unbraked_;         // drums whose brake slips, or has not stopped them
   std::map<std::string, std::string> unloaded_brakes_;  // drums that no state shows by their brake: where
+  std::map<std::string, std::string> paid_out_;  // ropes that a state shows as they run off their drum, with losses
+  std::set<std::string> hauled_;                 // ropes that a state shows otherwise
   std::set<std::string> braked_;                 // drums whose brake acts in full in a motion: their slip judges it
   std::map<std::string, std::string> layers_;    // drums with more layers than they are calculated with
   std::map<std::string, std::string> yielding_;  // cylinders at their force limit

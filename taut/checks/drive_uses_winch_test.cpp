@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <string>
 #include <utility>
 
@@ -62,6 +63,100 @@ checks: {ropes: {r: {safety_factor: 5}}}
   const Result open = held("drive: {torque: 3 kN m}, brake_torque: 0.1 kN m");
   EXPECT_FALSE(taut_test::has_check(open, "winch.brake_torque"));
   EXPECT_TRUE(taut_test::has_check(open, "winch.torque"));
+}
+
+/// Two ropes hoist one block. Left to the places, they leave the drum on opposite sides, and their torques would
+/// cancel.
+TEST(DriveUses, ADrumDoesNotTurnBothWays) {
+  const auto twin = [](const std::string& on_drum, const std::string& motion) {
+    const std::string path = "path: [{drum: w" + on_drum + "}, ";
+    return run_text(R"(taut: 1
+machine:
+  points: {p1: [-0.2 m, 0 m, 20 m], p2: [1.8 m, 0 m, 20 m]}
+  ropes: {a: {mass: 0 kg/m, stiffness: 13 MN, breaking_force: 180 kN}, b: {mass: 0 kg/m, stiffness: 13 MN, breaking_force: 180 kN}}
+  bodies: {hook: {mass: 8 t, at: [0 m, 0 m, 3 m], free: [z]}}
+  sheaves:
+    s1: {body: hook, at: [0 m, 0 m, 0 m], diameter: 400 mm, efficiency: 0.9}
+    s2: {body: hook, at: [2 m, 0 m, 0 m], diameter: 400 mm, efficiency: 0.9}
+  drums: {w: {at: [1 m, -1 m, 20 m], core_diameter: 384 mm, brake_torque: 0.5 kN m, inertia: 5 kg m^2}}
+  reevings:
+    - {rope: a, )" + path +
+                    "{over: s1}, {anchor: p1}], length: 45 m}\n    - {rope: b, " + path +
+                    "{over: s2}, {anchor: p2}], length: 45 m}\nanalyses: [equilibrium: {motion: " + motion +
+                    "}]\nchecks: {ropes: {a: {safety_factor: 5}, b: {safety_factor: 5}}}\n");
+  };
+  for (const char* const motion : {"hoist", "at_rest"}) {
+    const Result open = twin("", motion);
+    ASSERT_TRUE(verdict_of(open)) << to_text(open.errors);
+    EXPECT_NE(to_text(verdict_of(open)->kind), "passes") << motion;
+    EXPECT_NE(std::find_if(open.unmade.begin(), open.unmade.end(),
+                           [](const std::string& one) { return one.find("turn both ways") != std::string::npos; }),
+              open.unmade.end())
+        << motion;
+    const Result given = twin(", side: left", motion);
+    EXPECT_TRUE(given.unmade.empty() || given.unmade.front().find("turn both ways") == std::string::npos);
+  }
+  const Result held = twin(", side: left", "at_rest");
+  EXPECT_EQ(to_text(verdict_of(held)->kind), "fails") << verdict_of(held)->reason;
+  EXPECT_NEAR(taut_test::check_of(held, "w.brake_torque").value, 8e3 * 9.80665 / 2 * 0.192, 50);
+}
+
+/// A rope with both ends on one drum would run through from one to the other, though the drum takes both in.
+TEST(DriveUses, ARopeWithBothEndsOnADrumIsNotJudged) {
+  const Result r = run_text(R"(taut: 1
+machine:
+  ropes: {hoist: {mass: 0 kg/m, stiffness: 13 MN, breaking_force: 180 kN}}
+  bodies: {hook: {mass: 4 t, at: [0 m, 0 m, 3 m], free: [z]}}
+  sheaves: {block: {body: hook, at: [0 m, 0 m, 0 m], diameter: 1.2 m, efficiency: 0.95, axis: [0, 1, 0]}}
+  drums: {w: {at: [0 m, -0.6 m, 20 m], axis: [1, 0, 0], core_diameter: 384 mm}}
+  reevings: [{rope: hoist, path: [{drum: w, side: left}, {over: block}, {drum: w, side: right}], length: 35 m}]
+analyses: [equilibrium: {motion: hoist}]
+checks: {ropes: {hoist: {safety_factor: 3}}}
+)");
+  ASSERT_TRUE(verdict_of(r)) << r.message << to_text(r.errors);
+  EXPECT_EQ(to_text(verdict_of(r)->kind), "not_judged") << verdict_of(r)->reason;
+}
+
+/// Losses of sheaves help what lowers: 5 % at each of two.
+TEST(DriveUses, ARopeThatIsOnlyLoweredIsNotJudged) {
+  const auto hoist = [](const std::string& analyses) {
+    return run_text(R"(taut: 1
+machine:
+  points: {pin: [-0.4 m, 0 m, 20 m]}
+  ropes: {hoist: {mass: 0 kg/m, stiffness: 13 MN, breaking_force: 100 kN}}
+  bodies: {hook: {mass: 4 t, at: [0 m, 0 m, 3 m], free: [z]}}
+  sheaves: {block: {body: hook, at: [0 m, 0 m, 0 m], diameter: 400 mm, efficiency: 0.9}}
+  drums: {w: {at: [0.4 m, 0 m, 20 m], core_diameter: 400 mm}}
+  reevings: [{rope: hoist, path: [{drum: w}, {over: block}, {anchor: pin}], length: 35 m}]
+checks: {ropes: {hoist: {safety_factor: 3}}}
+analyses: [)" + analyses +
+                    "]\n");
+  };
+  const Result lowered = hoist("equilibrium: {motion: lower}");
+  ASSERT_TRUE(verdict_of(lowered)) << lowered.message << to_text(lowered.errors);
+  EXPECT_EQ(to_text(verdict_of(lowered)->kind), "not_judged") << verdict_of(lowered)->reason;
+  EXPECT_NE(verdict_of(lowered)->reason.find("only while it runs off 'w'"), std::string::npos);
+  EXPECT_EQ(to_text(verdict_of(hoist("equilibrium: {motion: hoist}"))->kind), "passes");
+  EXPECT_EQ(to_text(verdict_of(hoist("equilibrium: {motion: lower}, equilibrium: {}"))->kind), "passes");
+}
+
+/// A closed rope that nothing holds back needs no torque, and rounding is none.
+TEST(DriveUses, NoTorqueIsEnoughForNone) {
+  const Result r = run_text(R"(taut: 1
+machine:
+  ropes: {haul: {mass: 0 kg/m, stiffness: 13 MN, breaking_force: 180 kN}}
+  sheaves:
+    a: {at: [0 m, 0 m, 5 m], diameter: 400 mm, efficiency: 0.9, friction: 0.3, motor: {torque: 0 N m}}
+    b: {at: [5 m, 0 m, 5 m], diameter: 400 mm, efficiency: 0.9}
+    c: {at: [5 m, 0 m, 1 m], diameter: 400 mm, efficiency: 0.9}
+    d: {at: [0 m, 0 m, 1 m], diameter: 400 mm, efficiency: 0.9}
+  reevings: [{rope: haul, closed: true, path: [{over: a}, {over: b}, {over: c}, {over: d}], length: 19.2 m}]
+analyses: [equilibrium: {motion: at_rest}]
+checks: {ropes: {haul: {safety_factor: 3}}}
+)");
+  ASSERT_TRUE(verdict_of(r)) << r.message << to_text(r.errors);
+  EXPECT_EQ(taut_test::check_of(r, "a.torque").value, 0);
+  EXPECT_TRUE(taut_test::check_of(r, "a.torque").passes);
 }
 
 }  // namespace taut::drive_uses_winch_test

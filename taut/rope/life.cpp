@@ -14,6 +14,7 @@ namespace {
 constexpr double millimetre = 1e-3;
 constexpr double reference_grade = 1770e6;  // Pa
 constexpr double tested_bent_length = 60;   // diameters
+constexpr double least_counted = 6e-3;      // m; of a rope's diameter, in its endurance factor
 
 bool counts(const Duty& duty, const Bend& bend) {
   if (bend.kind == BendKind::saddle || !(bend.tension > 0)) return false;
@@ -45,8 +46,8 @@ double bendings(const Bend& bend, bool reverse, double reverse_weight) {
 LifeLine line_of(const RopeUse& use, const LifeRules& rules, const LifeConstants& constants, const Duty& duty,
                  const Bend& bend, double times) {
   const double d = use.rope.diameter;
-  const double factors =
-      life_of_diameter(d / (16 * millimetre)) * length_factor(rules.bent_length, d) * rules.core_factor;
+  const double factors = life_of_diameter(std::max(d, least_counted) / (16 * millimetre)) *
+                         length_factor(rules.bent_length, d) * rules.core_factor;
   LifeLine line;
   line.duty = duty.name;
   line.bend = bend.name;

@@ -146,6 +146,7 @@ class RopeChecker {
 
   void strength_at_ends() {
     if (!rules_.termination) return;
+    if (!rules_.termination_refused.empty()) leave_out("its termination", rules_.termination_refused);
     const Limit& efficiency = *rules_.termination;
     if (rules_.least_termination) {
       const Limit& least = *rules_.least_termination;
@@ -310,6 +311,15 @@ class RopeChecker {
       out_.remarks.push_back(fmt::format(
           "{}: D/d is not checked: no rule is for its construction: give 'construction', 'class' or 'diameter_ratio'",
           use_.name));
+    }
+    const auto slides = std::find_if(use_.bends.begin(), use_.bends.end(), [](const Bend& bend) {
+      return bend.kind == BendKind::saddle && bend.tension > 0 && bend.wrap >= least_wrap;
+    });
+    if (rules_.no_saddles && slides != use_.bends.end()) {
+      leave_out("D/d",
+                fmt::format("a running rope of a crane slides over the saddle '{}', for which there is no rule: use a "
+                            "sheave there",
+                            slides->name));
     }
     check(BendKind::sheave, rules_.sheave_ratios, "sheave_ratio");
     check(BendKind::compensating_sheave, rules_.compensating_ratios, "compensating_ratio");

@@ -30,6 +30,8 @@ struct RopeRules {
   std::optional<Limit> elastic_share;                                  ///< of F_min that the peak may reach
   bool own_elastic_share = false;                                      ///< it is the deck's: a limit of the strength
   std::optional<Limit> termination;                                    ///< efficiency of the ends
+  bool no_saddles = false;                                             ///< it has to run over sheaves
+  std::string termination_refused;                                     ///< why these ends must not be used; empty: may
   std::optional<Limit> least_termination;                              ///< what a factor that covers the ends asks
   std::optional<double> temperature;                                   ///< the rope's, K
   std::optional<Limit> hottest;                                        ///< K

@@ -84,12 +84,17 @@ std::vector<AskedRules> resolve_ropes(const ChecksRequest& request, const Checke
 }
 
 void add_checks_of(const RopeCheckRequest& request, const AskedRules& asked, const rope::RopeUse& use, Result& r,
-                   std::optional<double> around) {
+                   std::optional<double> around, bool chosen) {
   const rope::RopeRules rules = rope_rules(request, asked, use.rope, around);
   rope::RopeChecks found = rope::check_rope(use, rules);
   // the rope of the deck has them; a candidate of a design need not
   for (const MissingLimit& one : missing_limits(request, asked, use.rope, rules)) {
     found.left_out.push_back(fmt::format("{}: {} is not checked: {}", use.name, one.key, one.words));
+  }
+  // a candidate must not win because no rule knows its construction
+  if (chosen && !asked.fields.empty()) {
+    std::move(found.remarks.begin(), found.remarks.end(), std::back_inserter(found.left_out));
+    found.remarks.clear();
   }
   std::move(found.checks.begin(), found.checks.end(), std::back_inserter(r.checks));
   r.warnings.insert(r.warnings.end(), found.left_out.begin(), found.left_out.end());
@@ -122,7 +127,8 @@ void add_rope_checks(const ChecksRequest& request, const CheckedDeck& deck, cons
       rope::RopeUse use = uses[i];
       use.rope = with_request(std::move(use.rope), one);
       set_compensating(one, use);
-      add_checks_of(one, deck.asked.ropes.at(k), use, r, hottest);
+      const bool chosen = deck.chosen.contains(rope_name_of(deck.machine, i));
+      add_checks_of(one, deck.asked.ropes.at(k), use, r, hottest, chosen);
     }
   }
 }

@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <vector>
 
+#include "taut/calc/verdict.hpp"
 #include "taut/catalogue/rope.hpp"
 #include "test/support/machine_decks.hpp"
 
@@ -146,6 +148,63 @@ TEST(RopeChecks, crane_class_sets_factor_and_ratios) {
   EXPECT_NEAR(find(r, "hoist.drum_ratio")->value, 316.0 / 16, 1e-12);
   EXPECT_FALSE(has(r, "hoist.on_sheave"));
   EXPECT_NEAR(find(r, "hoist.elastic_limit")->value, (1.10 + 0.34 * 0.5) * value_of(r, "hoist.T_max"), 1e-6);
+}
+
+// What the machine says of its rope is not replaced by a row that the checks name.
+TEST(RopeChecks, a_row_of_the_checks_fills_only_what_is_unknown) {
+  const std::string row = "rope: \"EN 12385-4|6x36-IWRC|16|1960\"";
+  const auto told = [&](const std::string& rope, const std::string& entry) {
+    return run_text(hoist_deck("  ropes: {hoist: {safety_factor: 4, " + entry + "}}"), {"machine.ropes.hoist=" + rope});
+  };
+  const std::string weak = "{diameter: 16 mm, breaking_force: 60 kN, mass: 1 kg/m, stiffness: 13 MN}";
+  EXPECT_NEAR(find(told(weak, row), "hoist.safety_factor")->value,
+              find(told(weak, "dynamic_factor: 1"), "hoist.safety_factor")->value, 1e-9);
+  expect_mistake(told("{diameter: 12 mm, breaking_force: 60 kN, mass: 0.6 kg/m, stiffness: 7 MN}", row),
+                 "is a rope of 16 mm, and that of the machine has 12 mm");
+  expect_mistake(told("{rope: \"EN 12385-4|6x36-FC|16|1960\", stiffness: 13 MN}", "core: IWRC"),
+                 "the rope of the machine has the core FC");
+}
+
+TEST(RopeChecks, u_bolt_grips_and_saddles_are_nothing_for_a_crane) {
+  const Result grips =
+      run_text(hoist_deck("  ropes: {hoist: {field: crane_running, class: M3, termination: u_bolt_grips}}"));
+  EXPECT_THAT(grips.unmade, testing::Contains(HasSubstr("not for lifting")));
+  const Result wedge = run_text(hoist_deck("  ropes: {hoist: {field: crane_running, class: M3, termination: clips}}"));
+  EXPECT_THAT(wedge.unmade, testing::Not(testing::Contains(HasSubstr("not for lifting"))));
+  const std::vector<std::string> saddle = {
+      "machine.sheaves.head={at: [1.4 m, 0 m, 20 m], diameter: 60 mm, law: saddle, friction: 0.1}"};
+  const Result slides = run_text(hoist_deck("  ropes: {hoist: {field: crane_running, class: M3}}"), saddle);
+  EXPECT_THAT(slides.unmade, testing::Contains(HasSubstr("slides over the saddle 'head'")));
+}
+
+// The calculation is written at the round that its check judges, not at that of the least D/d.
+TEST(RopeChecks, the_calculation_is_that_of_the_check) {
+  const Result r = run_text(
+      hoist_deck("  ropes: {hoist: {field: crane_running, class: M3, groove: cast_steel, en13001: {bends: 1e5}}}"),
+      {"machine.sheaves.head.efficiency=0.7"});
+  const auto step = [&](const std::string& symbol) {
+    const auto at = std::find_if(r.steps.begin(), r.steps.end(), [&](const Step& s) { return s.symbol == symbol; });
+    EXPECT_NE(at, r.steps.end()) << symbol << r.message << to_text(r.errors);
+    return at == r.steps.end() ? 0 : at->value;
+  };
+  EXPECT_NEAR(step("p"), find(r, "hoist.groove_pressure")->value, 1);
+  EXPECT_NEAR(step("F_Rd"), find(r, "hoist.resistance")->limit, 1);
+}
+
+// A lighter rope whose construction no rule of D/d knows is no choice.
+TEST(RopeChecks, a_design_does_not_take_what_no_rule_knows) {
+  const auto design = [](const std::string& diameter, const std::string& mass) {
+    return run_text(
+        hoist_deck("  ropes: {hoist: {field: mainline.ch_at, termination: clips}}\n"
+                   "design: {seek: lightest, ropes: {hoist: {}}}"),
+        {"machine.ropes.hoist={}", "machine.bodies.block.mass=" + mass, "machine.sheaves.head.diameter=" + diameter,
+         "machine.sheaves.hook.diameter=" + diameter, "machine.drums.winch.core_diameter=" + diameter});
+  };
+  // 6x37M-FC of 52 mm was the answer
+  EXPECT_EQ(to_text(verdict_of(design("300 mm", "9 t"))->kind), "no_answer");
+  const Result wide = design("900 mm", "2 t");
+  ASSERT_EQ(exit_code(wide), 0) << wide.message << to_text(wide.errors);
+  EXPECT_TRUE(has(wide, "hoist.sheave_ratio"));
 }
 
 // 0.6 F_min is a rule of skylines. An entry that asks for something else gives a hoist rope no limit of its strength.

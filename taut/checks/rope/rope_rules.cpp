@@ -21,7 +21,8 @@ namespace {
 using catalogue::RuleRow;
 using rope::Limit;
 
-constexpr double same_value = 1e-9;  // of two that are given, relative
+constexpr double same_value = 1e-9;                         // of two that are given, relative
+constexpr const char* not_for_lifting = "not for lifting";  // as the table of terminations says it
 
 /// The highest temperature for which a row holds, K.
 double hottest_of(const RuleRow& row) {
@@ -322,13 +323,17 @@ class RopeLimits {
 
   void termination() {
     if (!asked_.termination.empty()) named_termination(asked_.termination);
+    const auto& ids = asked_.fields;
+    const bool crane =
+        std::any_of(ids.begin(), ids.end(), [](const auto& id) { return begins(id, {"safety.crane_"}); });
+    rules_.no_saddles = crane && rules_.runs;
+    if (crane && rules_.termination && rules_.termination->rule.find(not_for_lifting) != std::string::npos) {
+      rules_.termination_refused = rules_.termination->rule;
+    }
     const auto& factors = rules_.safety_factors;
     const bool covered = factors.empty() ||  // EN 13001 has no factor with a number
                          std::any_of(factors.begin(), factors.end(), [](const Limit& f) { return f.covers_ends; });
     if (!rules_.termination || !covered) return;
-    const auto& ids = asked_.fields;
-    const bool crane =
-        std::any_of(ids.begin(), ids.end(), [](const auto& id) { return begins(id, {"safety.crane_"}); });
     if (const auto row = rule_named("termination.least_crane"); row && crane) {
       rules_.least_termination = limit_of(*row, SafeEnd::high);
     }
@@ -423,7 +428,16 @@ class RopeLimits {
 
 catalogue::RopeRow with_request(catalogue::RopeRow rope, const RopeCheckRequest& request) {
   if (request.rope) {
-    if (const auto row = catalogue::find_rope_in_words(*request.rope)) rope = *row;
+    if (const auto row = catalogue::find_rope_in_words(*request.rope)) {
+      const catalogue::RopeRow own = std::exchange(rope, *row);
+      // what the machine says of its own rope counts
+      if (own.breaking_force > 0) {
+        rope.breaking_force = own.breaking_force;
+        rope.trust = own.trust;
+      }
+      if (own.diameter > 0) rope.diameter = own.diameter;
+      if (own.mass_per_length > 0) rope.mass_per_length = own.mass_per_length;
+    }
   }
   if (request.breaking_force && rope.breaking_force == 0) {
     rope.breaking_force = *request.breaking_force;
@@ -450,6 +464,17 @@ void complain_of_second(const std::optional<double>& given, double known, const 
 
 void complain_of_values(const RopeCheckRequest& request, catalogue::RopeRow rope, const std::string& path,
                         std::vector<Complaint>& complaints) {
+  const auto row = catalogue::find_rope_in_words(request.rope.value_or(""));
+  if (row && rope.diameter > 0 && std::abs(rope.diameter - row->diameter) > same_value * rope.diameter) {
+    complaints.push_back({path + ".rope", fmt::format("is a rope of {:.4g} mm, and that of the machine has {:.4g} mm",
+                                                      row->diameter * 1e3, rope.diameter * 1e3)});
+  }
+  if (request.core && !rope.core.empty() && !request.rope) {
+    const std::string core = catalogue::parse_core(*request.core).value_or(*request.core);
+    if (core != rope.core) {
+      complaints.push_back({path + ".core", fmt::format("the rope of the machine has the core {}", rope.core)});
+    }
+  }
   RopeCheckRequest named;
   named.rope = request.rope;
   rope = with_request(std::move(rope), named);
