@@ -1,6 +1,6 @@
 """Made from the descriptions by python/tools/make_stub.py; do not edit. `./dev python stub` makes it again.
 
-schema: 6230a898c9f800ddc92778615feb7f04bad85ce183648406f3ccff733cb3b377
+schema: ffc99b89569c79065401764fc7cbb2c2b7b4f7531166805b306b4b424c33a41c
 """
 
 from collections.abc import Mapping, Sequence
