@@ -64,7 +64,8 @@ void add_place(Describe<RopeCheckRequest>& d) {
 
 void add_rope(Describe<RopeCheckRequest>& d) {
   using R = RopeCheckRequest;
-  d.field(&R::rope, "rope", "rope of the catalogue, for what the deck does not say of a rope that it describes by values")
+  d.field(&R::rope, "rope",
+          "rope of the catalogue, for what the deck does not say of a rope that it describes by values")
       .field(&R::breaking_force, "breaking_force", "F_min", si::N, "value where neither deck nor catalogue gives it")
       .above(0)
       .field(&R::diameter, "diameter", "d", si::m.in("mm"), "value where neither deck nor catalogue gives it")

@@ -169,8 +169,8 @@ TEST(RopeChecks, u_bolt_grips_and_saddles_are_nothing_for_a_crane) {
   const Result grips =
       run_text(hoist_deck("  ropes: {hoist: {field: crane_running, class: M3, termination: u_bolt_grips}}"));
   EXPECT_THAT(grips.unmade, testing::Contains(HasSubstr("not for lifting")));
-  const Result wedge = run_text(hoist_deck("  ropes: {hoist: {field: crane_running, class: M3, termination: clips}}"));
-  EXPECT_THAT(wedge.unmade, testing::Not(testing::Contains(HasSubstr("not for lifting"))));
+  const Result clips = run_text(hoist_deck("  ropes: {hoist: {field: crane_running, class: M3, termination: clips}}"));
+  EXPECT_THAT(clips.unmade, testing::Not(testing::Contains(HasSubstr("not for lifting"))));
   const std::vector<std::string> saddle = {
       "machine.sheaves.head={at: [1.4 m, 0 m, 20 m], diameter: 60 mm, law: saddle, friction: 0.1}"};
   const Result slides = run_text(hoist_deck("  ropes: {hoist: {field: crane_running, class: M3}}"), saddle);
