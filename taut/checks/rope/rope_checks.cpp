@@ -48,6 +48,18 @@ void complain_of_places(const RopeCheckRequest& request, const std::string& path
   }
 }
 
+/// A compensating sheave stands while the rope is hauled. With one end on a drum and the other one fixed all sheaves
+/// between them turn.
+void add_running(const RopeCheckRequest& request, const machine::Reeving& rope, Result& r) {
+  const bool one_drum = !rope.closed && rope.nodes.front().drum.has_value() != rope.nodes.back().drum.has_value();
+  if (request.compensating.empty() || !one_drum) return;
+  r.unmade.push_back(
+      fmt::format("'{}' is hauled at one end and fixed at the other one, so all of its sheaves turn: "
+                  "'{}' does not compensate",
+                  rope.name, request.compensating.front()));
+  r.warnings.push_back(r.unmade.back());
+}
+
 void set_compensating(const RopeCheckRequest& request, rope::RopeUse& use) {
   for (rope::Bend& bend : use.bends) {
     const auto& all = request.compensating;
@@ -127,6 +139,7 @@ void add_rope_checks(const ChecksRequest& request, const CheckedDeck& deck, cons
       rope::RopeUse use = uses[i];
       use.rope = with_request(std::move(use.rope), one);
       set_compensating(one, use);
+      add_running(one, model.reevings[i], r);
       const bool chosen = deck.chosen.contains(rope_name_of(deck.machine, i));
       add_checks_of(one, deck.asked.ropes.at(k), use, r, hottest, chosen);
     }

@@ -165,6 +165,11 @@ TEST(RopeChecks, a_row_of_the_checks_fills_only_what_is_unknown) {
                  "the rope of the machine has the core FC");
 }
 
+TEST(RopeChecks, a_sheave_that_runs_does_not_compensate) {
+  const Result r = run_text(hoist_deck("  ropes: {hoist: {field: crane_running, class: M3, compensating: [head]}}"));
+  EXPECT_THAT(r.unmade, testing::Contains(HasSubstr("'head' does not compensate")));
+}
+
 TEST(RopeChecks, u_bolt_grips_and_saddles_are_nothing_for_a_crane) {
   const Result grips =
       run_text(hoist_deck("  ropes: {hoist: {field: crane_running, class: M3, termination: u_bolt_grips}}"));
