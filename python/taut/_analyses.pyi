@@ -1,6 +1,6 @@
 """Made from the descriptions by python/tools/make_stub.py; do not edit. `./dev python stub` makes it again.
 
-schema: ffc99b89569c79065401764fc7cbb2c2b7b4f7531166805b306b4b424c33a41c
+schema: 0eba7bc5eeaf9a73dd220e1eefca64f08dc7ca03101644ec7bf5912f8d712429
 """
 
 from collections.abc import Mapping, Sequence

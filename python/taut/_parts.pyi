@@ -1,6 +1,6 @@
 """Made from the descriptions by python/tools/make_stub.py; do not edit. `./dev python stub` makes it again.
 
-schema: ffc99b89569c79065401764fc7cbb2c2b7b4f7531166805b306b4b424c33a41c
+schema: 0eba7bc5eeaf9a73dd220e1eefca64f08dc7ca03101644ec7bf5912f8d712429
 """
 
 from collections.abc import Mapping, Sequence
@@ -380,7 +380,8 @@ class Parts:
 
         body: the body that is pulled.
         weight: kg. a counterweight of this mass on a rope without loss (at least 0 kg and at most 1e9 kg).
-        screw: N. a force (at least 0 kN and at most 1e9 kN).
+        screw: N. its force in every state; a screw that stays where it was set is a slide that is fixed (at least 0 kN and
+            at most 1e9 kN).
         along: direction of its pull, in the ground frame.
         Give exactly one of weight, screw.
 

@@ -205,6 +205,7 @@ void keep_lengths(const LeastTensionRun& run, const machine::Model& installed, m
     if (i < run.guys_from && described) continue;
     model.reevings[i].given = installed.reevings[i].given;
     model.reevings[i].value = installed.reevings[i].value;
+    model.reevings[i].is_to_install = installed.reevings[i].is_to_install;
   }
 }
 

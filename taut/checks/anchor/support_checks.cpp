@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <optional>
 
 #include "taut/base/suggest.hpp"
@@ -16,6 +17,9 @@
 
 namespace taut::checks {
 namespace {
+
+/// From the vertical: beyond, a force bends the tree more than it presses it.
+constexpr double most_lean = std::numbers::pi / 4;
 
 /// Rounds that no carriage is, and the ends of ropes.
 std::vector<std::string> pulled_places(const machine::Model& model, bool ends) {
@@ -52,7 +56,7 @@ double lashing_height(const SupportStates& s) { return s.height + s.request->las
 
 /// At the lashing; empty beyond the table, where the height is not known, and where the ropes pull upwards.
 std::optional<double> lashing_diameter(const SupportStates& s) {
-  if (std::isnan(s.height) || !s.upwards.empty()) return std::nullopt;
+  if (std::isnan(s.height) || !s.upwards.empty() || !s.askew.empty()) return std::nullopt;
   return catalogue::support_tree_diameter(s.force, std::max(lashing_height(s), 0.0));
 }
 
@@ -90,6 +94,9 @@ std::string force_words(const SupportStates& s) {
 std::string why_none(const SupportStates& s) {
   if (!s.upwards.empty())
     return fmt::format("its ropes pull it upwards ({}), and the table is one of trees that are pressed", s.upwards);
+  if (!s.askew.empty())
+    return fmt::format("its ropes pull it aside more than down ({}), and the table is one of forces along the trunk",
+                       s.askew);
   if (std::isnan(s.height)) return "its height over the ground is not known: give 'height'";
   return fmt::format("beyond the table of support trees: {}", force_words(s));
 }
@@ -140,6 +147,7 @@ void take(const CheckState& state, SupportStates& support) {
   Vector3 F = force_at(state, request.name);
   for (const std::string& other : request.with) F += force_at(state, other);
   if (F.z() > 0 && support.upwards.empty()) support.upwards = state.words;
+  if (lean_of(F) > most_lean && support.askew.empty()) support.askew = state.words;
   if (factor * F.norm() <= support.force) return;
   support.force = factor * F.norm();
   support.pull = F;

@@ -104,4 +104,22 @@ TEST(SupportChecks, MistakesHaveTheirPlace) {
   expect_mistake(run_text(other), "did you mean 'jack'?");
 }
 
+/// A sheave that turns a rope by 90 deg in plan bends its tree; the table is one of forces along the trunk.
+TEST(SupportChecks, ATreeThatIsPulledAsideIsNotJudged) {
+  const Result r = run_text(R"(taut: 1
+machine:
+  ropes: {line: {mass: 1.0 kg/m, stiffness: 12 MN, breaking_force: 250 kN, diameter: 16 mm}}
+  points: {a: [-60 m, 0 m, 5 m]}
+  bodies: {sledge: {mass: 5 t, at: [0 m, 60 m, 5 m], guide: [0, 1, 0]}}
+  sheaves: {corner: {at: [0 m, 0 m, 6 m], diameter: 600 mm, axis: [0, 0, 1]}}
+  reevings: [{rope: line, path: [{anchor: a}, {over: corner}, {anchor: sledge}], length: 119.9 m}]
+  loads: [{at: sledge, force: [0 kN, 30 kN, 0 kN]}]
+checks:
+  ropes: {line: {safety_factor: 3}}
+  supports: {corner: {tree_diameter: 31 cm, height: 6 m}}
+)");
+  EXPECT_EQ(to_text(verdict_of(r)->kind), "not_judged") << verdict_of(r)->reason;
+  EXPECT_NE(verdict_of(r)->reason.find("aside more than down"), std::string::npos) << verdict_of(r)->reason;
+}
+
 }  // namespace taut::checks::support_checks_test

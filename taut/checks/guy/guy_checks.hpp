@@ -66,6 +66,7 @@ struct LineStates {
   const LineCheckRequest* request = nullptr;
   int reeving = 0;
   LineExtreme tail_angle, off_line;  ///< rad
+  bool seen_empty = false;           ///< in a state at rest without a carriage on it
   LineExtreme clearance;             ///< over the ground, at rest, m
   std::string slack;                 ///< the first state at rest in which a part of it is slack: it hangs anywhere
   study::TerrainGap gap;             ///< of the line in plan, the largest over all states

@@ -87,13 +87,28 @@ bool pulls_up(const CheckContact& c, const machine::Node& node) {
   return c.lifts || (!upright && !aside && c.force.z() > 0);
 }
 
+/// The angle between the rope's directions before and behind a support, rad: out of the plane of a round too, where the
+/// wrap about its axis sees only a part. 0 where a side bears nothing.
+double bend_in_space(const CheckState& state, const CheckContact& c) {
+  Vector3 in = Vector3::Zero(), out = Vector3::Zero();
+  for (const CheckBranch& b : state.branches) {
+    if (b.reeving != c.reeving) continue;
+    if (b.to == c.node) in = -b.on_end;  // of a rope in pieces the last one
+    if (b.from == c.node && out == Vector3::Zero()) out = b.on_start;
+  }
+  const double sizes = in.norm() * out.norm();
+  return sizes > 0 ? std::atan2(in.cross(out).norm(), in.dot(out)) : 0;
+}
+
 void take_bends(const CheckState& state, LineStates& line) {
   const auto& nodes = state.model->reevings[line.reeving].nodes;
+  const auto rides = [&](const machine::Node& node) { return machine::rides(*state.model, node); };
+  line.seen_empty = line.seen_empty || (!state.moves && std::none_of(nodes.begin(), nodes.end(), rides));
   for (const CheckContact& c : state.contacts) {
     if (c.reeving != line.reeving) continue;
     for (LineStates::Bend& bend : line.bends) {
       if (nodes[c.node].name != bend.support) continue;
-      bend.most.largest(c.wrap, state.words);
+      bend.most.largest(c.lifts ? c.wrap : std::max(c.wrap, bend_in_space(state, c)), state.words);
       // how little the empty line bends is a rule for lines at rest; in motion it may, but must not lift off
       const bool up = pulls_up(c, nodes[c.node]);
       if (!state.moves || up) bend.least.least(up ? -std::abs(c.wrap) : c.wrap, state.words);
@@ -188,6 +203,13 @@ void check_clearance(const LineStates& line, Result& r) {
 
 void check_tail(const LineStates& line, Result& r) {
   const LineCheckRequest& request = *line.request;
+  if (request.tail_tree && (std::isnan(line.tail_angle.value) || std::isnan(line.off_line.value))) {
+    r.unmade.push_back(
+        fmt::format("{}: the angles of its tail tree are not checked: in no state is '{}' between the "
+                    "anchor and the line",
+                    request.name, *request.tail_tree));
+    r.warnings.push_back(r.unmade.back());
+  }
   const auto add = [&](const char* name, const LineExtreme& x, const std::optional<double>& own, const char* rule,
                        const char* words) {
     if (std::isnan(x.value)) return;
@@ -208,6 +230,13 @@ void check_tail(const LineStates& line, Result& r) {
 
 void check_bends(const LineStates& line, Result& r) {
   const LineCheckRequest& request = *line.request;
+  if (!line.bends.empty() && !line.seen_empty) {
+    r.unmade.push_back(
+        fmt::format("{}: its least bends are not checked: the empty line, which bends least, is not "
+                    "among the states: give its 'install', or add an 'installation'",
+                    request.name));
+    r.warnings.push_back(r.unmade.back());
+  }
   for (const LineStates::Bend& bend : line.bends) {
     const auto& ends = request.end_masts;
     const bool end = std::find(ends.begin(), ends.end(), bend.support) != ends.end();

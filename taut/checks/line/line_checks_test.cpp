@@ -219,4 +219,68 @@ checks: {lines: {line: {break_angles: true}}}
   EXPECT_NEAR(check_of(r, "line.low.least_break_angle").value, 2 * std::atan(4.0 / 50), 0.025);
 }
 
+/// A jack 36 m beside the line: about the level axis of its round the rope bends by 4.6 deg, in space by 40.
+TEST(LineChecks, ABendInPlanCountsToo) {
+  const Result r = run_text(R"(taut: 1
+machine:
+  ropes: {sky: {mass: 1.6 kg/m, stiffness: 20 MN, breaking_force: 400 kN, diameter: 20 mm}}
+  points: {a: [0 m, 0 m, 10 m], b: [200 m, 0 m, 10 m]}
+  supports: {jack: {at: [100 m, 36 m, 12.2 m], diameter: 600 mm, friction: 0.1}}
+  reevings: [{rope: sky, path: [{anchor: a}, {over: jack}, {anchor: b}], install: {tension: 60 kN}}]
+checks:
+  ropes: {sky: {safety_factor: 3}}
+  lines: {sky: {break_angles: true}}
+)");
+  const Check& bend = check_of(r, "sky.jack.break_angle");
+  EXPECT_NEAR(bend.value, 2 * std::atan2(std::hypot(36.0, 2.2), 100), 2 * std::numbers::pi / 180);
+  EXPECT_FALSE(bend.passes);
+}
+
+/// The rule of the least bend is one for the empty line, which the loaded one does not show.
+TEST(LineChecks, TheLeastBendNeedsTheEmptyLine) {
+  const std::string deck = R"(taut: 1
+machine:
+  temperature: 15 degC
+  ropes: {sky: {mass: 1.7 kg/m, stiffness: 20 MN, breaking_force: 300 kN, diameter: 20 mm}}
+  points: {stump: [0 m, 0 m, 4 m], tower: [360 m, 0 m, 124 m]}
+  supports:
+    jack1: {at: [110 m, 0 m, 33 m], diameter: 600 mm, friction: 0.1}
+    jack2: {at: [240 m, 0 m, 78 m], diameter: 600 mm, friction: 0.1}
+  carriages: {car: {mass: 350 kg, rides: sky}}
+  reevings: [{rope: sky, path: [{anchor: stump}, {over: jack1}, {through: car}, {over: jack2}, {anchor: tower}], length: 379.0721 m}]
+  loads: [{at: car, mass: 1.5 t}]
+analyses: [{load_path: {carriage: car, from: 130 m, to: 150 m, steps: 2, held: true}}]
+checks:
+  ropes: {sky: {safety_factor: 3}}
+  lines: {sky: {break_angles: true, hold_down: true}}
+)";
+  const auto told = testing::Contains(testing::HasSubstr("its least bends are not checked"));
+  EXPECT_THAT(run_text(deck).unmade, told);
+  std::string put_up = deck;
+  put_up.replace(put_up.find("length: 379.0721 m"), 18, "install: {tension: 40 kN, at: start}");
+  const Result both = run_text(put_up);
+  EXPECT_FALSE(check_of(both, "sky.jack1.least_break_angle").passes);
+  EXPECT_THAT(both.unmade, testing::Not(told));
+}
+
+/// The carriage stands between the tail tree that is named and the anchor.
+TEST(LineChecks, ATailTreeThatIsNoneIsNotJudged) {
+  const std::string deck = R"(taut: 1
+machine:
+  ropes: {sky: {mass: 1.6 kg/m, stiffness: 20 MN, breaking_force: 300 kN, diameter: 20 mm}}
+  points: {stump: [-8 m, 4 m, 1 m], far: [200 m, 0 m, 25 m]}
+  supports: {tail: {at: [0 m, 0 m, 14 m], diameter: 700 mm, friction: 0.1}, jack: {at: [120 m, 0 m, 14 m], diameter: 700 mm, friction: 0.1}}
+  carriages: {car: {mass: 300 kg, rides: sky}}
+  reevings: [{rope: sky, path: [{anchor: stump}, {over: tail}, {over: jack}, {through: car}, {anchor: far}], length: 217 m}]
+  loads: [{at: car, mass: 0.8 t}]
+analyses: [{equilibrium: {carriage: car, x: 160 m, held: true}}]
+checks: {ropes: {sky: {safety_factor: 2.5}}, lines: {sky: {tail_tree: jack, tail_angle: 5 deg}}}
+)";
+  const auto told = testing::Contains(testing::HasSubstr("the angles of its tail tree are not checked"));
+  EXPECT_THAT(run_text(deck).unmade, told);
+  const Result tail = run_text(deck, {"checks.lines.sky.tail_tree=tail"});
+  EXPECT_FALSE(check_of(tail, "sky.tail_angle").passes);
+  EXPECT_THAT(tail.unmade, testing::Not(told));
+}
+
 }  // namespace taut::checks::line_checks_test

@@ -285,7 +285,8 @@ const Description& TakeUp::describe() {
           .field(&TakeUp::weight, "weight", "m", si::kg, "a counterweight of this mass on a rope without loss")
           .at_most(heaviest)
           .at_least(0)
-          .field(&TakeUp::screw, "screw", "F", si::N, "a force")
+          .field(&TakeUp::screw, "screw", "F", si::N,
+                 "its force in every state; a screw that stays where it was set is a slide that is fixed")
           .at_most(strongest)
           .at_least(0)
           .field(&TakeUp::along, "along", "", si::one, "direction of its pull, in the ground frame")

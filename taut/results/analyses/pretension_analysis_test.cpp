@@ -203,4 +203,40 @@ TEST(PretensionAnalysis, SlowMotionsSayHowTheyAreMeant) {
   EXPECT_EQ(text_cell(table_of(r, "energy"), 4, "form"), "damped where it fell");
 }
 
+/// A guy pulled to 40 kN has 49.6 kN in winter; the sweep has the guy as it is put up.
+TEST(PretensionAnalysis, ItsPullsAreToldToCountInItAlone) {
+  const std::string deck = R"(taut: 1
+machine:
+  temperature: 10 degC
+  ropes: {wire: {mass: 1.6 kg/m, stiffness: 20 MN, breaking_force: 300 kN, diameter: 20 mm}}
+  points: {top: [0 m, 0 m, 15.5 m], stump: [25 m, 0 m, 1 m]}
+  guys: {g: {rope: wire, from: top, to: stump, install: {tension: 30 kN}}}
+analyses:
+  - pretension: {pull: [{rope: g, force: 40 kN}]}
+  - sweep: {name: winter, parameter: temperature, from: -30 degC, to: 10 degC, steps: 1}
+checks: {guys: {g: {safety_factor: 6.5, pretension: [0.08, 0.15]}}}
+)";
+  const Result r = run_text(deck);
+  ASSERT_EQ(r.unsafe.size(), 1U);
+  EXPECT_NE(r.unsafe[0].find("'g' is as long as the deck describes it in all analyses but the pretension"),
+            std::string::npos);
+  EXPECT_TRUE(run_text(deck, {"analyses=[{pretension: {pull: [{rope: g, force: 40 kN}]}}]"}).unsafe.empty());
+}
+
+/// Cases of a search for lengths know guys that have been put up.
+TEST(PretensionAnalysis, CasesHaveTheGuysAsTheyArePutUp) {
+  const Result r = run_text(R"(taut: 1
+machine:
+  ropes: {wire: {mass: 1.6 kg/m, stiffness: 20 MN}}
+  bodies: {tower: {mass: 2.5 t, centre: [0 m, 0 m, 8 m], free: [ry]}}
+  points: {head: {body: tower, at: [0 m, 0 m, 16 m]}, s1: [-22 m, 0 m, 0 m], s2: [22 m, 0 m, 0 m]}
+  guys:
+    g1: {rope: wire, from: head, to: s1, install: {tension: 30 kN}}
+    g2: {rope: wire, from: head, to: s2, install: {tension: 30 kN}}
+analyses: [{pretension: {least: {ropes: [g1], tension: 5 kN, cases: [{name: w, loads: [{at: head, force: [1 kN, 0 N, 0 N]}]}]}}}]
+)");
+  EXPECT_EQ(r.message.find("put_up_all"), std::string::npos) << r.message;
+  EXPECT_EQ(r.status, Status::ok) << r.message << to_text(r.errors);
+}
+
 }  // namespace pretension_analysis_test
