@@ -173,16 +173,22 @@ Result refused(const std::vector<Complaint>& complaints) {
   return r;
 }
 
-/// Ropes that a pretension has pulled keep their lengths in it alone.
-void warn_of_pulls(const MachineDeck& deck, Result& r) {
-  const auto pulls = [](const study::AnalysisRequest& one) { return one.pretension && !one.pretension->pull.empty(); };
+/// Ropes that a pretension has pulled keep their lengths in it alone: where it counts for the verdict, the other
+/// analyses judge another machine.
+void add_pulls(const MachineDeck& deck, Result& r) {
+  const auto pulls = [](const study::AnalysisRequest& one) {
+    return one.pretension && one.pretension->judge && !one.pretension->pull.empty();
+  };
   const auto pulled = std::find_if(deck.analyses.begin(), deck.analyses.end(), pulls);
   const bool alone = std::all_of(deck.analyses.begin(), deck.analyses.end(),
                                  [](const study::AnalysisRequest& one) { return one.pretension.has_value(); });
   if (pulled == deck.analyses.end() || alone) return;
-  warn_unsafe(r, fmt::format("'{}' is as long as the deck describes it in all analyses but the pretension that pulls "
-                             "it: give the pulls that it ends with as its 'install', or its length",
-                             pulled->pretension->pull.front().rope));
+  r.unmade.push_back(
+      fmt::format("'{}' is pulled in the pretension alone: the other analyses have it as the deck "
+                  "describes it. Give the tension that it ends with as its 'install', or its length; or "
+                  "give the pretension 'judge: false'",
+                  pulled->pretension->pull.front().rope));
+  r.warnings.push_back(r.unmade.back());
 }
 
 SweptVerdict judge_apart(const MachineDeck& deck, const results::MachineRun& run, Result& r);
@@ -217,7 +223,7 @@ Result compute(const MachineDeck& deck, machine::Model model, study::AskedAll as
   for (std::string& text : results::held_tension_warnings(deck.machine, run.model))
     r.warnings.push_back(std::move(text));
   for (std::string& text : results::fixed_load_warnings(run.model)) warn_unsafe(r, std::move(text));
-  warn_of_pulls(deck, r);
+  if (run.judges && run.tells) add_pulls(deck, r);
   solve_states(deck, run, r);
   if (run.judges || !asked.more.empty()) run.checked = std::make_shared<checks::CheckedParts>(deck, run.model);
   add_payload_limits(asked.more, run);

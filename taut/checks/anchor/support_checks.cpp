@@ -54,9 +54,10 @@ double height_over_ground(const CheckState& state, const std::string& name) {
 
 double lashing_height(const SupportStates& s) { return s.height + s.request->lashing; }
 
-/// At the lashing; empty beyond the table, where the height is not known, and where the ropes pull upwards.
+/// At the lashing; empty beyond the table, where the height is not known, and where the ropes pull upwards or sideways.
 std::optional<double> lashing_diameter(const SupportStates& s) {
-  if (std::isnan(s.height) || !s.upwards.empty() || !s.askew.empty()) return std::nullopt;
+  const bool along_trunk = s.upwards.empty() && s.sideways.empty();
+  if (std::isnan(s.height) || !along_trunk) return std::nullopt;
   return catalogue::support_tree_diameter(s.force, std::max(lashing_height(s), 0.0));
 }
 
@@ -94,9 +95,11 @@ std::string force_words(const SupportStates& s) {
 std::string why_none(const SupportStates& s) {
   if (!s.upwards.empty())
     return fmt::format("its ropes pull it upwards ({}), and the table is one of trees that are pressed", s.upwards);
-  if (!s.askew.empty())
-    return fmt::format("its ropes pull it aside more than down ({}), and the table is one of forces along the trunk",
-                       s.askew);
+  if (!s.sideways.empty()) {
+    return fmt::format(
+        "its ropes pull it more sideways than downwards ({}), and the table is one of forces along the trunk",
+        s.sideways);
+  }
   if (std::isnan(s.height)) return "its height over the ground is not known: give 'height'";
   return fmt::format("beyond the table of support trees: {}", force_words(s));
 }
@@ -147,7 +150,8 @@ void take(const CheckState& state, SupportStates& support) {
   Vector3 F = force_at(state, request.name);
   for (const std::string& other : request.with) F += force_at(state, other);
   if (F.z() > 0 && support.upwards.empty()) support.upwards = state.words;
-  if (lean_of(F) > most_lean && support.askew.empty()) support.askew = state.words;
+  const bool sideways = F != Vector3::Zero() && lean_of(F) > most_lean;
+  if (sideways && support.sideways.empty()) support.sideways = state.words;
   if (factor * F.norm() <= support.force) return;
   support.force = factor * F.norm();
   support.pull = F;

@@ -17,8 +17,8 @@ struct SupportStates {
   double factor = 1;
   double height = 0;  ///< of the saddle over the ground, m; NaN: no terrain there
   std::string where;
-  std::string upwards;  ///< the first state in which the ropes pull it upwards; empty: in none
-  std::string askew;    ///< the first state in which they bend the tree more than they press it; empty: in none
+  std::string upwards;   ///< the first state in which the ropes pull it upwards; empty: in none
+  std::string sideways;  ///< the first state in which they pull it more sideways than downwards; empty: in none
 };
 std::vector<SupportStates> support_states(const std::vector<SupportCheckRequest>& supports);
 void take(const CheckState& state, SupportStates& support);

@@ -119,7 +119,7 @@ checks:
   supports: {corner: {tree_diameter: 31 cm, height: 6 m}}
 )");
   EXPECT_EQ(to_text(verdict_of(r)->kind), "not_judged") << verdict_of(r)->reason;
-  EXPECT_NE(verdict_of(r)->reason.find("aside more than down"), std::string::npos) << verdict_of(r)->reason;
+  EXPECT_NE(verdict_of(r)->reason.find("more sideways than downwards"), std::string::npos) << verdict_of(r)->reason;
 }
 
 }  // namespace taut::checks::support_checks_test

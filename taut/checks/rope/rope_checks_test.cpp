@@ -162,7 +162,7 @@ TEST(RopeChecks, a_row_of_the_checks_fills_only_what_is_unknown) {
   expect_mistake(told("{diameter: 12 mm, breaking_force: 60 kN, mass: 0.6 kg/m, stiffness: 7 MN}", row),
                  "is a rope of 16 mm, and that of the machine has 12 mm");
   expect_mistake(told("{rope: \"EN 12385-4|6x36-FC|16|1960\", stiffness: 13 MN}", "core: IWRC"),
-                 "the rope of the machine has the core FC");
+                 "the rope has the core FC");
 }
 
 TEST(RopeChecks, a_sheave_that_runs_does_not_compensate) {

@@ -469,15 +469,12 @@ void complain_of_values(const RopeCheckRequest& request, catalogue::RopeRow rope
     complaints.push_back({path + ".rope", fmt::format("is a rope of {:.4g} mm, and that of the machine has {:.4g} mm",
                                                       row->diameter * 1e3, rope.diameter * 1e3)});
   }
-  if (request.core && !rope.core.empty() && !request.rope) {
-    const std::string core = catalogue::parse_core(*request.core).value_or(*request.core);
-    if (core != rope.core) {
-      complaints.push_back({path + ".core", fmt::format("the rope of the machine has the core {}", rope.core)});
-    }
-  }
   RopeCheckRequest named;
   named.rope = request.rope;
   rope = with_request(std::move(rope), named);
+  if (request.core && !rope.core.empty() && catalogue::parse_core(*request.core).value_or(*request.core) != rope.core) {
+    complaints.push_back({path + ".core", fmt::format("the rope has the core {}", rope.core)});
+  }
   complain_of_second(request.breaking_force, rope.breaking_force, path + ".breaking_force", complaints);
   complain_of_second(request.diameter, rope.diameter, path + ".diameter", complaints);
   complain_of_second(request.area, rope.area, path + ".area", complaints);
