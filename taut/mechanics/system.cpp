@@ -86,7 +86,7 @@ void add_laws(const System& s, const Configuration& c, Evaluation& e) {
       } else if (node.kind == machine::NodeKind::contact && node.tension_drop) {
         e.residual[*turn.row] = drop_misfit(s, e, t);
       } else if (node.kind == machine::NodeKind::contact) {
-        const double g = s.losses * turn.flow * loss(node.law, e.bends[t].wrap).log;
+        const double g = s.losses * turn.flow * loss(node.law, e.bends[t]).log;
         e.residual[*turn.row] = T_out * std::exp(-g / 2) - T_in * std::exp(g / 2);
       }
       length += arc(s, e, t).length;
@@ -161,7 +161,7 @@ ArcLength arc(const System& s, const Evaluation& e, int turn) {
   const machine::Node& node = node_of(s, t);
   const bool runs = s.losses > 0 || node.kind == machine::NodeKind::drive;
   return arc_length({.radius = node.radius,
-                     .wrap = e.bends[turn].wrap,
+                     .wrap = e.bends[turn].wrap.value,
                      .T_in = e.branches[t.before].T_to,
                      .T_out = e.branches[t.after].T_from,
                      .stiffness = reeving_of(s, t.reeving).stiffness,

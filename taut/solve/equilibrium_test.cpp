@@ -62,6 +62,30 @@ TEST(Equilibrium, EverySaddleObeysItsLawInBothDirections) {
   }
 }
 
+/// The middle of a line lies aside: its saddle is pressed by the bend in plan as by that downwards.
+TEST(Equilibrium, ASaddleIsPressedByABendInPlanToo) {
+  for (const double aside : {0.0, 4.0, -20.0, 35.0}) {
+    for (const double up : {8.0, 0.5}) {
+      machine::Model m;
+      m.gravity = 9.81;
+      machine::Node stone = saddle("stone", {100, aside, up}, 0.15);
+      stone.radius = 0.5;
+      stone.axis = Vector3::UnitY();
+      m.reevings.push_back(reeve("rope", {anchor("a", {0, 0, 0}), stone, anchor("b", {200, 0, 0})}, 60e3, 20, 2e7));
+      m.reevings[0].given = machine::Given::tension_at_end;
+      for (const Motion motion : {Motion::in, Motion::out}) {
+        const EquilibriumResult r = moving(m, motion);
+        ASSERT_TRUE(r.outcome.ok()) << r.outcome.message;
+        const double T_in = r.contacts[0].T_in, T_out = r.contacts[0].T_out;
+        const double force = r.contacts[0].force.squaredNorm();
+        const double theta = std::acos((T_in * T_in + T_out * T_out - force) / (2 * T_in * T_out));
+        EXPECT_NEAR(std::abs(std::log(T_out / T_in)), 0.15 * theta, 1e-9) << aside << ' ' << up;
+        EXPECT_NEAR(r.contacts[0].pressed_by, theta, 1e-9);
+      }
+    }
+  }
+}
+
 TEST(Equilibrium, BandAtRestHoldsBothDirections) {
   const machine::Model m = three_spans(316, 0.15);
   const EquilibriumResult rest = equilibrium(m);

@@ -116,7 +116,7 @@ RoundEnd round_end(const mechanics::System& s, const mechanics::Configuration& c
   for (std::size_t t = 0; t < s.layout.turns.size(); ++t) {
     const mechanics::Layout::Turn& turn = s.layout.turns[t];
     if (turn.reeving != laid.reeving || (leaves ? turn.after : turn.before) != static_cast<int>(k)) continue;
-    r.by_tension = -node.radius * e.bends[t].wrap / 2 / (stretch * stretch) / rope.stiffness;
+    r.by_tension = -node.radius * e.bends[t].wrap.value / 2 / (stretch * stretch) / rope.stiffness;
   }
   return r;
 }

@@ -53,7 +53,7 @@ double open_end(const mechanics::Branch& b) {
 
 /// Whether the rope presses away from what supports it.
 bool pulled(const machine::Node& node, const mechanics::Bend& bend, const Vector3& force) {
-  if (node.radius > 0) return bend.wrap < 0;
+  if (node.radius > 0) return bend.wrap.value < 0;
   return node.support != Vector3::Zero() && force.dot(node.support) > 0;
 }
 
@@ -63,8 +63,8 @@ ContactState state_of(const machine::Node& node, const mechanics::Bend& bend, co
   const bool turns = node.law.efficiency > 0;
   const bool lossless = node.law.efficiency == 1 || node.law.friction == 0;
   if (flow == 0) return lossless ? ContactState::turning : ContactState::stuck;
-  const bool slips =
-      !turns || (std::isfinite(node.law.friction) && node.law.friction * bend.wrap < -std::log(node.law.efficiency));
+  const double grip = node.law.friction * std::max(0.0, bend.wrap.value);
+  const bool slips = !turns || (std::isfinite(node.law.friction) && grip < -std::log(node.law.efficiency));
   return slips ? ContactState::slipping : ContactState::turning;
 }
 
@@ -77,7 +77,8 @@ ContactResult contact_of(const mechanics::System& s, const mechanics::Evaluation
   r.node = turn.node;
   r.T_in = in.slack ? 0 : in.T_to;
   r.T_out = out.slack ? 0 : out.T_from;
-  r.wrap = e.bends[index].wrap;
+  r.wrap = e.bends[index].wrap.value;
+  r.pressed_by = node.law.efficiency == 0 ? e.bends[index].turning.value : std::max(0.0, r.wrap);
   r.unstretched = mechanics::arc(s, e, index).length / (1 + s.model.reevings[turn.reeving].thermal_strain);
   if (!in.slack) r.force -= in.pull_to;
   if (!out.slack) r.force += out.pull_from;

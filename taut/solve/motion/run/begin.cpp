@@ -110,7 +110,7 @@ void fill_contacts(const DynamicState& start, Built& built) {
     const machine::Node& node = model.reevings[contact.reeving].nodes[contact.node];
     is.wrap = mechanics::bend(node, mechanics::end_at(node, poses), direction(m, v, contact.in, 1),
                               direction(m, v, contact.out, 0))
-                  .wrap;
+                  .wrap.value;
     const auto& wraps = start.ropes[contact.reeving].wrap;
     if (!wraps.empty() && contact.round) is.wrap += two_pi * std::round((wraps[contact.node] - is.wrap) / (two_pi));
   }

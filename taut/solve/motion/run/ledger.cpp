@@ -88,7 +88,7 @@ void add_contact(const Mechanism& m, std::size_t i, const Values& before, const 
     ledger.supplied -= rope_load_work(contact, before, now);  // what carries the place
     return;
   }
-  const bool bearing = contact.spin < 0 && now.contacts[i].log_by_wrap == 0;
+  const bool bearing = contact.spin < 0 && contact.efficiency > 0 && now.contacts[i].log_by_wrap == 0;
   (bearing ? ledger.bearings : ledger.slipped) += passed * (a.passed + b.passed) + rolled * (a.rolled + b.rolled);
   ledger.laid_by += passed * (a.laid_by + b.laid_by);
   ledger.supplied += passed * (a.supplied + b.supplied);

@@ -5,8 +5,10 @@
 
 #include "taut/base/array.hpp"
 #include "taut/math/index.hpp"
+#include "taut/mechanics/bend.hpp"
 #include "taut/solve/motion/parts/chain_load.hpp"
 #include "taut/solve/motion/parts/couple.hpp"
+#include "taut/solve/motion/parts/line.hpp"
 #include "taut/solve/motion/parts/rope_load.hpp"
 #include "taut/solve/motion/parts/values.hpp"
 
@@ -157,6 +159,24 @@ void turn_spins(const Mechanism& m, const Scheme& s, const Values& before, doubl
   is.e = L > 0 ? std::min(0.0, path_of(line, is) / L - 1) : 0;  // nothing holds a dead end: it has no stretch
 }
 
+struct PressedBy {
+  double angle = 0, by_wrap = 0;  ///< rad, -
+};
+
+/// The angle by which a rope is pressed on what does not turn: on a round all of its turning, out of its plane too.
+/// What it turns more than its wrap is that of the step before: with its derivatives along the way alone the iteration
+/// creeps where a block tilts (seed 247 of the random machines).
+PressedBy pressed_by(const Mechanism& m, const Contact& contact, const Values& before, const Values& now, double was,
+                     double wrap) {
+  const bool slides = contact.spin < 0 && std::isinf(contact.bearing_log);
+  if (!contact.round || !slides) return {std::max(0.0, wrap), wrap > 0 ? 1.0 : 0.0};
+  const Line& line = m.lines[contact.in];
+  const Vector3 n = line.side[1] * to_ground(now.bodies, line.body[1], line.axis[1]);
+  const Vector3 &in = direction(m, before, contact.in, 1), &out = direction(m, before, contact.out, 0);
+  const double aside = mechanics::turning(n, in, out, {.value = was}).value - std::max(0.0, was);
+  return {std::max(0.0, wrap) + aside, wrap > 0 ? 1.0 : 0.0};
+}
+
 /// Angle of the arc, and what its law allows.
 void bound(const Mechanism& m, const Scheme& s, const Values& before, std::size_t i, Values& now) {
   const Contact& contact = m.contacts[i];
@@ -186,7 +206,9 @@ void bound(const Mechanism& m, const Scheme& s, const Values& before, std::size_
     if (held && contact.spin >= 0 && rope.closed) is.log_ratio = infinite;
     return;
   }
-  const double grip = everywhere ? infinite : contact.friction * std::max(0.0, is.wrap);
+  const PressedBy pressed =
+      everywhere ? PressedBy{} : pressed_by(m, contact, before, now, before.contacts[i].wrap, is.wrap);
+  const double grip = everywhere ? infinite : contact.friction * pressed.angle;
   if (contact.bearing_log <= grip) {
     is.log_ratio = contact.bearing_log;
     is.ratio = contact.bearing_ratio;
@@ -194,7 +216,7 @@ void bound(const Mechanism& m, const Scheme& s, const Values& before, std::size_
   }
   is.log_ratio = grip;
   is.ratio = std::exp(grip);
-  if (is.wrap > 0) is.log_by_wrap = contact.friction;
+  is.log_by_wrap = contact.friction * pressed.by_wrap;
 }
 
 [[gnu::always_inline]] inline void flow(const Mechanism& m, const Scheme& s, const Values& before, const Work& w,
