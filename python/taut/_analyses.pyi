@@ -1,6 +1,6 @@
 """Made from the descriptions by python/tools/make_stub.py; do not edit. `./dev python stub` makes it again.
 
-schema: 0eba7bc5eeaf9a73dd220e1eefca64f08dc7ca03101644ec7bf5912f8d712429
+schema: f0291db9a2c20989bb4d20ca1507c0fe4570003ead3c579723d30e47377b56de
 """
 
 from collections.abc import Mapping, Sequence

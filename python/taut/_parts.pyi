@@ -1,6 +1,6 @@
 """Made from the descriptions by python/tools/make_stub.py; do not edit. `./dev python stub` makes it again.
 
-schema: 0eba7bc5eeaf9a73dd220e1eefca64f08dc7ca03101644ec7bf5912f8d712429
+schema: f0291db9a2c20989bb4d20ca1507c0fe4570003ead3c579723d30e47377b56de
 """
 
 from collections.abc import Mapping, Sequence
@@ -374,14 +374,16 @@ class Parts:
         body: str | Quantity,
         weight: Quantity | None = None,
         screw: Quantity | None = None,
+        keeps: Literal["place", "force"] | None = None,
         along: Sequence[Quantity] | Mapping[str, Any] | None = None,
     ) -> Machine:
         """Adds one to `take_up`: weights and screws that tighten ropes.
 
         body: the body that is pulled.
         weight: kg. a counterweight of this mass on a rope without loss (at least 0 kg and at most 1e9 kg).
-        screw: N. its force in every state; a screw that stays where it was set is a slide that is fixed (at least 0 kN and
-            at most 1e9 kN).
+        screw: N. its force; in which states, 'keeps' says (at least 0 kN and at most 1e9 kN).
+        keeps: of a screw: its place, where it pulls with its force at rest without the machine's loads; or its force in
+            every state, as a ram does. Default: its force, and the machine is not judged: `place`, `force`.
         along: direction of its pull, in the ground frame.
         Give exactly one of weight, screw.
 

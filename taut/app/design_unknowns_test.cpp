@@ -304,4 +304,48 @@ TEST(DesignUnknowns, interrupted) {
   EXPECT_FALSE(some.checks.empty());
 }
 
+/// A hoist of 12 t; its rope is free.
+std::string hoist_of(const std::string& checks, const std::string& analyses, const std::string& design) {
+  return fmt::format(R"(taut: 1
+machine:
+  temperature: 20 degC
+  points: {{top: [-5 m, 0 m, 0 m]}}
+  sheaves: {{head: {{at: [0 m, 0 m, 20 m], diameter: 900 mm, efficiency: 0.98}}}}
+  bodies: {{hook: {{mass: 10 kg, at: [0.45 m, 0 m, 10 m], free: [x, z]}}}}
+  ropes: {{r: {{}}}}
+  reevings: [{{rope: r, path: [{{anchor: top}}, {{over: head}}, {{anchor: hook}}], length: 31 m}}]
+  loads: [{{at: hook, mass: 12 t}}]
+analyses: [{}]
+checks: {{ropes: {{r: {{safety_factor: 4{}}}}}}}
+design: {})",
+                     analyses, checks, design);
+}
+
+// Nobody knows the life of the compacted ropes of the catalogue, which have no grade.
+TEST(DesignUnknowns, a_rope_without_the_life_that_is_asked_for_is_no_choice) {
+  const auto chosen = [](const std::string& checks) {
+    return run_text(hoist_of(checks, "{equilibrium: {}}", "{ropes: {r: {}}}"));
+  };
+  EXPECT_TRUE(passes(chosen("")));
+  const Result lives = chosen(", running: runs, duty: [{name: w, cycles: 1e5}]");
+  ASSERT_TRUE(passes(lives)) << lives.message << to_text(lives.errors);
+  EXPECT_LE(check_of(lives, "r.life").utilisation, 1);
+  EXPECT_FALSE(passes(chosen(", running: runs, duty: [{name: w, cycles: 2e6}]")));
+}
+
+TEST(DesignUnknowns, a_load_case_that_changes_nothing_is_a_mistake) {
+  const auto mistakes = [](const std::string& analysis, const std::string& setting) {
+    const std::string design = "{ropes: {r: {construction: 6x36, core: IWRC, grade: 1960 MPa}}, cases: {one: {" +
+                               setting + "}, other: {loads.hook.mass: 10 t}}}";
+    return to_text(run_text(hoist_of("", analysis, design)).errors);
+  };
+  const std::string sweep = "{sweep: {parameter: loads.hook.mass, from: 1 t, to: 2 t, steps: 2}}";
+  EXPECT_THAT(mistakes(sweep, "loads.hook.mass: 8 t"), HasSubstr("every analysis sets this number anew"));
+  EXPECT_THAT(mistakes("{envelope: {temperatures: [20 degC]}}", "temperature: -30 degC"),
+              HasSubstr("sets this number anew"));
+  const std::string sag = "{equilibrium: {given: {reeving: r, winch_pull: 120 kN}}}";
+  EXPECT_THAT(mistakes(sag, "temperature: -30 degC"), HasSubstr("which is cut once"));
+  EXPECT_EQ(mistakes("{equilibrium: {}}", "temperature: -30 degC"), "");
+}
+
 }  // namespace taut::app::design_unknowns_test

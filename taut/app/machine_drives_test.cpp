@@ -83,6 +83,75 @@ TEST(MachineDrives, ATorqueByASignalIsALimitToo) {
   EXPECT_FALSE(limit->passes);
 }
 
+/// The saw with a screw that stays where it was set.
+std::string fixed_saw(double screw, const std::string& more = "") {
+  std::string text = saw;
+  text.replace(text.find("screw: 14 kN"), 12, fmt::format("screw: {} kN, keeps: place", screw));
+  return text + more;
+}
+
+TEST(MachineDrives, AScrewStaysWhereItWasSet) {
+  // set: all tensions are equal, and their pull on the slide is that of the screw
+  const Result set =
+      run_text(fixed_saw(14), {"machine.rope_loads[0].tangential=0 kN", "analyses=[{equilibrium: {motion: at_rest}}]"});
+  ASSERT_EQ(set.status, Status::ok) << set.message << to_text(set.errors);
+  EXPECT_NEAR(cell(set, "bodies", "Rx"), 14e3, 1e-3);
+  EXPECT_NEAR(cell(set, "drives", "T_in"), cell(set, "drives", "T_out"), 1) << "but for the weight of the rope";
+  const double x = set.find_value("slide.x")->value;
+  const Result cuts = run_text(fixed_saw(14));
+  ASSERT_EQ(cuts.status, Status::ok) << cuts.message << to_text(cuts.errors);
+  EXPECT_NEAR(cuts.find_value("slide.x")->value, x, 1e-12);
+  EXPECT_TRUE(check_named(cuts, "drive.grip")->passes);
+  // the other way round the idler is in the slack part: what the cut takes there a constant pull gives back
+  const std::vector<std::string> out = {"analyses[0].equilibrium.motion=out", "machine.take_up[0].screw=4.8 kN"};
+  const Result fixed = run_text(fixed_saw(14), out);
+  std::vector<std::string> ram = out;
+  ram.emplace_back("machine.take_up[0].keeps=force");
+  const Result kept = run_text(saw, ram);
+  EXPECT_LT(cell(fixed, "drives", "T_out"), cell(kept, "drives", "T_out") - 500);
+  EXPECT_FALSE(check_named(fixed, "drive.grip")->passes);
+  EXPECT_TRUE(check_named(kept, "drive.grip")->passes);
+}
+
+TEST(MachineDrives, AScrewIsNotSetAnewByLoads) {
+  const double x = run_text(fixed_saw(14)).find_value("slide.x")->value;
+  const Result swept =
+      run_text(fixed_saw(14),
+               {"analyses=[{sweep: {parameter: 'machine.rope_loads[0].tangential', from: 0 kN, to: 2 kN, steps: 2, "
+                "motion: in}}, {equilibrium: {motion: in}}]"});
+  ASSERT_EQ(swept.status, Status::ok) << swept.message << to_text(swept.errors);
+  EXPECT_NEAR(swept.find_value("slide.x")->value, x, 1e-12);
+  const Table* table = swept.find_table("sweep");
+  ASSERT_NE(table, nullptr);
+  const Result alone = run_text(fixed_saw(14), {"machine.rope_loads[0].tangential=1 kN"});
+  for (std::size_t i = 0; i < table->columns.size(); ++i) {
+    if (table->columns[i].name != "saw.T_max") continue;
+    EXPECT_NEAR(std::get<double>(table->rows.at(1).at(i)), alone.find_value("saw.T_max")->value, 1e-6);
+    return;
+  }
+  ADD_FAILURE() << "no saw.T_max";
+}
+
+TEST(MachineDrives, WhatAScrewKeepsHasToBeSaid) {
+  const Result open = run_text(saw);
+  ASSERT_EQ(open.unmade.size(), 1U);
+  EXPECT_NE(open.unmade.front().find("Give its take_up 'keeps: place'"), std::string::npos);
+  EXPECT_TRUE(run_text(saw, {"machine.take_up[0].keeps=force"}).unmade.empty());
+  EXPECT_TRUE(run_text(fixed_saw(14)).unmade.empty());
+  const auto mistake = [](const std::vector<std::string>& set) { return to_text(run_text(saw, set).errors); };
+  const std::string place = "machine.take_up[0].keeps=place";
+  EXPECT_NE(mistake({place, "machine.bodies.slide.free=[]"}).find("'slide' can't move"), std::string::npos);
+  EXPECT_NE(mistake({place, "machine.bodies.slide.free=[x, z]"}).find("'slide' has 2"), std::string::npos);
+  EXPECT_NE(mistake({"machine.take_up[0]={body: slide, weight: 1 t, keeps: place}"}).find("belongs to a screw"),
+            std::string::npos);
+  // a torque says how much rope the loaded machine has, nothing how much the unloaded one
+  const Result gone = run_text(fixed_saw(14), {"machine.sheaves.drive.motor={torque: 900 N m}",
+                                               "machine.reevings=[{rope: saw, path: [{over: drive}, {over: top}, "
+                                               "{over: idler}], closed: true}]"});
+  EXPECT_EQ(gone.status, Status::infeasible);
+  EXPECT_NE(gone.message.find("'saw' needs its 'length'"), std::string::npos) << gone.message << to_text(gone.errors);
+}
+
 TEST(MachineDrives, ATorqueFindsTheForceItOvercomes) {
   const Result known = run_text(saw);
   std::string open = saw;

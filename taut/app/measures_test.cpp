@@ -19,7 +19,7 @@ machine:
     hook: {{mass: 300 kg, at: [10 m, 0 m, = -l - 1 m], free: [x, z]}}
   points: {{tip: {{body: arm, at: [10 m, 0 m, 0 m]}}}}
   ropes: {{hoist: {{mass: 0 kg/m, stiffness: 10 MN}}}}
-  reevings: [{{rope: hoist, path: [{{anchor: tip}}, {{anchor: hook}}], length: 40 m}}]
+  reevings: [{{rope: hoist, path: [{{anchor: tip}}, {{anchor: hook}}], length: 40 m, may_slack: true}}]
   measures:
 {}
 {}

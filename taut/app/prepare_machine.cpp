@@ -140,7 +140,7 @@ Result solve_more(const std::vector<study::Asked>& asked, results::MachineRun& r
   return more;
 }
 
-/// Guys and lines. In a load case they have the lengths of the machine that they were put up on.
+/// Guys, lines and screws. In a load case they are as on the machine that they were put up on.
 Outcome put_up(const MachineDeck& deck, machine::Model& model, std::vector<study::PutUpLine>& lines) {
   const machine::Machine& machine = deck.put_up_on ? *deck.put_up_on : deck.machine;
   machine::Model other;
@@ -152,9 +152,11 @@ Outcome put_up(const MachineDeck& deck, machine::Model& model, std::vector<study
   machine::Model& built = deck.put_up_on ? other : model;
   if (Outcome outcome = study::install_guys(built); !outcome.ok()) return outcome;
   if (Outcome outcome = study::put_up_lines(built, lines); !outcome.ok()) return outcome;
+  if (Outcome outcome = study::set_screws(built); !outcome.ok()) return outcome;
   if (!deck.put_up_on) return {};
   study::keep_guys(machine, built, model);
   study::keep_lines(built, model);
+  study::keep_screws(built, model);
   return {};
 }
 
@@ -191,6 +193,18 @@ void add_pulls(const MachineDeck& deck, Result& r) {
   r.warnings.push_back(r.unmade.back());
 }
 
+/// Between fixed centres a running rope loses grip that a constant force keeps: what a screw keeps has to be said.
+void add_screws(const machine::Machine& machine, Result& r) {
+  for (const auto& one : machine.take_up) {
+    if (!one.screw || one.keeps != machine::description::ScrewKeeps::unsaid) continue;
+    r.unmade.push_back(
+        fmt::format("the screw of '{}' is taken as a force that stays the same in every state. Give its take_up "
+                    "'keeps: place' (it stays where it was set) or 'keeps: force' (a ram)",
+                    one.body));
+    r.warnings.push_back(r.unmade.back());
+  }
+}
+
 SweptVerdict judge_apart(const MachineDeck& deck, const results::MachineRun& run, Result& r);
 
 /// All that was asked, as deep as wanted. `run`: what it rests on, for whoever goes on from there.
@@ -224,6 +238,7 @@ Result compute(const MachineDeck& deck, machine::Model model, study::AskedAll as
     r.warnings.push_back(std::move(text));
   for (std::string& text : results::fixed_load_warnings(run.model)) warn_unsafe(r, std::move(text));
   if (run.judges && run.tells) add_pulls(deck, r);
+  if (run.judges) add_screws(deck.machine, r);
   solve_states(deck, run, r);
   if (run.judges || !asked.more.empty()) run.checked = std::make_shared<checks::CheckedParts>(deck, run.model);
   add_payload_limits(asked.more, run);

@@ -170,6 +170,7 @@ CheckState state_of(const machine::Model& model, const solve::TransientResult& m
   all.t = moment.t;
   for (const auto& b : moment.branches) {
     add_branch(b, model.reevings[b.reeving], is_heavy(motion, b.reeving), all.branches);
+    if (has_no_shape(model, moment, b)) all.slack.push_back(b.reeving);
   }
   const machine::State places = places_of(moment);
   for (const auto& c : moment.contacts) {
@@ -180,9 +181,18 @@ CheckState state_of(const machine::Model& model, const solve::TransientResult& m
   return all;
 }
 
-std::string span_words(const machine::Model& m, const solve::BranchResult& branch) {
-  const machine::Reeving& rope = m.reevings[branch.reeving];
-  return fmt::format("{} between {} and {}", rope.name, rope.nodes[branch.from].name, rope.nodes[branch.to].name);
+bool has_no_shape(const machine::Model& model, const solve::TransientFrame& moment,
+                  const solve::TransientFrame::Branch& branch) {
+  if (std::max(branch.T_from, branch.T_to) > 0 || !branch.curve.empty() || model.reevings[branch.reeving].segments > 1)
+    return false;
+  return std::all_of(moment.branches.begin(), moment.branches.end(), [&](const solve::TransientFrame::Branch& one) {
+    return one.reeving != branch.reeving || one.whole;
+  });
+}
+
+std::string span_words(const machine::Model& m, int reeving, int from, int to) {
+  const machine::Reeving& rope = m.reevings[reeving];
+  return fmt::format("{} between {} and {}", rope.name, rope.nodes[from].name, rope.nodes[to].name);
 }
 
 std::string gap_words(const std::string& what, const study::TerrainGap& gap) {
@@ -195,7 +205,8 @@ std::string gap_words(const std::string& what, const study::TerrainGap& gap) {
 
 std::string slack_words(const std::string& rope, const std::string& where) {
   return fmt::format(
-      "{}: its clearance is not judged where it is slack ({}): without mass it has no shape there; give its 'mass'",
+      "{}: its clearance is not judged where it is slack ({}): without mass, or straight in a motion, it has no shape "
+      "there; give its 'mass', in a motion 'segments' too",
       rope, where);
 }
 

@@ -45,6 +45,10 @@ machine::State places_of(const solve::TransientFrame& moment);
 std::vector<FreeRope> free_ropes(const machine::Model& model, const solve::TransientResult& motion,
                                  const solve::TransientFrame& moment);
 
+/// Whether a branch is slack and straight at a moment of a motion; of a broken rope none is.
+bool has_no_shape(const machine::Model& model, const solve::TransientFrame& moment,
+                  const solve::TransientFrame::Branch& branch);
+
 /// Over the terrain.
 study::RopeClearance clearance_of(const machine::Model& model, const FreeRope& rope);
 
@@ -58,8 +62,9 @@ struct CheckState {
   bool moves = false;                              ///< a moment of a motion that is not at rest there
   std::optional<double> t;                         ///< of a motion, s
   std::vector<FreeRope> ropes;                     ///< of a motion over terrain, where they are asked for
-  std::string words;                               ///< "envelope, in, x = 40 m", "transient, drop, t = 1.2 s"
-  std::string analysis;                            ///< its name in the deck, or its kind
+  std::vector<int> slack;  ///< of a motion: reevings with a branch whose rope hangs nobody knows how
+  std::string words;       ///< "envelope, in, x = 40 m", "transient, drop, t = 1.2 s"
+  std::string analysis;    ///< its name in the deck, or its kind
 };
 
 CheckState state_of(const machine::Model& model, const solve::EquilibriumResult& state, std::string words,
@@ -71,7 +76,7 @@ CheckState state_of(const machine::Model& model, const solve::TransientResult& m
                     const solve::TransientFrame& moment, std::string words, std::string analysis);
 
 /// "skyline between head and car".
-std::string span_words(const machine::Model& model, const solve::BranchResult& branch);
+std::string span_words(const machine::Model& model, int reeving, int from, int to);
 
 /// Why a clearance that is asked for is not judged everywhere: "skyline: its clearance is not judged on 12 m ...".
 std::string gap_words(const std::string& what, const study::TerrainGap& gap);

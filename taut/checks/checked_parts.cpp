@@ -168,6 +168,14 @@ void CheckedParts::take(const machine::Model& model, const solve::TransientResul
   if (motion.frames.empty()) return;
   drives.take(model, motion, words);
   if (deck->checks) drives.take_grips(model);
+  const auto breaks =
+      std::find_if(motion.events.begin(), motion.events.end(), [](const auto& e) { return e.what == "break"; });
+  if (slowly && breaks != motion.events.end()) {
+    unseen.push_back(fmt::format(
+        "{}: {} breaks at t = {:.4g} s in a motion without inertia, which does not show how high the tensions "
+        "of the others rise then: leave out 'quasi_static'",
+        words, breaks->where, breaks->t));
+  }
   payloads.take(model, motion, words, slowly);
   for (std::size_t i = 0; i < motion.ropes.size(); ++i) {
     const solve::RopeExtreme& e = motion.ropes[i];

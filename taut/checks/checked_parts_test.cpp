@@ -1,5 +1,6 @@
 #include "taut/checks/checked_parts.hpp"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -341,6 +342,51 @@ analyses: [{equilibrium: {carriage: car, x: 140 m, motion: )" +
     for (const Result& r : signs) worst = std::max(worst, check_of(r, check.name).utilisation);
     EXPECT_NEAR(check.utilisation / worst, 1, 1e-7) << check.name;
   }
+}
+
+/// 5 t on two ropes: where one breaks, the other takes 3/2 of the weight for a moment, which no state of rest shows.
+TEST(CheckedParts, ABreakWithoutInertiaIsNotJudged) {
+  const auto hook = [](const std::string& more) {
+    return run_text(R"(taut: 1
+machine:
+  points: {a: [-0.5 m, 0 m, 12 m], b: [0.5 m, 0 m, 12 m]}
+  ropes: {hoist: {mass: 0.1 kg/m, stiffness: 9.8 MN, breaking_force: 60 kN, damping_ratio: 0.02}}
+  bodies: {hook: {mass: 5 t, at: [0 m, 0 m, 2 m], free: [z]}}
+  reevings:
+    - {name: r1, rope: hoist, path: [{anchor: a}, {anchor: hook}], length: 10 m}
+    - {name: r2, rope: hoist, path: [{anchor: b}, {anchor: hook}], length: 10 m}
+  events: [{at: 0.2 s, break: r1}]
+checks: {ropes: {hoist: {safety_factor: 1.15, elastic_limit: 0.95}}}
+analyses: [{transient: {duration: 0.6 s, output_step: 10 ms)" +
+                    more + "}}]\n");
+  };
+  const Result slow = hook(", quasi_static: true");
+  ASSERT_EQ(slow.status, Status::ok) << slow.message << to_text(slow.errors);
+  EXPECT_EQ(verdict_of(slow)->kind, VerdictKind::not_judged);
+  EXPECT_THAT(slow.unmade, testing::Contains(testing::HasSubstr("breaks at t = 0.2 s in a motion without inertia")));
+  EXPECT_EQ(verdict_of(hook(""))->kind, VerdictKind::fails);
+}
+
+/// Two ropes without mass, one of them 0.5 m too long: it never carries.
+TEST(CheckedParts, ARopeThatIsSlackAllTheTimeIsTold) {
+  const auto hook = [](const std::string& more) {
+    return run_text(R"(taut: 1
+machine:
+  points: {a: [-0.5 m, 0 m, 12 m], b: [0.5 m, 0 m, 12 m]}
+  ropes: {hoist: {mass: 0 kg/m, stiffness: 9.8 MN, breaking_force: 600 kN, damping_ratio: 0.02}}
+  bodies: {hook: {mass: 5 t, at: [0 m, 0 m, 2 m], free: [z]}}
+  reevings:
+    - {name: r1, rope: hoist, path: [{anchor: a}, {anchor: hook}], length: 10 m}
+    - {name: r2, rope: hoist, path: [{anchor: b}, {anchor: hook}], length: 10.5 m)" +
+                    more + R"(}
+checks: {ropes: {r1: {safety_factor: 2}}}
+analyses: [{transient: {duration: 0.2 s, output_step: 10 ms}}]
+)");
+  };
+  const Result r = hook("");
+  ASSERT_EQ(r.status, Status::ok) << r.message << to_text(r.errors);
+  EXPECT_THAT(r.unsafe, testing::ElementsAre(testing::HasSubstr("r2 between b and hook is slack all the time")));
+  EXPECT_TRUE(hook(", may_slack: true").unsafe.empty());
 }
 
 }  // namespace taut::checks::checked_parts_test

@@ -17,6 +17,7 @@ namespace {
 
 /// Of the way of a rim, and of its radius: below, a rope creeps on it as in every start, above it slips.
 constexpr double least_slip = 0.01, least_way = 1e-3;
+constexpr double least_slide = 0.1;  ///< of the radius: a way that no creep beside a jump of tension makes
 
 constexpr double standing = 1e-6;  ///< m/s; a drum that is slower stands
 
@@ -139,9 +140,15 @@ void check_cylinders(const machine::Model& m, const solve::TransientFrame& frame
   for (std::size_t i = 0; i < frame.actuators.size(); ++i) {
     const machine::Actuator& law = m.actuators[i];
     if (!std::isfinite(law.force_limit)) continue;
-    if (std::abs(std::abs(frame.actuators[i].F) - law.force_limit) > rounding * law.force_limit) continue;
-    told.try_emplace(law.name, fmt::format("{}: '{}' is at its force limit of {:.4g} kN: it gives way to its load",
-                                           when, law.name, law.force_limit / 1e3));
+    const double bears = std::abs(frame.actuators[i].F);
+    if (bears < (1 - rounding) * law.force_limit) continue;
+    const bool at_limit = bears <= (1 + rounding) * law.force_limit;
+    told.try_emplace(
+        law.name, at_limit ? fmt::format("{}: '{}' is at its force limit of {:.4g} kN: it gives way to its load", when,
+                                         law.name, law.force_limit / 1e3)
+                           : fmt::format("{}: '{}' bears {:.4g} kN, more than its force limit of {:.4g} kN: it is "
+                                         "locked",
+                                         when, law.name, bears / 1e3, law.force_limit / 1e3));
   }
 }
 
@@ -303,7 +310,9 @@ void DriveUses::take_moment(const machine::Model& m, const solve::TransientFrame
   const std::string when = fmt::format("{}, t = {:.4g} s", words, frame.t);
   check_cylinders(m, frame, when, yielding_);
   const auto drums = solve::drums(m, frame);
+  take_slips(m, frame, words);
   if (drums.empty()) return;
+  take_dragged(m, frame, words);
   std::vector<Check> made;
   check_capacities(m, drums, made);
   for (const auto& [drum, load] : loads_of(drums, {})) {
@@ -323,6 +332,43 @@ void DriveUses::take_moment(const machine::Model& m, const solve::TransientFrame
   keep(std::move(made), when);
 }
 
+/// A rope creeps over its driven sheave by its stretch, a small share of the rim's way. Where it is faster than that
+/// against the rim it slips; the ways of these moments add up.
+void DriveUses::take_slips(const machine::Model& m, const solve::TransientFrame& frame, const std::string& words) {
+  const double time = frame.t - slides_at_;
+  slides_at_ = frame.t;
+  if (slides_.size() != frame.contacts.size() || !(time > 0)) {  // a motion begins
+    slides_.assign(frame.contacts.size(), 0);
+    return;
+  }
+  for (std::size_t c = 0; c < frame.contacts.size(); ++c) {
+    const solve::TransientFrame::Contact& is = frame.contacts[c];
+    const machine::Node& node = m.reevings[is.reeving].nodes[is.node];
+    const double slip = std::abs(is.slip);
+    if (!node.motor || slip < least_slip * std::abs(is.spin) * node.radius) continue;
+    slides_[c] += slip * time;
+    if (slides_[c] < least_slide * node.radius) continue;
+    Slip& largest = slips_[node.name];
+    if (slides_[c] <= largest.slipped) continue;
+    largest = {.slipped = slides_[c],
+               .words = fmt::format("{}: the rope slips on '{}' by {:.3g} m", words, node.name, slides_[c])};
+  }
+}
+
+/// A drum by a torque whose load turns it back, until the motion ends.
+void DriveUses::take_dragged(const machine::Model& m, const solve::TransientFrame& frame, const std::string& words) {
+  for (std::size_t d = 0; d < frame.drums.size(); ++d) {
+    const solve::TransientFrame::Drum& is = frame.drums[d];
+    if (!is.by_torque || is.braked || !(is.power < 0)) {
+      dragged_.erase(m.drums[d].name);
+      continue;
+    }
+    dragged_[m.drums[d].name] =
+        fmt::format("{}: at its end, t = {:.4g} s, the load drags '{}' at {:.3g} m/s against its torque of {:.4g} kN m",
+                    words, frame.t, m.drums[d].name, std::abs(is.speed), std::abs(is.torque) / 1e3);
+  }
+}
+
 /// Of a motion without a step, which is a place of rest: no brake can slip there.
 void DriveUses::take_set_brakes(const machine::Model& m, const solve::TransientFrame& rest, const std::string& words) {
   std::vector<Check> made;
@@ -333,6 +379,9 @@ void DriveUses::take_set_brakes(const machine::Model& m, const solve::TransientF
 }
 
 void DriveUses::take(const machine::Model& m, const solve::TransientResult& motion, const std::string& words) {
+  unbraked_.merge(dragged_);
+  dragged_.clear();
+  slides_.clear();
   for (std::size_t d = 0; d < m.drums.size(); ++d) {
     const machine::Drum& drum = m.drums[d];
     if (!stands_by_brake(drum)) continue;

@@ -56,4 +56,27 @@ analyses: [{transient: {duration: 0.3 s, output_step: 10 ms, tolerance: 1e-3, st
   }
 }
 
+// 19.62 kN and a rope: a lock ignores the limit, the verdict does not.
+TEST(CylinderUses, ALockedCylinderAboveItsLimitIsUnsafe) {
+  const auto locked = [](const std::string& limit) {
+    return run_text(R"(taut: 1
+machine:
+  gravity: 9.81 m/s^2
+  points: {base: [0 m, 0 m, 0 m], q: [3 m, 0 m, 40 m]}
+  ropes: {r: {mass: 0 kg/m, stiffness: 2 MN, breaking_force: 180 kN, damping_time: 2 ms}}
+  bodies: {w: {mass: 100 kg, at: [3 m, 0 m, 30 m], free: [z]}, m: {mass: 2 t, at: [0 m, 0 m, 2 m], free: [z]}}
+  actuators: {cyl: {from: base, to: m, force: 5 kN, mode: lock, lock_stiffness: 20 MN/m, lock_damping: 100 kN s/m, force_limit: )" +
+                    limit + R"(}}
+  reevings: [{name: s, rope: r, path: [{anchor: q}, {anchor: w}], length: 10 m}]
+checks: {ropes: {r: {safety_factor: 3}}}
+analyses: [{transient: {duration: 0.3 s, output_step: 10 ms, tolerance: 1e-3}}]
+)");
+  };
+  const Result weak = locked("15 kN");
+  ASSERT_EQ(weak.unsafe.size(), 1U) << weak.message << to_text(weak.errors);
+  EXPECT_NE(weak.unsafe[0].find("more than its force limit of 15 kN: it is locked"), std::string::npos)
+      << weak.unsafe[0];
+  EXPECT_TRUE(locked("25 kN").unsafe.empty());
+}
+
 }  // namespace taut::drive_uses_cylinders_test

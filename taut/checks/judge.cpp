@@ -18,7 +18,6 @@
 namespace taut::checks {
 namespace {
 
-constexpr double fallen_angle = std::numbers::pi / 3;  ///< rad
 constexpr double of_largest = 1e-9;    ///< a rope carries tension from this share of the machine's largest one on
 constexpr double on_own_limit = 1e-6;  ///< a state of a payload lies on a limit to this share of it
 
@@ -55,59 +54,6 @@ std::string beside_its_span(const machine::Model& m, const machine::State& state
 double turned_by(const machine::Model& m, const solve::EquilibriumResult& e, std::size_t body) {
   const double trace = (e.state.bodies[body].orientation * m.bodies[body].orientation.transpose()).trace();
   return std::acos(std::clamp((trace - 1) / 2, -1.0, 1.0));
-}
-
-/// By drums or sheaves on it: a machine, or a part of one, no load.
-bool carries_ropes(const machine::Model& m, int body) {
-  return std::any_of(m.reevings.begin(), m.reevings.end(), [&](const machine::Reeving& rope) {
-    return std::any_of(rope.nodes.begin(), rope.nodes.end(),
-                       [&](const machine::Node& node) { return node.at.body == body && node.radius > 0; });
-  });
-}
-
-bool holds_ropes(const machine::Model& m, int body) {
-  return std::any_of(m.reevings.begin(), m.reevings.end(), [&](const machine::Reeving& rope) {
-    return std::any_of(rope.nodes.begin(), rope.nodes.end(),
-                       [&](const machine::Node& node) { return node.at.body == body; });
-  });
-}
-
-bool is_fixed(const machine::Model& m, int body) {
-  return body == machine::ground || (m.bodies[body].free.empty() && m.bodies[body].driven.empty());
-}
-
-/// By a signal, out of the upright; or a point of a rope, or a section of a beam, which no deck turns.
-bool is_turned_by_deck(const machine::Body& body) {
-  return body.of_rope || body.beam ||
-         std::any_of(body.driven.begin(), body.driven.end(),
-                     [](const machine::DrivenWay& way) { return way.about.head<2>().norm() > 0; });
-}
-
-/// How a body is turned from where the deck has it.
-Matrix3 turned_to(const machine::Model& m, const solve::TransientFrame& moment, std::size_t body) {
-  return moment.bodies[body].orientation * m.bodies[body].orientation.transpose();
-}
-
-/// By which angle what was upright leans then, rad.
-double leans_by(const Matrix3& turned) { return std::acos(std::clamp(turned(2, 2), -1.0, 1.0)); }
-
-/// Bodies that a signal turns, and those that keep their attitude to one of them with which they are in contact by a
-/// face: the sections of a boom that luffs.
-std::vector<bool> turned_with_deck(const machine::Model& m, const solve::TransientFrame& moment) {
-  std::vector<bool> with;
-  for (const machine::Body& body : m.bodies) with.push_back(is_turned_by_deck(body));
-  for (bool more = true; more;) {
-    more = false;
-    for (const auto& contact : m.contacts) {
-      const int face = m.faces[contact.face].body;
-      if (contact.body == machine::ground || face == machine::ground) continue;
-      const std::size_t one = as_size(contact.body), other = as_size(face);
-      if (with[one] == with[other]) continue;
-      if (leans_by(turned_to(m, moment, one).transpose() * turned_to(m, moment, other)) > fallen_angle) continue;
-      with[one] = with[other] = more = true;
-    }
-  }
-  return with;
 }
 
 /// "sheaves a, b" of the names; nothing of none.
@@ -247,10 +193,19 @@ bool Judge::may_slack(const std::string& reeving) const {
                      [&](const auto& one) { return one.may_slack && name_of(one) == reeving; });
 }
 
+std::vector<std::string> Judge::slack_branches(const machine::Model& m, const solve::TransientFrame& moment) const {
+  std::vector<std::string> all;
+  for (const solve::TransientFrame::Branch& s : moment.branches) {
+    if (!has_no_shape(m, moment, s) || may_slack(m.reevings[s.reeving].name)) continue;
+    all.push_back(span_words(m, s.reeving, s.from, s.to));
+  }
+  return all;
+}
+
 void Judge::take_slack(const machine::Model& m, const solve::EquilibriumResult& e, const std::string& words) {
   for (const solve::BranchResult& s : e.branches) {
     if (!s.slack) continue;
-    const std::string name = span_words(m, s);
+    const std::string name = span_words(m, s.reeving, s.from, s.to);
     warn(name, fmt::format("{}: {} is slack", words, name), !may_slack(m.reevings[s.reeving].name));
   }
 }
@@ -268,44 +223,6 @@ void Judge::take_places(const machine::Model& m, const solve::EquilibriumResult&
          true, angle);
   }
   take_spans(m, e.state, {}, words);
-}
-
-/// What holds ropes may not fall over; what carries them and stands by feet may not lift one of those once all of them
-/// have stood. A load may be picked up.
-void Judge::take_stand(const machine::Model& m, const solve::TransientFrame& moment, const std::string& words) {
-  const std::vector<bool> with_deck = turned_with_deck(m, moment);
-  for (std::size_t b = 0; b < m.bodies.size(); ++b) {
-    if (!with_deck[b] && holds_ropes(m, static_cast<int>(b))) take_lean(m, moment, b, words);
-  }
-  std::map<int, std::vector<std::size_t>> feet;
-  for (std::size_t i = 0; i < std::min(m.contacts.size(), moment.faces.size()); ++i) {
-    if (moment.faces[i].closed) stood_.insert(i);
-    if (!is_fixed(m, m.contacts[i].body) && is_fixed(m, m.faces[m.contacts[i].face].body))
-      feet[m.contacts[i].body].push_back(i);
-  }
-  for (const auto& [body, all] : feet) {
-    const bool all_stood = std::all_of(all.begin(), all.end(), [&](std::size_t i) { return stood_.contains(i); });
-    if (all.size() < 2 || !all_stood || !carries_ropes(m, body)) continue;
-    for (const std::size_t foot : all) {
-      if (moment.faces[foot].closed) continue;
-      warn(m.contacts[foot].name + " lifted",
-           fmt::format("{}: '{}' lifts '{}' off the ground: it begins to tip", words, m.bodies[body].name,
-                       m.contacts[foot].name),
-           true);
-    }
-  }
-}
-
-void Judge::take_lean(const machine::Model& m, const solve::TransientFrame& moment, std::size_t body,
-                      const std::string& words) {
-  const std::string& name = m.bodies[body].name;
-  const double lean = leans_by(turned_to(m, moment, body));
-  if (lean <= fallen_angle) return;
-  warn(name + " fallen",
-       fmt::format("{}: '{}' has tipped over, or begins far from where it works: it leans {:.3g} deg from where the "
-                   "deck has it",
-                   words, name, lean * 180 / std::numbers::pi),
-       true, lean);
 }
 
 void Judge::take_spans(const machine::Model& m, const machine::State& state, const std::set<std::string>& broken,
@@ -373,6 +290,10 @@ void Judge::take(const machine::Model& m, const solve::TransientResult& motion, 
   }
   take_peaks(m, motion, words);
   take_stop(motion, words);
+  for (const std::string& branch : hangs_) {
+    warn("slack " + branch, fmt::format("{}: {} is slack all the time", words, branch), true);
+  }
+  hangs_.clear();
   for (const solve::TransientEvent& event : motion.events) {
     if (event.what != "unstable") continue;
     warn("unstable " + words,
@@ -423,7 +344,14 @@ void Judge::take_moment(const machine::Model& m, const solve::TransientResult& s
     events_seen_ = 0;
     broken_.clear();
     stood_.clear();
+    footprints_.clear();
+    // a motion that goes on from a saved state does not see where its feet stood before: they count as all down
+    for (std::size_t i = 0; moment.t > 0 && i < moment.faces.size(); ++i) stood_.insert(i);
+    hangs_ = slack_branches(m, moment);
   }
+  const std::vector<std::string> slack = slack_branches(m, moment);
+  std::erase_if(hangs_,
+                [&](const std::string& one) { return std::find(slack.begin(), slack.end(), one) == slack.end(); });
   for (; events_seen_ < so_far.events.size(); ++events_seen_) {
     const solve::TransientEvent& event = so_far.events[events_seen_];
     if (event.what == "break") broken_.insert(m.reevings[*event.reeving].name);

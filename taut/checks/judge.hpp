@@ -3,6 +3,7 @@
 #include <limits>
 #include <map>
 #include <memory>
+#include <numbers>
 #include <set>
 #include <string>
 #include <vector>
@@ -17,6 +18,8 @@
 #include "taut/study/line/rope_clearance.hpp"
 
 namespace taut::checks {
+
+inline constexpr double fallen_angle = std::numbers::pi / 3;  ///< rad: what leans by more has fallen over
 
 /// A quantity at its worst, and the state where it is.
 struct WorstOf {
@@ -153,12 +156,17 @@ class Judge {
                       const std::string& words);
   void take_uplift(const machine::Model& model, const solve::TransientFrame& moment, const std::string& words);
   void take_stand(const machine::Model& model, const solve::TransientFrame& moment, const std::string& words);
+  void take_ways_of_feet(const machine::Model& model, const solve::TransientFrame& moment,
+                         const std::vector<std::size_t>& feet, const std::string& words);
   void take_lean(const machine::Model& model, const solve::TransientFrame& moment, std::size_t body,
                  const std::string& words);
   void take_stop(const solve::TransientResult& motion, const std::string& words);
   void take_spans(const machine::Model& model, const machine::State& state, const std::set<std::string>& broken,
                   const std::string& words);
   void take_slack(const machine::Model& model, const solve::EquilibriumResult& state, const std::string& words);
+  /// Branches of ropes that may not be slack, and are.
+  [[nodiscard]] std::vector<std::string> slack_branches(const machine::Model& model,
+                                                        const solve::TransientFrame& moment) const;
   void take_places(const machine::Model& model, const solve::EquilibriumResult& state, const std::string& words);
   std::string strength_trust(std::size_t reeving) const;
   bool may_slack(const std::string& reeving) const;
@@ -182,9 +190,11 @@ class Judge {
   std::vector<Warned> warned_;
   std::map<std::string, std::size_t> known_;  ///< where in `warned_` the warning of a thing stands
   std::string preface_;
-  std::size_t events_seen_ = 0;   ///< of the motion that is shown now
-  std::set<std::string> broken_;  ///< its ropes that the deck has broken so far
-  std::set<std::size_t> stood_;   ///< its contacts with faces that have been closed so far
+  std::size_t events_seen_ = 0;                ///< of the motion that is shown now
+  std::set<std::string> broken_;               ///< its ropes that the deck has broken so far
+  std::set<std::size_t> stood_;                ///< its contacts with faces that have been closed so far
+  std::map<std::size_t, Vector3> footprints_;  ///< where feet were when all of their body stood, m
+  std::vector<std::string> hangs_;             ///< its branches that have been slack so far, from its beginning on
 };
 
 }  // namespace taut::checks

@@ -106,7 +106,8 @@ void Judge::take_heights(const machine::Model& m, const solve::EquilibriumResult
     const std::string& rope = m.reevings[branch.reeving].name;
     if (branch.slack) slack_over_ground_.insert(rope);
     if (!is_over_line(m, branch.reeving, {branch.start, branch.end}, own.place)) continue;
-    take_height(rope, span_words(m, branch), own.height, terrain_x(m, own.place), words, rope_heights_);
+    take_height(rope, span_words(m, branch.reeving, branch.from, branch.to), own.height, terrain_x(m, own.place), words,
+                rope_heights_);
   }
   warn_of_buried(m, words);
 }

@@ -386,14 +386,29 @@ class Compiler {
       const Vector3 along = vector_of(given.along);
       if (along.norm() == 0) complain(path + ".along", "the direction is zero");
       if (t == nullptr || along.norm() == 0) continue;
+      if (given.weight && given.keeps != description::ScrewKeeps::unsaid) {
+        complain(path + ".keeps", "belongs to a screw: a weight keeps its force");
+        continue;
+      }
       const double pull = given.screw.value_or(given.weight.value_or(0) * machine_.gravity);
       model_.loads.push_back({t->place, pull * along.normalized(), 0});
-      if (!given.weight || t->place.body == ground) continue;
+      model_.loads.back().tightens = true;
+      if (t->place.body == ground) continue;
       Body& body = model_.bodies[t->place.body];
-      if (body.free.size() != 1) continue;
+      if (given.keeps == description::ScrewKeeps::place) add_screw(body, t->place.body, path + ".screw");
+      if (!given.weight || body.free.size() != 1) continue;
       const double share = along.normalized().dot(body.free.front().along);
       body.counterweight += *given.weight * share * share;
     }
+  }
+
+  void add_screw(const Body& body, int index, const std::string& path) {
+    if (body.free.empty()) complain(path, fmt::format("'{}' can't move: a screw is set where its body may", body.name));
+    if (body.free.size() > 1) {
+      complain(path, fmt::format("a screw sets a body with one way to move, '{}' has {}: give it a 'guide'", body.name,
+                                 body.free.size()));
+    }
+    model_.screws.push_back({.body = index, .load = static_cast<int>(model_.loads.size()) - 1});
   }
 
   const Machine& machine_;

@@ -41,12 +41,24 @@ struct Body {
   std::optional<int> beam;  ///< index of the beam of which this body is a section
 };
 
+/// Whether it stays where it is whatever pulls: no rope feels what hangs on it.
+inline bool stands_fast(const Body& body) {
+  return body.free.empty() && body.driven.empty() && !body.beam && !body.of_rope;
+}
+
+/// A screw that pulls a body with one degree of freedom. It is set while the machine stands unloaded
+/// (study/put_up.hpp): until then its force is one of the loads, from there on its body is fixed.
+struct Screw {
+  int body = 0, load = 0;
+};
+
 /// A force on a body, constant in direction in the ground frame.
 struct Load {
   Place at;                         ///< on a body
   Vector3 force = Vector3::Zero();  ///< N
   double mass = 0;                  ///< kg, of the hanging mass: its inertia in motion; `force` contains its weight
   std::optional<Signal> over_time = std::nullopt;  ///< N: in motion the size of the force, in the direction of `force`
+  bool tightens = false;                           ///< of a take-up: it is there while the machine stands unloaded
 };
 
 /// Kind of a node on the path of a rope.
@@ -236,6 +248,7 @@ struct Model {
   Vector3 origin = Vector3::Zero();
   Array<Body> bodies;
   Array<Load> loads;
+  Array<Screw> screws;
   Array<Reeving> reevings;
   Array<Carriage> carriages;
   Array<GroundPoint> terrain;

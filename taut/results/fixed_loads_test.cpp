@@ -59,4 +59,30 @@ TEST(FixedLoads, driven_bodies_and_bodies_without_load) {
   EXPECT_EQ(fixed_load_warnings(model).size(), 1u);
 }
 
+// What an analysis puts on such a body is a mistake.
+TEST(FixedLoads, analyses_that_load_a_body_that_cannot_move) {
+  const auto mistakes = [](const std::string& analysis, const std::string& free = "") {
+    return to_text(run_text(fmt::format(R"(taut: 1
+machine:
+  ropes: {{r: {{mass: 0 kg/m, stiffness: 20 MN, breaking_force: 100 kN}}}}
+  points: {{a: [0 m, 0 m, 20 m], b: [0 m, 0 m, 0 m]}}
+  bodies: {{hook: {{mass: 10 kg, at: [0 m, 0 m, 10 m]{}}}}}
+  reevings: [{{name: up, rope: r, path: [{{anchor: a}}, {{anchor: hook}}], length: 10 m}},
+             {{name: down, rope: r, path: [{{anchor: hook}}, {{anchor: b}}], length: 9.99 m}}]
+  loads: [{{at: hook, mass: 0 t}}]
+analyses: [{}]
+)",
+                                        free, analysis))
+                       .errors);
+  };
+  const char* const all[] = {
+      "{envelope: {load_at: hook, loads: [8 t]}}",
+      "{sweep: {parameter: loads.hook.mass, from: 0 t, to: 8 t, steps: 1}}",
+      "{pretension: {least: {tension: 2 kN, ropes: [down], cases: [{name: full, loads: [{at: hook, mass: 5 t}]}]}}}"};
+  for (const char* const analysis : all) {
+    EXPECT_NE(mistakes(analysis).find("'hook' cannot move: no rope feels a load on it"), std::string::npos) << analysis;
+    EXPECT_EQ(mistakes(analysis, ", free: [z]").find("cannot move"), std::string::npos) << analysis;
+  }
+}
+
 }  // namespace taut::results::fixed_loads_test

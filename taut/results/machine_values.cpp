@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "taut/machine/compile/guides.hpp"
+#include "taut/math/index.hpp"
 #include "taut/results/machine_beams.hpp"
 #include "taut/results/machine_tables.hpp"
 #include "taut/results/put_up.hpp"
@@ -19,7 +20,9 @@ void add_places(const MachineRun& run, Result& r) {
   if (first == run.equilibria.end()) return;
   for (std::size_t i = 0; i < run.model.bodies.size(); ++i) {
     const machine::Body& body = run.model.bodies[i];
-    if (body.free.empty() || body.of_rope || !is_listed(body) || !wanted(run, body.name)) continue;
+    const auto& screws = run.model.screws;
+    const bool set = std::any_of(screws.begin(), screws.end(), [&](const auto& one) { return as_size(one.body) == i; });
+    if ((body.free.empty() && !set) || body.of_rope || !is_listed(body) || !wanted(run, body.name)) continue;
     const solve::BodyRow row{.model = first->model, .at = first->result, .body = static_cast<int>(i)};
     for (const char* axis : {"x", "y", "z"}) {
       r.values.push_back(make_value(named(solve::body_quantities(), axis), row, body.name, "", first->words));

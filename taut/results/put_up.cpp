@@ -97,6 +97,16 @@ std::vector<std::string> tension_assumptions(const machine::Machine& machine) {
         rope.install->with.empty() ? "empty" : fmt::format("with {}", fmt::join(rope.install->with, ", ")),
         rope.install->tension / 1000, end_name(at_end)));
   }
+  for (const auto& one : machine.take_up) {
+    if (!one.screw) continue;
+    const bool stays = one.keeps == machine::description::ScrewKeeps::place;
+    all.push_back(stays ? fmt::format("The screw of {} pulls {:.6g} kN where it is set: at rest, at the machine's "
+                                      "temperature, without its loads. {} stays there in all other states.",
+                                      one.body, *one.screw / 1000, one.body)
+                        : fmt::format("The screw of {} pulls {:.6g} kN in every state, as a ram does that keeps its "
+                                      "force.",
+                                      one.body, *one.screw / 1000));
+  }
   return all;
 }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "taut/study/deck/parameter.hpp"
 #include "taut/units/parse.hpp"
 
 namespace taut::study {
@@ -34,6 +35,32 @@ Question pretension_of(const PretensionRequest& request, const std::string& path
   run.ending = ending;
   run.words = request.name ? fmt::format("pretension, {}", *request.name) : "pretension";
   return run;
+}
+
+/// The place of a number of the machine for all spellings of its path; empty where there is none.
+std::string place_of(const machine::Machine& machine, const std::string& path) {
+  machine::Machine own = machine;
+  const auto parameter = find_parameter(machine::Machine::describe(), &own, path);
+  return parameter ? below_machine(parameter->place) : std::string{};
+}
+
+bool sets_anew(const machine::Machine& machine, const AnalysisRequest& one, const std::string& place) {
+  if (one.sweep) return place_of(machine, one.sweep->parameter) == place;
+  if (one.envelope) return place == "temperature" && !one.envelope->temperatures.empty();
+  if (one.installation) return place == "temperature" && !one.installation->temperatures.empty();
+  const auto& given = one.equilibrium ? one.equilibrium->given : one.load_path ? one.load_path->given : std::nullopt;
+  if (!given) return false;
+  const auto& of = given->of;
+  const auto is_given = [&](const std::string& rope) {
+    return rope == given->reeving || std::find(of.begin(), of.end(), rope) != of.end();
+  };
+  for (std::size_t i = 0; i < machine.reevings.size(); ++i) {
+    if (!is_given(name_of(machine.reevings[i]))) continue;
+    for (const char* field : {"length", "tension_at_start", "tension_at_end"}) {
+      if (place == fmt::format("reevings[{}].{}", i, field)) return true;
+    }
+  }
+  return false;
 }
 
 /// One deck's analyses, in its order.
@@ -151,6 +178,13 @@ AskedAll resolve(const std::vector<AnalysisRequest>& analyses, bool must_judge, 
   for (std::size_t i = 0; i < all.size(); ++i) resolver.resolve(all[i], {list, i});
   check_clamps(resolver.all.equilibria, names);
   return std::move(resolver.all);
+}
+
+bool is_set_anew(const machine::Machine& machine, const std::vector<AnalysisRequest>& analyses,
+                 const std::string& place) {
+  const std::string below = below_machine(place);
+  return !analyses.empty() && std::all_of(analyses.begin(), analyses.end(),
+                                          [&](const AnalysisRequest& one) { return sets_anew(machine, one, below); });
 }
 
 }  // namespace taut::study

@@ -251,6 +251,11 @@ void resolve_loads(const EnvelopeRequest& request, const std::string& path, Name
     if (!run.load_body) {
       p.complaints.push_back({path + ".load_at", fmt::format("there is no body or carriage '{}'{}", *request.load_at,
                                                              did_you_mean(*request.load_at, names))});
+    } else if (machine::stands_fast(p.model.bodies[*run.load_body])) {
+      p.complaints.push_back(
+          {path + ".load_at", fmt::format("'{}' cannot move: no rope feels a load on it; say what is "
+                                          "'free' of it",
+                                          *request.load_at)});
     }
   } else if (run.carriage) {
     run.load_body = p.model.carriages[*run.carriage].body;

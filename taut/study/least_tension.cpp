@@ -16,6 +16,7 @@
 #include "taut/solve/condition.hpp"
 #include "taut/solve/running.hpp"
 #include "taut/study/deck/bounds.hpp"
+#include "taut/study/put_up.hpp"
 
 namespace taut::study {
 namespace {
@@ -186,7 +187,16 @@ std::optional<machine::Model> model_of_case(const machine::Machine& machine, con
   machine::Machine loaded = machine;
   loaded.loads.insert(loaded.loads.end(), request.loads.begin(), request.loads.end());
   auto model = machine::compile(loaded, machine::ModelFor::rest);
-  if (model) return std::move(*model);
+  if (model) {
+    for (std::size_t i = 0; i < request.loads.size(); ++i) {
+      const int body = model->loads[machine.loads.size() + i].at.body;
+      if (body == machine::ground || !machine::stands_fast(model->bodies[body])) continue;
+      complaints.push_back({fmt::format("{}.loads[{}].at", path, i),
+                            fmt::format("'{}' cannot move: no rope feels a load on it; say what is 'free' of it",
+                                        model->bodies[body].name)});
+    }
+    return std::move(*model);
+  }
   for (Complaint& c : model.error()) {
     for (std::size_t i = 0; i < request.loads.size(); ++i) {
       const std::string its = fmt::format("loads[{}]", machine.loads.size() + i);
@@ -348,6 +358,7 @@ void solve(const machine::Model& model, LeastTensionRun& run, const std::functio
   cases.front() = model;
   for (machine::Model& one : cases) {
     keep_lengths(run, model, one);
+    keep_screws(model, one);
     one = machine::with_guides_at_start(std::move(one));
   }
   run.answer = least_tension(cases, run.chosen, run.tension, go_on);

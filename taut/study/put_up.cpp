@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "taut/base/array.hpp"
+#include "taut/machine/compile/guides.hpp"
 #include "taut/math/index.hpp"
 
 namespace taut::study {
@@ -80,6 +81,49 @@ Outcome put_up_lines(machine::Model& model, std::vector<PutUpLine>& lines) {
   return draw_equal(model);
 }
 
+machine::Model without_loads(const machine::Model& model) {
+  machine::Model bare = model;
+  for (machine::Load& load : bare.loads) {
+    if (!load.tightens) load.force = Vector3::Zero();
+  }
+  for (machine::Reeving& rope : bare.reevings) {
+    rope.speed = 0;
+    for (machine::Node& node : rope.nodes) {
+      node.load.force = node.load.rate = 0;
+      node.load.open = false;
+      node.tension_drop.reset();
+    }
+  }
+  return bare;
+}
+
+Outcome set_screws(machine::Model& model) {
+  if (model.screws.empty()) return {};
+  const machine::Model bare = without_loads(model);
+  const auto refused = [&](Status status, const std::string& why) {
+    return Outcome{.status = status,
+                   .message = fmt::format("the screw of '{}' can't be set in the machine without its loads: {}",
+                                          model.bodies[model.screws.front().body].name, why)};
+  };
+  for (const machine::Reeving& rope : bare.reevings) {
+    if (rope.given == machine::Given::torque) {
+      return refused(Status::infeasible, fmt::format("'{}' needs its 'length'", rope.name));
+    }
+  }
+  solve::EquilibriumOptions options;
+  options.band = options.beam_factors = false;
+  const solve::EquilibriumResult found = solve::equilibrium(machine::with_guides_at_start(bare), options);
+  if (!found.outcome.ok()) return refused(found.outcome.status, found.outcome.message);
+  for (const machine::Screw& screw : model.screws) {
+    machine::Body& body = model.bodies[screw.body];
+    body.position = found.state.bodies[screw.body].position;
+    body.orientation = found.state.bodies[screw.body].orientation;
+    body.free.clear();
+    model.loads[screw.load].force = Vector3::Zero();
+  }
+  return {};
+}
+
 Outcome install_guys(machine::Model& model) {
   machine::Model bare;
   bare.gravity = model.gravity;
@@ -120,6 +164,17 @@ void keep_lines(const machine::Model& installed, machine::Model& model) {
     if (!rope.put_up && rope.given != machine::Given::equal) continue;
     rope.given = installed.reevings[i].given;
     rope.value = installed.reevings[i].value;
+  }
+}
+
+void keep_screws(const machine::Model& installed, machine::Model& model) {
+  for (std::size_t i = 0; i < model.screws.size(); ++i) {
+    const machine::Body& set = installed.bodies[installed.screws[i].body];
+    machine::Body& body = model.bodies[model.screws[i].body];
+    body.position = set.position;
+    body.orientation = set.orientation;
+    body.free.clear();
+    model.loads[model.screws[i].load].force = Vector3::Zero();
   }
 }
 

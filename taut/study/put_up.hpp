@@ -28,6 +28,14 @@ Outcome draw_equal(machine::Model& model);
 /// `put_up`, then `draw_equal`; not ok: why one has no answer.
 Outcome put_up_lines(machine::Model& model, std::vector<PutUpLine>& lines);
 
+/// A machine as it stands unloaded: without its loads but those of its take-ups, without forces along its ropes, given
+/// torques and speeds.
+machine::Model without_loads(const machine::Model& model);
+
+/// Sets the screws of a machine whose ropes have their lengths: in the equilibrium at rest, without losses, of
+/// the unloaded machine they pull with their forces. Their bodies are fixed from there on: `model` has their places.
+Outcome set_screws(machine::Model& model);
+
 /// Puts up the guys that have a tension: on the machine with its bodies held and nothing but the guys; each of them
 /// then keeps its length.
 Outcome install_guys(machine::Model& model);
@@ -37,6 +45,9 @@ void keep_guys(const machine::Machine& machine, const machine::Model& installed,
 
 /// The same of the ropes that are put up or drawn to equal tensions.
 void keep_lines(const machine::Model& installed, machine::Model& model);
+
+/// The same of the bodies that screws hold.
+void keep_screws(const machine::Model& installed, machine::Model& model);
 
 /// The state of a line as it is put up: "skyline as put up", or with what hangs on it meanwhile.
 std::string put_up_words(const machine::Model& model, const PutUpLine& line);

@@ -18,10 +18,6 @@
 namespace taut::study {
 namespace {
 
-std::string below_machine(const std::string& parameter) {
-  return parameter.starts_with("machine.") ? parameter.substr(8) : parameter;
-}
-
 /// Guys put up once keep their lengths while loads, ropes' lengths and the temperature change; where the machine is
 /// built otherwise they are put up anew.
 bool changes_the_building(const Parameter& parameter) {
@@ -38,6 +34,12 @@ bool changes_the_building(const Parameter& parameter) {
     if (rest.empty() || rest.front() == '.' || rest.front() == '[') return true;
   }
   return false;
+}
+
+/// Whether the unloaded machine stays as it is: its screws too.
+bool loads_alone(const Parameter& parameter) {
+  const std::string below = below_machine(parameter.place);
+  return below.starts_with("loads") || below.starts_with("rope_loads");
 }
 
 /// Whether checks see it in the states of the machine alone: its loads and temperature, the lengths and tensions of its
@@ -88,6 +90,11 @@ tl::expected<machine::Model, Outcome> model_at(const SweepRun& run, const machin
   } else {
     keep_lines(installed, *model);
   }
+  if (loads_alone(*parameter)) {
+    keep_screws(installed, *model);
+  } else if (const Outcome outcome = set_screws(*model); !outcome.ok()) {
+    return tl::unexpected(outcome);
+  }
   return placed(*model, run);
 }
 
@@ -97,6 +104,15 @@ void resolve_values(const SweepRequest& request, const std::string& path, Names&
   if (!parameter) {
     p.complaints.push_back({path + ".parameter", parameter.error()});
     return;
+  }
+  if (const std::string below = below_machine(parameter->place); below.starts_with("loads[")) {
+    const int body = p.model.loads.at(std::stoul(below.substr(6))).at.body;
+    if (body != machine::ground && machine::stands_fast(p.model.bodies[body])) {
+      p.complaints.push_back(
+          {path + ".parameter", fmt::format("'{}' cannot move: no rope feels a load on it; say what is "
+                                            "'free' of it",
+                                            p.model.bodies[body].name)});
+    }
   }
   run.unit = parameter->unit;
   run.judged_apart = !is_in_states(*parameter);

@@ -47,12 +47,12 @@ Result machine(const Case& k) {
   const std::string side = k.reversed ? "right" : "left";
   const std::string drive = fmt::format("{{over: drive, side: {}}}", side);
   const std::string idler = fmt::format("{{over: idler, side: {}}}", side);
-  const std::string deck =
-      fmt::format(R"(taut: 1
+  const std::string deck = fmt::format(
+      R"(taut: 1
 machine:
   gravity: 0 m/s^2
   ropes: {{saw: {{mass: 0.6 kg/m, stiffness: 6.5 MN}}}}
-  bodies: {{slide: {{at: [9 m, 0 m, 0 m]{}}}}}
+  bodies: {{slide: {{at: [{} m, 0 m, 0 m], free: [x]}}}}
   sheaves:
     drive: {{at: [0 m, 0 m, 0 m], diameter: {} m, friction: {}, motor: {{speed: {} m/s}}}}
     idler: {{body: slide, at: [0 m, 0 m, 0 m], diameter: {} m, efficiency: {:.17g}}}
@@ -61,9 +61,10 @@ machine:
   rope_loads: [{{rope: saw, between: [idler, drive], tangential: {} N}}]
 analyses: [equilibrium: {{motion: in}}]
 )",
-                  k.screw ? "" : ", free: [x]", 2 * k.radius, k.friction, k.speed, 2 * k.radius, 1 / k.idler_loss,
-                  k.start == 0 ? drive : idler, k.start == 0 ? idler : drive, rest,
-                  k.screw ? "" : fmt::format("take_up: [{{body: slide, screw: {} N}}]", k.pull), k.cutting_force);
+      k.screw ? 8.97 : 9.0, 2 * k.radius, k.friction, k.speed, 2 * k.radius, 1 / k.idler_loss,
+      k.start == 0 ? drive : idler, k.start == 0 ? idler : drive, rest,
+      fmt::format("take_up: [{{body: slide, screw: {} N, keeps: {}}}]", k.pull, k.screw ? "place" : "force"),
+      k.cutting_force);
   return taut::app::run(taut::app::Job{.text = deck, .name = "machine.yaml", .set = {}});
 }
 

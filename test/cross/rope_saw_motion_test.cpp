@@ -24,14 +24,15 @@ Result machine(const Saw& k) {
   // a screw: the length with which the rope pulls the idler with that force at rest
   const double rest = (2 * 9 + M_PI * 0.5) / (1 + k.pull / 2 / 6.5e6);
   const std::string side = k.reversed ? "right" : "left";
-  const std::string deck = fmt::format(R"(taut: 1
+  const std::string deck = fmt::format(
+      R"(taut: 1
 machine:
   gravity: 0.001 m/s^2
   signals:
     running: {{ramp: {{to: {2} m/s, start: 0.2 s, duration: 1.5 s, smooth: true}}}}
     cutting: {{ramp: {{to: {0} N, start: 2 s, duration: 1 s, smooth: true}}}}
   ropes: {{saw: {{mass: 0.6 kg/m, stiffness: 6.5 MN, damping_time: 2 ms}}}}
-  bodies: {{slide: {{mass: 60 kg, at: [9 m, 0 m, 0 m]{8}}}}}
+  bodies: {{slide: {{mass: 60 kg, at: [{8} m, 0 m, 0 m], free: [x]}}}}
   sheaves:
     drive: {{at: [0 m, 0 m, 0 m], diameter: 500 mm, friction: {1}, inertia: 4 kg m^2, motor: {{speed: running}}}}
     idler: {{body: slide, at: [0 m, 0 m, 0 m], diameter: 500 mm, efficiency: {3:.17g}, inertia: 2 kg m^2}}
@@ -41,9 +42,9 @@ machine:
   observe: [drive.T_in, drive.T_out, drive.slip, drive.speed, cut.T_in, cut.T_out, cut.speed]
 analyses: [{9}]
 )",
-                                       k.cutting_force, k.friction, k.speed, 1 / k.idler_loss, side, rest, k.position,
-                                       k.screw ? "" : fmt::format("take_up: [{{body: slide, screw: {} N}}]", k.pull),
-                                       k.screw ? "" : ", free: [x]", k.analyses);
+      k.cutting_force, k.friction, k.speed, 1 / k.idler_loss, side, rest, k.position,
+      fmt::format("take_up: [{{body: slide, screw: {} N, keeps: {}}}]", k.pull, k.screw ? "place" : "force"),
+      k.screw ? 8.97 : 9.0, k.analyses);
   return taut::app::run(taut::app::Job{.text = deck, .name = "saw.yaml", .set = {}});
 }
 

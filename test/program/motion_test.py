@@ -126,6 +126,30 @@ class Motion(unittest.TestCase):
             # at its beginning signals are read at that time, at an end just before it
             self.assertEqual(rows[1:], rows_of(folder + "/whole/time.csv")[1][101:])
 
+    def test_a_motion_that_goes_on_tells_that_a_foot_has_lifted(self):
+        # 30 kN x 4 m against 8 t x g x 1 m: it tips from the start; the saved state is of later
+        deck = """taut: 1
+machine:
+  points: {f1: {body: yarder, at: [-1 m, 0 m, -1 m]}, f2: {body: yarder, at: [1 m, 0 m, -1 m]}}
+  ropes: {r: {mass: 0.5 kg/m, stiffness: 10 MN, breaking_force: 300 kN, damping_ratio: 0.1}}
+  bodies:
+    yarder: {mass: 8 t, inertia: [16000 kg m^2, 16000 kg m^2, 16000 kg m^2], at: [0 m, 0 m, 1 m], free: [x, z, ry]}
+    log: {mass: 5 t, at: [60 m, 0 m, 4 m], free: [x]}
+  drums: {winch: {body: yarder, at: [0 m, 0 m, 3 m], core_diameter: 400 mm}}
+  faces: {ground: {from: [-20 m, 0 m, 0 m], to: [50 m, 0 m, 0 m], normal: [0, 0, 1]}}
+  contacts:
+    - {point: f1, face: ground, stiffness: 5 MN/m, damping: 100 kN s/m, static_friction: 0.8}
+    - {point: f2, face: ground, stiffness: 5 MN/m, damping: 100 kN s/m, static_friction: 0.8}
+  loads: [{at: log, force: [30 kN, 0 kN, 0 kN]}]
+  reevings: [{rope: r, path: [{drum: winch}, {anchor: log}], length: 59.9 m}]
+analyses: [{transient: {duration: 0.3 s, output_step: 10 ms}}]
+checks: {ropes: {r: {safety_factor: 2}}}
+"""
+        with tempfile.TemporaryDirectory() as folder:
+            self.run_to(folder + "/first", "analyses[0].transient.save=state.json", deck=deck)
+            second = self.run_to(folder + "/second", f"analyses[0].transient.restart={folder}/first/state.json", deck=deck)
+            self.assertIn("lifts 'f1' off the ground", " ".join(second["warnings"]))
+
     def goes_on(self, deck, step, whole, halves):
         """Each half run and what goes on from it give the lines of the whole run, but at the moment between them."""
         with tempfile.TemporaryDirectory() as folder:

@@ -76,6 +76,7 @@ struct MachineModel {
   DeckParameters<MachineOfCase> parameters;
   std::vector<DeckPart> parts;
   std::size_t outputs = 0;
+  bool keeps = false;  ///< what is put up keeps its lengths in a case with other loads or temperatures
   bool plain = false;  ///< each input is one number of the machine that depends on no other: decks can be used again
 };
 
@@ -190,6 +191,47 @@ void complain_of_design(const std::vector<CaseInput>& inputs, const CaseQuestion
   }
 }
 
+/// An input that every analysis sets anew would change nothing.
+void complain_of_set_anew(const MachineDeck& deck, const std::vector<CaseInput>& inputs, const CaseQuestion& question,
+                          NoCases& wrong) {
+  for (std::size_t i = 0; i < inputs.size(); ++i) {
+    if (!study::is_set_anew(deck.machine, deck.analyses, inputs[i].place)) continue;
+    wrong.complaints.push_back({question.inputs[i].place,
+                                fmt::format("every analysis sets '{}' anew: it would change nothing", inputs[i].path)});
+  }
+}
+
+/// Whether a machine has what is put up once and then keeps its length or place.
+bool is_put_up(const machine::Machine& machine) {
+  const auto& ropes = machine.reevings;
+  const auto& guys = machine.guys;
+  const auto& screws = machine.take_up;
+  return std::any_of(ropes.begin(), ropes.end(), [](const auto& r) { return r.install || r.tension_equals; }) ||
+         std::any_of(guys.begin(), guys.end(), [](const auto& g) { return g.install.has_value(); }) ||
+         std::any_of(screws.begin(), screws.end(),
+                     [](const auto& s) { return s.keeps == machine::description::ScrewKeeps::place; });
+}
+
+/// The machine on which lines, guys and screws of a case are put up: with the case's build, and with the loads, the
+/// temperature and the other ropes of the deck (study::puts_up_anew).
+machine::Machine built_for(const machine::Machine& deck, machine::Machine own) {
+  own.temperature = deck.temperature;
+  own.loads = deck.loads;
+  own.rope_loads = deck.rope_loads;
+  for (std::size_t i = 0; i < own.reevings.size() && i < deck.reevings.size(); ++i) {
+    const auto install = own.reevings[i].install;
+    own.reevings[i] = deck.reevings[i];
+    own.reevings[i].install = install;
+  }
+  return own;
+}
+
+/// A design puts up in its own load cases.
+void put_up_before(const MachineModel& model, const DeckPart& part, MachineDeck& deck) {
+  if (!model.keeps || part.kind == DeckPart::Kind::design) return;
+  deck.put_up_on = std::make_shared<const machine::Machine>(built_for(model.base.deck.machine, deck.machine));
+}
+
 std::unique_ptr<Desk> new_desk(const MachineModel& model) {
   auto desk = std::make_unique<Desk>();
   desk->decks.reserve(model.parts.size());
@@ -261,6 +303,7 @@ CaseAnswer answer_at(const MachineModel& model, Desk& desk, std::span<const doub
   return answer_by(model, model.base, [&](std::size_t i) -> tl::expected<const MachineDeck*, Outcome> {
     Outcome outcome = put_all(values, desk.numbers[i]);
     if (!outcome.ok()) return tl::unexpected(std::move(outcome));
+    put_up_before(model, model.parts[i], desk.decks[i]);
     return &desk.decks[i];
   });
 }
@@ -280,6 +323,7 @@ CaseAnswer answer_anew(const MachineModel& model, std::span<const double> values
   return answer_by(model, one ? *one : model.base, [&](std::size_t i) -> tl::expected<const MachineDeck*, Outcome> {
     if (!one) return tl::unexpected(one.error());
     alone = pruned(model.parts[i], one->deck);
+    put_up_before(model, model.parts[i], alone);
     return &alone;
   });
 }
@@ -358,7 +402,13 @@ MadeCases machine_cases(const ReadMachine& read, const CaseQuestion& question,
     }
   }
   if (wrong.complaints.empty()) complain_of_design(made.inputs, question, wrong);
+  if (wrong.complaints.empty()) complain_of_set_anew(model->base.deck, made.inputs, question, wrong);
   model->inputs = made.inputs;
+  model->keeps = is_put_up(model->base.deck.machine) &&
+                 std::any_of(model->inputs.begin(), model->inputs.end(), [&](const CaseInput& input) {
+                   const FoundParameter found = parameter_of(model->base.deck, input.path);
+                   return !found || !study::puts_up_anew(*found);
+                 });
   model->parameters = parameters;
   model->parameters.read = [again = parameters.read, before](const std::vector<std::string>& set) {
     auto one = again(set);

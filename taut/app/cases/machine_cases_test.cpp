@@ -9,6 +9,7 @@
 #include <fstream>
 #include <iterator>
 #include <optional>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <tuple>
@@ -65,6 +66,89 @@ double value_with(const std::vector<std::string>& set, const std::string& analys
   const Result r = run(job_of(deck, all));
   const Value* v = r.find_value(name);
   return v != nullptr ? v->value : std::nan("");
+}
+
+/// A line of 100 m; `given`: how it comes by its length.
+std::string line_of_100(const std::string& given, const std::string& more = "") {
+  return "taut: 1\n"
+         "parameters: {air: 20 degC}\n"
+         "machine:\n"
+         "  temperature: = air\n"
+         "  points: {a: [0 m, 0 m, 10 m], b: [100 m, 0 m, 10 m]}\n"
+         "  ropes: {sky: {mass: 0.5 kg/m, stiffness: 10 MN, breaking_force: 200 kN, reference_temperature: 20 degC}}\n"
+         "  reevings: [{rope: sky, path: [{anchor: a}, {anchor: b}], " +
+         given +
+         "}]\n"
+         "analyses: [{equilibrium: {}}]\n"
+         "checks: {ropes: {sky: {safety_factor: 3}}}\n" +
+         more;
+}
+
+// Put up with 20 kN at 20 degC: the length is kept in the cold, by whatever name the temperature is varied.
+TEST(MachineCases, WhatIsPutUpKeepsItsLength) {
+  const std::string put_up = line_of_100("install: {tension: 20 kN, at: start}");
+  const double length = run(job_of(put_up)).find_value("sky.unstretched")->value;
+  const Result cold = run(job_of(line_of_100(fmt::format("length: {:.17g} m", length)), {"parameters.air=-30 degC"}));
+  const double T = cold.find_value("sky.T_max")->value;
+  EXPECT_GT(T, 25.5e3);
+  for (const char* name : {"machine.temperature", "parameters.air"}) {
+    const CaseModel model =
+        model_of(put_up, question_of({name}, {"equilibrium.sky.T_max", "checks.sky.safety_factor"}));
+    const double kelvin = 243.15;
+    const CaseAnswer answer = model.answer(std::span(&kelvin, 1));
+    ASSERT_TRUE(answer.outcome.ok()) << answer.outcome.message;
+    EXPECT_NEAR(answer.outputs[0] / T, 1, 1e-9) << name;
+    EXPECT_NEAR(answer.outputs[1] * T / 200e3, 1, 1e-9) << name;
+  }
+  // another base tension is another line
+  const CaseModel model = model_of(
+      put_up, question_of({"machine.reevings.sky.install.tension", "machine.temperature"}, {"equilibrium.sky.T_max"}));
+  const double both[] = {25e3, 293.15};
+  EXPECT_NEAR(model.answer(both).outputs[0],
+              run(job_of(line_of_100("install: {tension: 25 kN, at: start}"))).find_value("sky.T_max")->value, 1e-3);
+}
+
+// A load that is drawn into the stiffer of two ropes that were drawn to equal tensions: 9.81 kN + 2 t x 10/11.
+TEST(MachineCases, RopesOfEqualTensionKeepTheirLengths) {
+  const std::string two =
+      "taut: 1\n"
+      "machine:\n"
+      "  gravity: 10 m/s^2\n"
+      "  points: {a: [-1 m, 0 m, 10 m], b: [1 m, 0 m, 10 m]}\n"
+      "  ropes: {stiff: {mass: 0 kg/m, stiffness: 10 MN, breaking_force: 100 kN}, soft: {mass: 0 kg/m, stiffness: 1 "
+      "MN}}\n"
+      "  bodies: {hook: {at: [0 m, 0 m, 0 m], free: [z]}}\n"
+      "  loads: [{at: hook, mass: 2 t}]\n"
+      "  reevings:\n"
+      "    - {name: r2, rope: soft, path: [{anchor: b}, {anchor: hook}], length: 10 m}\n"
+      "    - {name: r1, rope: stiff, path: [{anchor: a}, {anchor: hook}], tension_equals: r2}\n"
+      "analyses: [{equilibrium: {}}]\n";
+  const CaseModel model = model_of(two, question_of({"machine.loads[0].mass"}, {"equilibrium.r1.T_max"}));
+  double mass = 2000;
+  const double before = model.answer(std::span(&mass, 1)).outputs[0];
+  mass = 2100;
+  const double rises = model.answer(std::span(&mass, 1)).outputs[0] - before;
+  EXPECT_NEAR(rises / (1000 * 10 / 11.0 * std::sqrt(101) / 10), 1, 0.02) << before;
+}
+
+TEST(MachineCases, AnInputThatEveryAnalysisSetsAnewIsAMistake) {
+  const auto mistake = [](const std::string& analyses, const std::string& input) {
+    std::string text = deck;
+    text.replace(text.find("analyses:"), text.find("checks:") - text.find("analyses:"),
+                 "analyses: [" + analyses + "]\n");
+    try {
+      model_of(text, question_of({input}, {"checks.sky.safety_factor"}));
+    } catch (const std::runtime_error& e) {
+      return std::string(e.what());
+    }
+    return std::string();
+  };
+  const std::string sweep = "{sweep: {parameter: loads.car.mass, from: 1 t, to: 2 t, steps: 2}}";
+  EXPECT_THAT(mistake(sweep, "machine.loads[0].mass"), HasSubstr("every analysis sets 'machine.loads[0].mass' anew"));
+  EXPECT_EQ(mistake(sweep + ", {equilibrium: {carriage: car, x: 50 m, held: true}}", "machine.loads[0].mass"), "");
+  EXPECT_EQ(mistake(sweep, "machine.carriages.car.mass"), "");
+  const std::string given = "{equilibrium: {carriage: car, x: 100 m, held: true, given: {reeving: sky, sag: 8 m}}}";
+  EXPECT_THAT(mistake(given, "machine.reevings.sky.length"), HasSubstr("it would change nothing"));
 }
 
 TEST(MachineCases, EachAnalysisHasTheValuesOfARunWithItAlone) {

@@ -262,6 +262,29 @@ design::DesignCase built_by(const design::DesignCase& load_case, const FindParam
   return built;
 }
 
+/// Load cases that would not be what they say: their number is set anew by all analyses; or it is a temperature, and
+/// all analyses find the length of a rope anew, which is cut once.
+void complain_of_cases(const design::DesignSpace& space, MachineDeck& deck, std::vector<Complaint>& complaints) {
+  const auto given = std::find_if(deck.analyses.begin(), deck.analyses.end(), [](const study::AnalysisRequest& one) {
+    return (one.equilibrium && one.equilibrium->given) || (one.load_path && one.load_path->given);
+  });
+  for (const design::DesignCase& one : space.cases) {
+    for (const auto& [path, value] : one.settings) {
+      const auto found = parameters_of(deck)(path);
+      const std::string place = fmt::format("design.cases.{}.{}", one.name, path);
+      if (!found) continue;
+      if (study::is_set_anew(deck.machine, deck.analyses, found->place)) {
+        complaints.push_back({place, "every analysis sets this number anew: the case would change nothing"});
+      } else if (found->place == "temperature" && found->value != value && given != deck.analyses.end()) {
+        complaints.push_back(
+            {place,
+             "at each temperature 'given' would find another length of its rope, which is cut once: give "
+             "the rope its 'length' or 'install'"});
+      }
+    }
+  }
+}
+
 /// What a search keeps from one calculation to the next.
 struct Memory {
   std::map<const design::DesignCase*, std::map<std::size_t, double>>
@@ -281,6 +304,7 @@ design::DesignSpace machine_space(const io::Node& input, const MachineDeck& deck
   for (const std::string& place : temperatures_of(space, parameters_of(own))) {
     study::require_references(own.machine, place, complaints);
   }
+  complain_of_cases(space, own, complaints);
   io::place(input, complaints, mistakes);
   return space;
 }

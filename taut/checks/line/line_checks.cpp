@@ -160,6 +160,8 @@ void take_clearance(const CheckState& state, LineStates& line) {
   for (const FreeRope& rope : state.ropes) {
     if (rope.reeving == line.reeving) take_clearance(*state.model, rope, state.words, line);
   }
+  const bool slack = std::find(state.slack.begin(), state.slack.end(), line.reeving) != state.slack.end();
+  if (slack && line.slack.empty()) line.slack = state.words;
   if (state.rest == nullptr) return;
   take_gap(study::terrain_gap(*state.model, state.rest->branches, line.reeving), line);
   for (const solve::BranchResult& branch : state.rest->branches) {

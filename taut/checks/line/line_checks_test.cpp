@@ -263,6 +263,32 @@ checks:
   EXPECT_THAT(both.unmade, testing::Not(told));
 }
 
+/// A line with mass that is let out by 12 m: straight it has no sag where it is slack.
+TEST(LineChecks, AClearanceOfALineThatAMotionLetsGoSlackIsNotJudged) {
+  const auto line = [](const std::string& more) {
+    return run_text(R"(taut: 1
+machine:
+  signals: {out: {ramp: {to: 12 m, start: 0.1 s, duration: 3 s, smooth: true}}}
+  terrain: {x: [-10 m, 110 m], z: [0 m, 0 m]}
+  points: {head: [0 m, 0 m, 20 m], tail: [100 m, 0 m, 20 m]}
+  ropes: {main: {mass: 1 kg/m, stiffness: 9.8 MN, breaking_force: 150 kN, damping_ratio: 0.05, diameter: 14 mm}}
+  bodies: {block: {mass: 50 kg, at: [99 m, 0 m, 20 m], free: [x, z]}}
+  reevings:
+    - {name: main, rope: main, path: [{anchor: head}, {anchor: tail}], length: 99.6 m, may_slack: true)" +
+                    more + R"(}
+    - {name: tie, rope: main, path: [{anchor: block}, {anchor: tail}], length: 1 m, may_slack: true}
+  tensioners: [{reeving: main, end: start, change: out}]
+analyses: [{transient: {duration: 4 s, output_step: 50 ms}}]
+checks: {exempt: [tie], ropes: {main: {safety_factor: 3}}, lines: {main: {clearance: true}}}
+)");
+  };
+  EXPECT_THAT(line("").unmade, testing::Contains(testing::HasSubstr("its clearance is not judged where it is slack")));
+  const Result hangs = line(", segments: 10");
+  ASSERT_EQ(hangs.status, Status::ok) << hangs.message << to_text(hangs.errors);
+  EXPECT_THAT(hangs.unmade, testing::Not(testing::Contains(testing::HasSubstr("where it is slack"))));
+  EXPECT_FALSE(check_of(hangs, "main.clearance").passes);
+}
+
 /// The carriage stands between the tail tree that is named and the anchor.
 TEST(LineChecks, ATailTreeThatIsNoneIsNotJudged) {
   const std::string deck = R"(taut: 1

@@ -95,6 +95,21 @@ std::vector<AskedRules> resolve_ropes(const ChecksRequest& request, const Checke
   return all;
 }
 
+/// A rated pull is one that lasts. A winch has to be able to make the peaks of a motion too.
+void warn_of_peaks(const rope::RopeUse& use, const rope::RopeRules& rules, Result& r) {
+  for (const rope::DrumEnd& drum : use.drums) {
+    if (!rules.rated_pull) continue;
+    const bool layers = drum.first_radius && drum.last_radius;
+    const double rated = *rules.rated_pull * (layers ? *drum.first_radius / *drum.last_radius : 1);
+    if (!(drum.haul_peak > rated)) continue;
+    warn_unsafe(
+        r, fmt::format("'{}' pulls up to {:.4g} kN in a motion, {:.3g} of its rated pull of {:.4g} kN{}: its drive "
+                       "has to be able to",
+                       drum.name, drum.haul_peak / 1e3, drum.haul_peak / rated, rated / 1e3,
+                       layers ? " in its last layer" : ""));
+  }
+}
+
 void add_checks_of(const RopeCheckRequest& request, const AskedRules& asked, const rope::RopeUse& use, Result& r,
                    std::optional<double> around, bool chosen) {
   const rope::RopeRules rules = rope_rules(request, asked, use.rope, around);
@@ -112,6 +127,7 @@ void add_checks_of(const RopeCheckRequest& request, const AskedRules& asked, con
   r.warnings.insert(r.warnings.end(), found.left_out.begin(), found.left_out.end());
   r.warnings.insert(r.warnings.end(), found.remarks.begin(), found.remarks.end());
   std::move(found.left_out.begin(), found.left_out.end(), std::back_inserter(r.unmade));
+  warn_of_peaks(use, rules, r);
   const double heat_share = rules.heat_strength ? rules.heat_strength->value : 1;
   // the value beside the check is that of the cold rope so far
   for (Value& value : r.values) {

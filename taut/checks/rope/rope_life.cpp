@@ -187,7 +187,13 @@ void complain_of_life(const RopeCheckRequest& request, const catalogue::RopeRow&
 void add_life(const RopeCheckRequest& request, const rope::RopeUse& use, const rope::RopeRules& rules, Result& r) {
   if (request.life && request.life->donandt_force) check_donandt(*request.life->donandt_force, use, rules, r);
   if (request.discard) add_discard(request, use, r);
-  if (request.duty.empty() || !(use.rope.diameter > 1.4e-3) || !use.rope.grade) return;
+  if (request.duty.empty()) return;
+  if (!(use.rope.diameter > 1.4e-3) || !use.rope.grade) {  // of a rope that a design has chosen
+    r.unmade.push_back(fmt::format("{}: its life is not computed: the grade or the diameter of '{}' is not known",
+                                   use.name, use.rope.id));
+    r.warnings.push_back(r.unmade.back());
+    return;
+  }
   const rope::LifeRules life_rules = rules_of(request, use, rules);
   const std::vector<rope::Life> lives = rope::life_of(use, life_rules);
   const auto worst =

@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
+#include <vector>
 
 #include "taut/study/limits.hpp"
 
@@ -37,10 +39,38 @@ void check_rope_of_carriage(const CarriageStates& s, Result& r) {
   add("most_rope", Sense::at_most, car.rope_diameters.back() * (1 + same_diameter));
 }
 
-/// What a body weighs with the loads on it, N.
-double weight_of(const machine::Model& model, int body) {
+/// What a body weighs with the loads on it at a moment, N.
+double weight_of(const machine::Model& model, int body, double t) {
   double weight = model.bodies[body].mass * model.gravity;
-  for (const machine::Load& load : model.loads) weight -= load.at.body == body ? load.force.z() : 0;
+  for (const machine::Load& load : model.loads) {
+    if (load.at.body != body) continue;
+    const double share = load.over_time ? machine::at(*load.over_time, t).value / load.force.norm() : 1;
+    weight -= share * load.force.z();
+  }
+  return weight;
+}
+
+/// What a body that hangs on a carriage weighs with all that hangs on it by ropes, N. Infinite where one of them goes
+/// on to something that pulls by itself: the ground, a drum, a body that is moved or fixed.
+double hung_weight(const machine::Model& model, const machine::Carriage& car, int body, double t) {
+  std::vector<int> all = {body};
+  double weight = 0;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    weight += weight_of(model, all[i], t);
+    for (const machine::Reeving& rope : model.reevings) {
+      const auto at = [&](int of) {
+        return std::any_of(rope.nodes.begin(), rope.nodes.end(), [&](const auto& node) { return node.at.body == of; });
+      };
+      if (!at(all[i]) || at(car.body)) continue;
+      for (const machine::Node& node : rope.nodes) {
+        const int other = node.at.body;
+        const bool hangs = other != machine::ground && !node.drum && model.bodies[other].driven.empty() &&
+                           !model.bodies[other].free.empty();
+        if (!hangs) return std::numeric_limits<double>::infinity();
+        if (std::find(all.begin(), all.end(), other) == all.end()) all.push_back(other);
+      }
+    }
+  }
   return weight;
 }
 
@@ -58,7 +88,9 @@ double hung_load(const CheckState& state, const machine::Carriage& car) {
     pulls[*hangs] -= rope.copies * (starts_there ? branch.on_start : branch.on_end).z();
   }
   double all = 0;
-  for (const auto& [body, pull] : pulls) all += state.rest == nullptr ? std::min(pull, weight_of(model, body)) : pull;
+  for (const auto& [body, pull] : pulls) {
+    all += state.rest == nullptr ? std::min(pull, hung_weight(model, car, body, state.t.value_or(0))) : pull;
+  }
   return all / model.gravity;
 }
 

@@ -60,6 +60,33 @@ TEST(CarriageChecks, InAMotionALoadThatBouncesCountsWithItsWeight) {
   EXPECT_NEAR(check_of(r, "car.payload").value, 5000, 1e-6);
 }
 
+// In a motion too: all that hangs below counts, and a force that grows.
+TEST(CarriageChecks, InAMotionAllThatHangsCounts) {
+  const auto run = [](const std::string& parts) {
+    return run_text(
+        skyline("rated_payload: 6 t",
+                R"(  signals: {stuck: {ramp: {from: 0.1 kN, to: 20 kN, start: 0.1 s, duration: 1 s, smooth: true}}}
+)" + parts + "analyses: [{transient: {duration: 3 s, output_step: 50 ms, tolerance: 1e-3}}]\n"));
+  };
+  const std::string path = "{rope: sky, path: [{anchor: a}, {through: car}, {anchor: b}], length: 202 m}";
+  const Result two = run("  reevings: [" + path + R"(,
+      {name: d1, rope: drop, path: [{anchor: car}, {anchor: hook}], length: 6 m},
+      {name: d2, rope: drop, path: [{anchor: hook}, {anchor: log}], length: 3 m}]
+  bodies:
+    hook: {mass: 50 kg, at: [100 m, 0 m, 24 m], free: [x, y, z]}
+    log: {mass: 2 t, at: [100 m, 0 m, 21 m], free: [x, y, z]}
+)");
+  ASSERT_EQ(two.status, Status::ok) << two.message << to_text(two.errors);
+  EXPECT_NEAR(check_of(two, "car.payload").value, 2050, 10);
+  const Result grows =
+      run("  reevings: [" + path + R"(, {name: d1, rope: drop, path: [{anchor: car}, {anchor: log}], length: 9 m}]
+  bodies: {log: {mass: 500 kg, at: [100 m, 0 m, 21 m], free: [x, y, z]}}
+  loads: [{at: log, force: [0 kN, 0 kN, -0.1 kN], signal: stuck}]
+)");
+  ASSERT_EQ(grows.status, Status::ok) << grows.message << to_text(grows.errors);
+  EXPECT_NEAR(check_of(grows, "car.payload").value, 500 + 20e3 / 9.80665, 10);
+}
+
 // A payload keeps the rating with what hangs there already.
 TEST(CarriageChecks, APayloadLeavesRoomForWhatHangs) {
   std::string deck = skyline("rated_payload: 6 t", with_log("[{anchor: car}, {anchor: log}]"));

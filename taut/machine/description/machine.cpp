@@ -285,10 +285,12 @@ const Description& TakeUp::describe() {
           .field(&TakeUp::weight, "weight", "m", si::kg, "a counterweight of this mass on a rope without loss")
           .at_most(heaviest)
           .at_least(0)
-          .field(&TakeUp::screw, "screw", "F", si::N,
-                 "its force in every state; a screw that stays where it was set is a slide that is fixed")
+          .field(&TakeUp::screw, "screw", "F", si::N, "its force; in which states, 'keeps' says")
           .at_most(strongest)
           .at_least(0)
+          .choice(&TakeUp::keeps, "keeps", {{"place", ScrewKeeps::place}, {"force", ScrewKeeps::force}},
+                  "of a screw: its place, where it pulls with its force at rest without the machine's loads; or its "
+                  "force in every state, as a ram does. Default: its force, and the machine is not judged")
           .field(&TakeUp::along, "along", "", si::one, "direction of its pull, in the ground frame")
           .exactly_one({"weight", "screw"});
   return d;

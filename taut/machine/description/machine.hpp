@@ -248,11 +248,16 @@ struct RopeLoad {
   static const Description& describe();
 };
 
+/// What a screw keeps in all states: its force, as a hydraulic ram or a long spring does, or the place where it was
+/// set.
+enum class ScrewKeeps { unsaid, force, place };
+
 /// A take-up: a hanging weight over a deflection sheave, or a screw.
 struct TakeUp {
   std::string body;
-  std::optional<double> weight;  ///< kg
-  std::optional<double> screw;   ///< N
+  std::optional<double> weight = std::nullopt;  ///< kg
+  std::optional<double> screw = std::nullopt;   ///< N
+  ScrewKeeps keeps = ScrewKeeps::unsaid;        ///< unsaid: its force, and the machine is not judged
   Triple along{1, 0, 0};
   static const Description& describe();
 };

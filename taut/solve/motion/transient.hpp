@@ -176,6 +176,7 @@ struct TransientFrame {
     double torque = 0, power = 0;  ///< of its drive, N m, W
     bool held = false;             ///< stands by a drive that does not turn it, or by none; no brake is set
     bool braked = false;           ///< stands in its brake, which is set and acts in full
+    bool by_torque = false;        ///< its drive gives a torque, and its brake is not set
   };
   /// The end of a rope that lies on a drum.
   struct OnDrum {

@@ -262,4 +262,6 @@ std::optional<double> value_of(const std::string& text, const Parameter& paramet
   return *number;
 }
 
+std::string below_machine(const std::string& path) { return path.starts_with("machine.") ? path.substr(8) : path; }
+
 }  // namespace taut::study

@@ -35,6 +35,9 @@ tl::expected<Parameter, std::string> find_parameter(const Description& descripti
 tl::expected<Parameter, std::string> parameter_at(const Description& description, void* object,
                                                   const std::string& path);
 
+/// A path without the 'machine.' that it may begin with.
+std::string below_machine(const std::string& path);
+
 /// Puts a number where the parameter is; infeasible outside what its field allows.
 Outcome put(const Parameter& parameter, double value);
 

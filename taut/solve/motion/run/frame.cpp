@@ -21,7 +21,7 @@ ContactState state_of_contact(const Contact& contact, const ContactValues& v, co
   if (contact.round && v.wrap < 0) return ContactState::lifted;
   if (p.in <= 0 && p.out <= 0) return ContactState::lifted;
   if (v.grip == Grip::forward || v.grip == Grip::backward) {
-    const bool turns = contact.spin < 0 && v.log_by_wrap == 0 && !contact.load;
+    const bool turns = contact.spin < 0 && contact.efficiency > 0 && v.log_by_wrap == 0 && !contact.load;
     return turns ? ContactState::turning : ContactState::slipping;
   }
   if (v.grip == Grip::equal) return ContactState::turning;
@@ -77,6 +77,7 @@ TransientFrame::Drum turning_of(const Mechanism& m, const Values& v, std::size_t
   const std::optional<Turning> turning = prescribed(m, of, v, v.when);
   d.held = turning && turning->omega == 0 && turning->alpha == 0 && v.drive(of).kind != machine::DriveKind::pull;
   d.braked = is_braked(m, of, v, v.when) && v.spins[spin].turns == 0;
+  d.by_torque = of.drum >= 0 && v.drive(of).kind == machine::DriveKind::torque && !v.drive(of).brake;
   d.speed = v.spins[spin].omega * radius;
   if (given_tension(m, first, v, v.when)) {
     const ContactValues& contact = v.contacts[of.contacts.front().first];

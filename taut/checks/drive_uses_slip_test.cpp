@@ -1,0 +1,97 @@
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+
+#include "test/support/machine_decks.hpp"
+
+/// Ropes that slip on driven sheaves, drums that their loads turn, in motions.
+namespace taut::drive_uses_slip_test {
+
+using taut_test::run_text;
+
+/// An endless rope at 5 m/s, pulled by 10 kN on its slack side; for 2 s a force of `cut` holds it back.
+Result endless(double duration, double cut) {
+  return run_text(fmt::format(R"(taut: 1
+machine:
+  signals:
+    running: {{ramp: {{to: 5 m/s, start: 0 s, duration: 1 s, smooth: true}}}}
+    cut: {{table: {{t: [{0} s, {1} s, {2} s, {3} s], value: [0 kN, {4} kN, {4} kN, 0 kN]}}}}
+  ropes: {{haul: {{mass: 0.6 kg/m, stiffness: 13 MN, breaking_force: 150 kN, damping_ratio: 0.03}}}}
+  bodies: {{slide: {{mass: 900 kg, at: [0 m, 0 m, 1 m], free: [x]}}}}
+  sheaves:
+    head: {{at: [30 m, 0 m, 1 m], diameter: 800 mm, friction: 0.2, inertia: 60 kg m^2, motor: {{speed: running}}}}
+    tail: {{body: slide, at: [0 m, 0 m, 0 m], diameter: 800 mm, inertia: 60 kg m^2}}
+  loads: [{{at: slide, force: [-20 kN, 0 kN, 0 kN]}}]
+  reevings: [{{name: loop, rope: haul, path: [{{over: head, side: left}}, {{over: tail, side: left}}], closed: true, length: 62.513 m}}]
+  rope_loads: [{{name: cars, rope: loop, between: [tail, head], tangential: 0 kN, signal: cut, position: 0.5}}]
+analyses: [{{transient: {{duration: {5} s, output_step: 50 ms, tolerance: 1e-3}}}}]
+checks: {{ropes: {{haul: {{safety_factor: 3}}}}}}
+)",
+                              duration - 5, duration - 4.5, duration - 2.5, duration - 2.4, cut, duration));
+}
+
+// (10 + 9.6)/10 = 1.96 > exp(0.2 pi) = 1.874: it slips for 2 s, however long it ran before
+TEST(DriveSlips, HowLongItRanBeforeDoesNotCount) {
+  for (const double duration : {10.0, 60.0}) {
+    const Result r = endless(duration, 9.6);
+    ASSERT_EQ(r.status, Status::ok) << r.message << to_text(r.errors);
+    ASSERT_EQ(r.unsafe.size(), 1U) << duration;
+    EXPECT_NE(r.unsafe[0].find("the rope slips on 'head'"), std::string::npos) << r.unsafe[0];
+    EXPECT_TRUE(endless(duration, 8.0).unsafe.empty()) << "it creeps";
+  }
+}
+
+/// 3 t on a winch at 0.207 m: 6.08 kN m. From 0.5 s on it gives a torque.
+Result hoist(double torque, const std::string& then = "") {
+  return run_text(fmt::format(R"(taut: 1
+machine:
+  ropes: {{hoist: {{mass: 1 kg/m, stiffness: 9.8 MN, breaking_force: 400 kN, damping_ratio: 0.2, diameter: 14 mm}}}}
+  bodies: {{hook: {{mass: 3 t, at: [0.2 m, 0 m, 9 m], free: [x, z]}}}}
+  sheaves: {{head: {{at: [0 m, 0 m, 12 m], diameter: 400 mm, inertia: 0.5 kg m^2}}}}
+  drums:
+    winch: {{at: [-5 m, 0 m, 1 m], core_diameter: 400 mm, drive: {{speed: 0 m/s}}, brake_torque: 9 kN m, inertia: 50 kg m^2}}
+  reevings: [{{name: hoist, rope: hoist, path: [{{drum: winch}}, {{over: head}}, {{anchor: hook}}], length: 15.3 m}}]
+  events: [{{at: 0.5 s, drive: winch, torque: {} kN m}}{}]
+analyses: [{{transient: {{duration: 2 s, output_step: 20 ms, tolerance: 1e-3}}}}]
+checks: {{ropes: {{hoist: {{safety_factor: 4}}}}}}
+)",
+                              torque, then));
+}
+
+TEST(DriveSlips, ALoadThatTurnsItsWinchBackIsUnsafe) {
+  const Result weak = hoist(5);
+  ASSERT_EQ(weak.unsafe.size(), 1U) << weak.message << to_text(weak.errors);
+  EXPECT_NE(weak.unsafe[0].find("the load drags 'winch'"), std::string::npos) << weak.unsafe[0];
+  EXPECT_TRUE(hoist(8).unsafe.empty());
+  // lowered by its torque, and stopped
+  const Result stopped = hoist(5.5, ", {at: 1 s, drive: winch, brake: set}");
+  for (const std::string& words : stopped.unsafe) EXPECT_EQ(words.find("the load drags"), std::string::npos) << words;
+}
+
+// The rated pull is one that lasts; 2.4 m/s in 0.7 s makes a peak of more.
+TEST(DriveSlips, APeakAboveTheRatedPullIsUnsafe) {
+  const auto lift = [](const std::string& rated) {
+    return run_text(R"(taut: 1
+machine:
+  signals: {up: {sequence: [{at: 0.2 s, to: 2.4 m/s, over: 0.7 s, smooth: true}, {at: 1.7 s, to: 0 m/s, over: 1 s, smooth: true}]}}
+  ropes: {hoist: {mass: 1 kg/m, stiffness: 9.8 MN, breaking_force: 400 kN, damping_ratio: 0.2, diameter: 14 mm}}
+  bodies: {hook: {mass: 3 t, at: [0.2 m, 0 m, 2 m], free: [x, z]}}
+  sheaves: {head: {at: [0 m, 0 m, 12 m], diameter: 400 mm, inertia: 0.5 kg m^2}}
+  drums:
+    winch: {at: [-5 m, 0 m, 1 m], core_diameter: 400 mm, face_width: 600 mm, length_on_drum: 20 m, drive: {speed: up}, inertia: 50 kg m^2}
+  reevings: [{name: hoist, rope: hoist, path: [{drum: winch}, {over: head}, {anchor: hook}], length: 22.3 m}]
+analyses: [{transient: {duration: 7 s, output_step: 20 ms, tolerance: 1e-3}}]
+checks: {ropes: {hoist: {safety_factor: 4, rated_pull: )" +
+                    rated + "}}}\n");
+  };
+  const Result weak = lift("35 kN");
+  ASSERT_EQ(weak.status, Status::ok) << weak.message << to_text(weak.errors);
+  EXPECT_TRUE(std::any_of(weak.unsafe.begin(), weak.unsafe.end(), [](const std::string& words) {
+    return words.find("of its rated pull of 35 kN") != std::string::npos;
+  })) << weak.message;
+  for (const std::string& words : lift("80 kN").unsafe) EXPECT_EQ(words.find("rated pull"), std::string::npos) << words;
+}
+
+}  // namespace taut::drive_uses_slip_test

@@ -1,0 +1,140 @@
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "taut/checks/judge.hpp"
+#include "taut/math/index.hpp"
+
+/// Whether a machine stands in a motion: on its feet, upright.
+namespace taut::checks {
+namespace {
+
+constexpr double dragged_way = 0.1;  ///< m; feet give way by less under what they hold
+
+/// By drums or sheaves on it: a machine, or a part of one, no load.
+bool carries_ropes(const machine::Model& m, int body) {
+  return std::any_of(m.reevings.begin(), m.reevings.end(), [&](const machine::Reeving& rope) {
+    return std::any_of(rope.nodes.begin(), rope.nodes.end(),
+                       [&](const machine::Node& node) { return node.at.body == body && node.radius > 0; });
+  });
+}
+
+bool holds_ropes(const machine::Model& m, int body) {
+  return std::any_of(m.reevings.begin(), m.reevings.end(), [&](const machine::Reeving& rope) {
+    return std::any_of(rope.nodes.begin(), rope.nodes.end(),
+                       [&](const machine::Node& node) { return node.at.body == body; });
+  });
+}
+
+/// Whether ropes end on it at one of these anchors.
+bool ends_ropes(const machine::Model& m, int body, const std::vector<AnchorCheckRequest>& anchors) {
+  const auto is_named = [&](const machine::Node& node) {
+    return node.at.body == body &&
+           std::any_of(anchors.begin(), anchors.end(), [&](const auto& one) { return one.name == node.name; });
+  };
+  return std::any_of(m.reevings.begin(), m.reevings.end(), [&](const machine::Reeving& rope) {
+    return is_named(rope.nodes.front()) || is_named(rope.nodes.back());
+  });
+}
+
+bool is_fixed(const machine::Model& m, int body) {
+  return body == machine::ground || (m.bodies[body].free.empty() && m.bodies[body].driven.empty());
+}
+
+/// By a signal, out of the upright; or a point of a rope, or a section of a beam, which no deck turns.
+bool is_turned_by_deck(const machine::Body& body) {
+  return body.of_rope || body.beam ||
+         std::any_of(body.driven.begin(), body.driven.end(),
+                     [](const machine::DrivenWay& way) { return way.about.head<2>().norm() > 0; });
+}
+
+/// How a body is turned from where the deck has it.
+Matrix3 turned_to(const machine::Model& m, const solve::TransientFrame& moment, std::size_t body) {
+  return moment.bodies[body].orientation * m.bodies[body].orientation.transpose();
+}
+
+/// By which angle what was upright leans then, rad.
+double leans_by(const Matrix3& turned) { return std::acos(std::clamp(turned(2, 2), -1.0, 1.0)); }
+
+/// Bodies that a signal turns, and those that keep their attitude to one of them with which they are in contact by a
+/// face: the sections of a boom that luffs.
+std::vector<bool> turned_with_deck(const machine::Model& m, const solve::TransientFrame& moment) {
+  std::vector<bool> with;
+  for (const machine::Body& body : m.bodies) with.push_back(is_turned_by_deck(body));
+  for (bool more = true; more;) {
+    more = false;
+    for (const auto& contact : m.contacts) {
+      const int face = m.faces[contact.face].body;
+      if (contact.body == machine::ground || face == machine::ground) continue;
+      const std::size_t one = as_size(contact.body), other = as_size(face);
+      if (with[one] == with[other]) continue;
+      if (leans_by(turned_to(m, moment, one).transpose() * turned_to(m, moment, other)) > fallen_angle) continue;
+      with[one] = with[other] = more = true;
+    }
+  }
+  return with;
+}
+
+}  // namespace
+
+/// What holds ropes may not fall over; what carries them and stands by feet may not lift one of those once all of them
+/// have stood. A load may be picked up.
+void Judge::take_stand(const machine::Model& m, const solve::TransientFrame& moment, const std::string& words) {
+  const std::vector<bool> with_deck = turned_with_deck(m, moment);
+  for (std::size_t b = 0; b < m.bodies.size(); ++b) {
+    if (!with_deck[b] && holds_ropes(m, static_cast<int>(b))) take_lean(m, moment, b, words);
+  }
+  const auto is_anchor = [&](int body) { return deck_->checks && ends_ropes(m, body, deck_->checks->anchors); };
+  std::map<int, std::vector<std::size_t>> feet;
+  for (std::size_t i = 0; i < std::min(m.contacts.size(), moment.faces.size()); ++i) {
+    if (moment.faces[i].closed) stood_.insert(i);
+    if (!is_fixed(m, m.contacts[i].body) && is_fixed(m, m.faces[m.contacts[i].face].body))
+      feet[m.contacts[i].body].push_back(i);
+  }
+  for (const auto& [body, all] : feet) {
+    const bool all_stood = std::all_of(all.begin(), all.end(), [&](std::size_t i) { return stood_.contains(i); });
+    if (all.size() < 2 || !all_stood || !(carries_ropes(m, body) || is_anchor(body))) continue;
+    take_ways_of_feet(m, moment, all, words);
+    for (const std::size_t foot : all) {
+      if (moment.faces[foot].closed) continue;
+      warn(m.contacts[foot].name + " lifted",
+           fmt::format("{}: '{}' lifts '{}' off the ground: it begins to tip", words, m.bodies[body].name,
+                       m.contacts[foot].name),
+           true);
+    }
+  }
+}
+
+/// What stands by friction is not to be dragged away. A foot without friction is one that rolls.
+void Judge::take_ways_of_feet(const machine::Model& m, const solve::TransientFrame& moment,
+                              const std::vector<std::size_t>& feet, const std::string& words) {
+  for (const std::size_t foot : feet) {
+    const machine::FaceContact& contact = m.contacts[foot];
+    const solve::TransientFrame::FaceContact& is = moment.faces[foot];
+    if (!(std::max(contact.kinetic_friction, contact.static_friction) > 0)) continue;
+    const auto [stood, first] = footprints_.try_emplace(foot, is.point);
+    const double way = (is.point - stood->second).norm();
+    if (first || way <= dragged_way) continue;
+    warn(m.bodies[contact.body].name + " dragged",
+         fmt::format("{}: '{}' is dragged {:.3g} m from where it stood: the friction of '{}' does not hold it", words,
+                     m.bodies[contact.body].name, way, contact.name),
+         true, way);
+  }
+}
+
+void Judge::take_lean(const machine::Model& m, const solve::TransientFrame& moment, std::size_t body,
+                      const std::string& words) {
+  const std::string& name = m.bodies[body].name;
+  const double lean = leans_by(turned_to(m, moment, body));
+  if (lean <= fallen_angle) return;
+  warn(name + " fallen",
+       fmt::format("{}: '{}' has tipped over, or begins far from where it works: it leans {:.3g} deg from where the "
+                   "deck has it",
+                   words, name, lean * 180 / std::numbers::pi),
+       true, lean);
+}
+
+}  // namespace taut::checks

@@ -1,0 +1,77 @@
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "test/support/machine_decks.hpp"
+
+/// Machines that stand on the ground by their weight and by friction.
+namespace taut::judge_stand_test {
+
+using taut_test::run_text;
+
+/// A yarder of 8 t with its feet 4 m apart, whose winch holds a log that pulls it.
+std::string yarder(double pull, double height = 0.5) {
+  return fmt::format(R"(taut: 1
+machine:
+  signals: {{pull: {{ramp: {{from: 1 kN, to: {0} kN, start: 0.1 s, duration: 0.3 s, smooth: true}}}}}}
+  points: {{f1: {{body: yarder, at: [-2 m, 0 m, -1 m]}}, f2: {{body: yarder, at: [2 m, 0 m, -1 m]}}}}
+  ropes: {{r: {{mass: 0.5 kg/m, stiffness: 10 MN, breaking_force: 300 kN, damping_ratio: 0.1}}}}
+  bodies:
+    yarder: {{mass: 8 t, inertia: [8000 kg m^2, 8000 kg m^2, 8000 kg m^2], at: [0 m, 0 m, 1 m], free: [x, z, ry]}}
+    log: {{mass: 500 kg, at: [60 m, 0 m, {1} m], free: [x]}}
+  drums: {{winch: {{body: yarder, at: [0 m, 0 m, {2} m], core_diameter: 400 mm}}}}
+  faces: {{ground: {{from: [-20 m, 0 m, 0 m], to: [50 m, 0 m, 0 m], normal: [0, 0, 1]}}}}
+  contacts:
+    - {{point: f1, face: ground, stiffness: 5 MN/m, damping: 100 kN s/m, static_friction: 0.4}}
+    - {{point: f2, face: ground, stiffness: 5 MN/m, damping: 100 kN s/m, static_friction: 0.4}}
+  loads: [{{at: log, force: [1 kN, 0 kN, 0 kN], signal: pull}}]
+  reevings: [{{rope: r, path: [{{drum: winch, side: left}}, {{anchor: log}}], length: 60 m}}]
+analyses: [{{transient: {{duration: 3 s, output_step: 20 ms}}}}]
+checks: {{ropes: {{r: {{safety_factor: 2.5}}}}}}
+)",
+                     pull, height, height - 1);
+}
+
+// friction holds 0.4 x 8 t x g = 31.4 kN
+TEST(JudgeStand, WhatIsDraggedOffItsFeetIsUnsafe) {
+  const Result held = run_text(yarder(30));
+  ASSERT_EQ(held.status, Status::ok) << held.message << to_text(held.errors);
+  EXPECT_TRUE(held.unsafe.empty()) << held.unsafe.front();
+  const Result dragged = run_text(yarder(36));
+  ASSERT_EQ(dragged.unsafe.size(), 1U) << dragged.message << to_text(dragged.errors);
+  EXPECT_NE(dragged.unsafe[0].find("'yarder' is dragged"), std::string::npos) << dragged.unsafe[0];
+}
+
+// A block that is a rope's anchor: 30 kN at 1.8 m against 5 t x g x 0.6 m = 29.4 kN m.
+TEST(JudgeStand, AnAnchorBlockThatTipsIsUnsafe) {
+  const auto block = [](const std::string& anchors) {
+    return run_text(R"(taut: 1
+machine:
+  signals: {pull: {ramp: {from: 1 kN, to: 30 kN, start: 0.1 s, duration: 0.5 s, smooth: true}}}
+  points:
+    f1: {body: block, at: [-0.6 m, 0 m, -1 m]}
+    f2: {body: block, at: [0.6 m, 0 m, -1 m]}
+    eye: {body: block, at: [0 m, 0 m, 0.8 m]}
+  ropes: {r: {mass: 0.5 kg/m, stiffness: 10 MN, breaking_force: 300 kN, damping_ratio: 0.1}}
+  bodies:
+    block: {mass: 5 t, inertia: [3000 kg m^2, 3000 kg m^2, 3000 kg m^2], at: [0 m, 0 m, 1 m], free: [x, z, ry]}
+    log: {mass: 500 kg, at: [60 m, 0 m, 1.8 m], free: [x]}
+  faces: {ground: {from: [-20 m, 0 m, 0 m], to: [50 m, 0 m, 0 m], normal: [0, 0, 1]}}
+  contacts:
+    - {point: f1, face: ground, stiffness: 5 MN/m, damping: 100 kN s/m, static_friction: 0.8}
+    - {point: f2, face: ground, stiffness: 5 MN/m, damping: 100 kN s/m, static_friction: 0.8}
+  loads: [{at: log, force: [1 kN, 0 kN, 0 kN], signal: pull}]
+  reevings: [{rope: r, path: [{anchor: eye}, {anchor: log}], length: 60 m}]
+analyses: [{transient: {duration: 1.2 s, output_step: 20 ms}}]
+checks: {ropes: {r: {safety_factor: 2.5}})" +
+                    anchors + "}\n");
+  };
+  const Result r = block(", anchors: {eye: {strength: 100 kN}}");
+  ASSERT_FALSE(r.unsafe.empty()) << r.message << to_text(r.errors);
+  EXPECT_NE(r.unsafe[0].find("'block' lifts 'f1'"), std::string::npos) << r.unsafe[0];
+  // what no check calls an anchor may be a load that is dragged
+  EXPECT_TRUE(block("").unsafe.empty());
+}
+
+}  // namespace taut::judge_stand_test
