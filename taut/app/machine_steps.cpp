@@ -73,7 +73,7 @@ double limit_of(const machine::Node& node, double wrap) {
 bool at_limit(const machine::Node& node, const solve::ContactResult& c) {
   const double low = std::min(c.T_in, c.T_out);
   const double high = std::max(c.T_in, c.T_out);
-  const double limit = limit_of(node, c.pressed_by);
+  const double limit = limit_of(node, c.turning);
   return node.kind == machine::NodeKind::contact && low > 0 && limit > 1 &&
          std::abs(high - low * limit) <= same_tension * high;
 }
@@ -83,12 +83,12 @@ void write_contact(Sheet<Num>& s, const machine::Node& node, const solve::Contac
   const bool grows = c.T_out >= c.T_in;
   const Num low = s.named(grows ? "T_in" : "T_out", si::N, grows ? c.T_in : c.T_out);
   const std::string high = grows ? "T_out" : "T_in";
-  if (node.law.efficiency > 0 && limit_of(node, c.pressed_by) >= 1 / node.law.efficiency) {
+  if (node.law.efficiency > 0 && limit_of(node, c.turning) >= 1 / node.law.efficiency) {
     const Num eta = s.named("eta", si::one, node.law.efficiency);
     s.eq("", high, si::N, low / eta, fmt::format("{}: efficiency of the sheave", node.name));
   } else {
     const Num mu = s.named("mu", si::one, node.law.friction);
-    const Num theta = s.named("theta", si::rad, c.pressed_by);
+    const Num theta = s.named("theta", si::rad, c.turning);
     s.eq("", high, si::N, low * exp(mu * theta), fmt::format("{}: Euler-Eytelwein", node.name));
   }
 }

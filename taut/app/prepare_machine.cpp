@@ -35,6 +35,7 @@
 #include "taut/results/put_up.hpp"
 #include "taut/results/rope_stiffness.hpp"
 #include "taut/study/deck/missing.hpp"
+#include "taut/study/deck/temperature.hpp"
 #include "taut/study/deck/watch.hpp"
 #include "taut/study/line/carriage_way.hpp"
 
@@ -140,7 +141,7 @@ Result solve_more(const std::vector<study::Asked>& asked, results::MachineRun& r
   return more;
 }
 
-/// Guys, lines and screws. In a load case they are as on the machine that they were put up on.
+/// Guys, lines and screws. In a load case guys and lines are as on the machine that they were put up on.
 Outcome put_up(const MachineDeck& deck, machine::Model& model, std::vector<study::PutUpLine>& lines) {
   const machine::Machine& machine = deck.put_up_on ? *deck.put_up_on : deck.machine;
   machine::Model other;
@@ -152,11 +153,14 @@ Outcome put_up(const MachineDeck& deck, machine::Model& model, std::vector<study
   machine::Model& built = deck.put_up_on ? other : model;
   if (Outcome outcome = study::install_guys(built); !outcome.ok()) return outcome;
   if (Outcome outcome = study::put_up_lines(built, lines); !outcome.ok()) return outcome;
-  if (Outcome outcome = study::set_screws(built); !outcome.ok()) return outcome;
-  if (!deck.put_up_on) return {};
+  if (!deck.put_up_on) return study::set_screws(model);
   study::keep_guys(machine, built, model);
   study::keep_lines(built, model);
-  study::keep_screws(built, model);
+  // on the ropes of the case, at the temperature at which the others are put up
+  machine::Model set = model;
+  if (machine.temperature) study::set_temperature(set, deck.machine, *machine.temperature);
+  if (Outcome outcome = study::set_screws(set); !outcome.ok()) return outcome;
+  study::keep_screws(set, model);
   return {};
 }
 

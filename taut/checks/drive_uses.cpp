@@ -355,11 +355,14 @@ void DriveUses::take_slips(const machine::Model& m, const solve::TransientFrame&
   }
 }
 
-/// A drum by a torque whose load turns it back, until the motion ends.
+/// A drum by a torque whose load turns it back, until the motion ends. Where another drive does work it may be what
+/// draws the rope out: a haulback that is kept tight.
 void DriveUses::take_dragged(const machine::Model& m, const solve::TransientFrame& frame, const std::string& words) {
+  const bool drawn = !m.motors.empty() ||
+                     std::any_of(frame.drums.begin(), frame.drums.end(), [](const auto& one) { return one.power > 0; });
   for (std::size_t d = 0; d < frame.drums.size(); ++d) {
     const solve::TransientFrame::Drum& is = frame.drums[d];
-    if (!is.by_torque || is.braked || !(is.power < 0)) {
+    if (!is.by_torque || is.braked || drawn || !(is.power < 0)) {
       dragged_.erase(m.drums[d].name);
       continue;
     }

@@ -340,7 +340,7 @@ void Judge::take_peaks(const machine::Model& m, const solve::TransientResult& mo
 void Judge::take_moment(const machine::Model& m, const solve::TransientResult& so_far,
                         const solve::TransientFrame& moment, const std::vector<FreeRope>& free,
                         const std::string& words) {
-  if (so_far.frames.size() == 1) {
+  if (moment.t <= so_far.frames.front().t) {
     events_seen_ = 0;
     broken_.clear();
     stood_.clear();

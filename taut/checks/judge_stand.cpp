@@ -29,6 +29,14 @@ bool holds_ropes(const machine::Model& m, int body) {
   });
 }
 
+/// A winch that stands there. What has only sheaves may be skidded by their ropes.
+bool has_drum(const machine::Model& m, int body) {
+  return std::any_of(m.reevings.begin(), m.reevings.end(), [&](const machine::Reeving& rope) {
+    return std::any_of(rope.nodes.begin(), rope.nodes.end(),
+                       [&](const machine::Node& node) { return node.drum && node.at.body == body; });
+  });
+}
+
 /// Whether ropes end on it at one of these anchors.
 bool ends_ropes(const machine::Model& m, int body, const std::vector<AnchorCheckRequest>& anchors) {
   const auto is_named = [&](const machine::Node& node) {
@@ -97,7 +105,7 @@ void Judge::take_stand(const machine::Model& m, const solve::TransientFrame& mom
   for (const auto& [body, all] : feet) {
     const bool all_stood = std::all_of(all.begin(), all.end(), [&](std::size_t i) { return stood_.contains(i); });
     if (all.size() < 2 || !all_stood || !(carries_ropes(m, body) || is_anchor(body))) continue;
-    take_ways_of_feet(m, moment, all, words);
+    if (has_drum(m, body) || is_anchor(body)) take_ways_of_feet(m, moment, all, words);
     for (const std::size_t foot : all) {
       if (moment.faces[foot].closed) continue;
       warn(m.contacts[foot].name + " lifted",

@@ -74,4 +74,28 @@ checks: {ropes: {r: {safety_factor: 2.5}})" +
   EXPECT_TRUE(block("").unsafe.empty());
 }
 
+// It hangs over the ground and has never stood there; its rope goes slack in the first interval of the output.
+TEST(JudgeStand, WhatHasNeverStoodLiftsNoFoot) {
+  const auto block = [](double z) {
+    return run_text(fmt::format(R"(taut: 1
+machine:
+  points: {{f1: {{body: block, at: [-1 m, 0 m, -1 m]}}, f2: {{body: block, at: [1 m, 0 m, -1 m]}}, top: [0.2 m, 0 m, 20 m], side: [-0.2 m, 0 m, 20 m]}}
+  ropes: {{r: {{mass: 0 kg/m, stiffness: 10 MN, breaking_force: 300 kN, damping_ratio: 0.1}}}}
+  bodies: {{block: {{mass: 2 t, inertia: [800 kg m^2, 800 kg m^2, 800 kg m^2], at: [0 m, 0 m, {} m], free: [z]}}}}
+  sheaves: {{wheel: {{body: block, at: [0 m, 0 m, 1 m], diameter: 400 mm}}}}
+  faces: {{ground: {{from: [-20 m, 0 m, 0 m], to: [50 m, 0 m, 0 m], normal: [0, 0, 1]}}}}
+  contacts:
+    - {{point: f1, face: ground, stiffness: 5 MN/m, damping: 100 kN s/m, static_friction: 0.4}}
+    - {{point: f2, face: ground, stiffness: 5 MN/m, damping: 100 kN s/m, static_friction: 0.4}}
+  reevings: [{{rope: r, path: [{{anchor: side}}, {{over: wheel}}, {{anchor: top}}], length: 28.6 m}}]
+analyses: [{{transient: {{duration: 1 s, output_step: 0.5 s}}}}]
+checks: {{ropes: {{r: {{safety_factor: 2.5}}}}}}
+)",
+                                z));
+  };
+  const Result r = block(4.5);
+  ASSERT_EQ(r.status, Status::ok) << r.message << to_text(r.errors);
+  EXPECT_TRUE(r.unsafe.empty()) << r.unsafe.front();
+}
+
 }  // namespace taut::judge_stand_test

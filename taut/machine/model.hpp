@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <limits>
 #include <optional>
 #include <string>
@@ -270,6 +271,11 @@ struct Model {
   Array<Observable> mean_windows;  ///< quantities that bound the intervals of means
   Array<Beam> beams;
   Array<NamedPlace> places;  ///< that can be observed
+
+  /// Whether a screw holds the body, which bears what pulls there.
+  bool is_on_screw(int body) const {
+    return std::any_of(screws.begin(), screws.end(), [&](const Screw& one) { return one.body == body; });
+  }
 };
 
 /// Whether it is on a carriage.

@@ -66,13 +66,11 @@ Loss loss(const machine::ContactLaw& law, const Bend& bend) {
   const double bearing = -std::log(law.efficiency);
   if (std::isinf(law.friction)) {
     expects(std::isfinite(bearing), "a contact either turns or slips");
-    return {.log = bearing, .by_angle = 0, .angle = bend.wrap};
+    return {.log = bearing, .by_turning = 0};
   }
-  const Angle& angle = std::isinf(bearing) ? bend.turning : bend.wrap;
-  if (angle.value <= 0) return {.log = 0, .by_angle = 0, .angle = angle};
-  const double grip = law.friction * angle.value;
-  return grip < bearing ? Loss{.log = grip, .by_angle = law.friction, .angle = angle}
-                        : Loss{.log = bearing, .by_angle = 0, .angle = angle};
+  if (bend.turning.value <= 0) return {};
+  const double grip = law.friction * bend.turning.value;
+  return grip < bearing ? Loss{.log = grip, .by_turning = law.friction} : Loss{.log = bearing, .by_turning = 0};
 }
 
 double bearing_share(const machine::ContactLaw& law) { return (1 - law.efficiency) / (1 + law.efficiency); }

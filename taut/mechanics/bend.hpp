@@ -14,7 +14,7 @@ struct Angle {
 /// The turn of a rope at a node.
 struct Bend {
   Angle wrap;     ///< negative where the rope would have to pass through the air above its support
-  Angle turning;  ///< all of it, out of the plane of a round too: by this angle a saddle is pressed, >= 0
+  Angle turning;  ///< all of it, out of the plane of a round too: by this angle a groove is pressed, >= 0
 };
 
 /// On a round: about its axis (`end`), in [-pi/2, 3 pi/2) + 2 pi turns. At a point: the angle between the directions;
@@ -29,8 +29,7 @@ Angle turning(const Vector3& n, const Vector3& in, const Vector3& out, const Ang
 /// ln(T_out/T_in) for a flow along the path.
 struct Loss {
   double log = 0;
-  double by_angle = 0;  ///< friction where the groove decides: the derivative by `angle`; 0 where the bearing does
-  Angle angle;          ///< of a sheave its wrap, of a saddle its turning
+  double by_turning = 0;  ///< friction where the groove decides, 0 where the bearing does
 };
 Loss loss(const machine::ContactLaw& law, const Bend& bend);
 

@@ -188,7 +188,7 @@ void add_contact(Assembly& a, int turn) {
   const double flow = a.system.losses * t.flow;
   const double in = std::exp(flow * lost.log / 2), out = 1 / in;
   const double T_in = a.e.branches[t.before].T_to, T_out = a.e.branches[t.after].T_from;
-  add_turn(a, turn, *t.row, -in, out, -(out * T_out + in * T_in) / 2 * flow * lost.by_angle, lost.angle);
+  add_turn(a, turn, *t.row, -in, out, -(out * T_out + in * T_in) / 2 * flow * lost.by_turning, a.e.bends[turn].turning);
 }
 
 /// The free length of a branch in a row.

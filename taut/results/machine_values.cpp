@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "taut/machine/compile/guides.hpp"
-#include "taut/math/index.hpp"
 #include "taut/results/machine_beams.hpp"
 #include "taut/results/machine_tables.hpp"
 #include "taut/results/put_up.hpp"
@@ -20,9 +19,9 @@ void add_places(const MachineRun& run, Result& r) {
   if (first == run.equilibria.end()) return;
   for (std::size_t i = 0; i < run.model.bodies.size(); ++i) {
     const machine::Body& body = run.model.bodies[i];
-    const auto& screws = run.model.screws;
-    const bool set = std::any_of(screws.begin(), screws.end(), [&](const auto& one) { return as_size(one.body) == i; });
-    if ((body.free.empty() && !set) || body.of_rope || !is_listed(body) || !wanted(run, body.name)) continue;
+    if ((body.free.empty() && !run.model.is_on_screw(static_cast<int>(i))) || body.of_rope || !is_listed(body) ||
+        !wanted(run, body.name))
+      continue;
     const solve::BodyRow row{.model = first->model, .at = first->result, .body = static_cast<int>(i)};
     for (const char* axis : {"x", "y", "z"}) {
       r.values.push_back(make_value(named(solve::body_quantities(), axis), row, body.name, "", first->words));

@@ -73,7 +73,7 @@ struct ContactResult {
   int reeving = 0, node = 0;
   double T_in = 0, T_out = 0;       ///< N, by the order of the path
   double wrap = 0;                  ///< about the axis of a round, else between the rope's directions, rad
-  double pressed_by = 0;            ///< the angle of its friction: the wrap; of a saddle all of the turning, rad
+  double turning = 0;               ///< all of its bend, out of the plane of a round too; of a drive the wrap, rad
   double unstretched = 0;           ///< rope on its arc, at the reference temperature, m
   Vector3 force = Vector3::Zero();  ///< of one copy of the rope on the support, N
   ContactState state = ContactState::turning;

@@ -80,7 +80,7 @@ TEST(Equilibrium, ASaddleIsPressedByABendInPlanToo) {
         const double force = r.contacts[0].force.squaredNorm();
         const double theta = std::acos((T_in * T_in + T_out * T_out - force) / (2 * T_in * T_out));
         EXPECT_NEAR(std::abs(std::log(T_out / T_in)), 0.15 * theta, 1e-9) << aside << ' ' << up;
-        EXPECT_NEAR(r.contacts[0].pressed_by, theta, 1e-9);
+        EXPECT_NEAR(r.contacts[0].turning, theta, 1e-9);
       }
     }
   }

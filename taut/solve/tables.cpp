@@ -63,7 +63,7 @@ ContactState state_of(const machine::Node& node, const mechanics::Bend& bend, co
   const bool turns = node.law.efficiency > 0;
   const bool lossless = node.law.efficiency == 1 || node.law.friction == 0;
   if (flow == 0) return lossless ? ContactState::turning : ContactState::stuck;
-  const double grip = node.law.friction * std::max(0.0, bend.wrap.value);
+  const double grip = node.law.friction * bend.turning.value;
   const bool slips = !turns || (std::isfinite(node.law.friction) && grip < -std::log(node.law.efficiency));
   return slips ? ContactState::slipping : ContactState::turning;
 }
@@ -78,7 +78,7 @@ ContactResult contact_of(const mechanics::System& s, const mechanics::Evaluation
   r.T_in = in.slack ? 0 : in.T_to;
   r.T_out = out.slack ? 0 : out.T_from;
   r.wrap = e.bends[index].wrap.value;
-  r.pressed_by = node.law.efficiency == 0 ? e.bends[index].turning.value : std::max(0.0, r.wrap);
+  r.turning = node.kind == machine::NodeKind::contact ? e.bends[index].turning.value : std::max(0.0, r.wrap);
   r.unstretched = mechanics::arc(s, e, index).length / (1 + s.model.reevings[turn.reeving].thermal_strain);
   if (!in.slack) r.force -= in.pull_to;
   if (!out.slack) r.force += out.pull_from;

@@ -60,6 +60,8 @@ EquilibriumRun resolve(const EquilibriumRequest& request, const DeckPlace& path,
 
 namespace {
 
+constexpr double same_direction = 1e-9;  ///< sine of the angle below which two ways of a body are one
+
 int guides_of(const machine::Model& model) {
   std::size_t all = 0;
   for (const machine::Reeving& rope : model.reevings) {
@@ -78,6 +80,26 @@ bool is_state_of(const machine::Model& model, const machine::State& state) {
                     branches_fit);
 }
 
+/// A state of a machine near this one as a first guess for this one: what is not free stands where this machine has it.
+machine::State moved_to(const machine::Model& model, machine::State near) {
+  for (std::size_t b = 0; b < model.bodies.size(); ++b) {
+    const machine::Body& body = model.bodies[b];
+    Array<Vector3> ways;  // unit vectors, square to each other
+    bool turns = false;
+    for (const machine::Freedom& freedom : body.free) {
+      turns = turns || freedom.about.norm() > 0;
+      Vector3 way = freedom.along;
+      for (const Vector3& other : ways) way -= other.dot(way) * other;
+      if (way.norm() > same_direction) ways.push_back(way.normalized());
+    }
+    const Vector3 from = near.bodies[b].position - body.position;
+    near.bodies[b].position = body.position;
+    for (const Vector3& way : ways) near.bodies[b].position += way.dot(from) * way;
+    if (!turns) near.bodies[b].orientation = body.orientation;
+  }
+  return near;
+}
+
 /// Fills `run.result` for `run.model`.
 void solve_once(EquilibriumRun& run) {
   solve::EquilibriumOptions options = run.motion.options(run.model);
@@ -89,7 +111,8 @@ void solve_once(EquilibriumRun& run) {
     run.result = std::move(found.result);
   } else {
     const bool near = run.near && is_state_of(run.model, *run.near);
-    run.result = solve::equilibrium(run.model, options, near ? run.near : std::nullopt);
+    const auto first = near ? std::optional(moved_to(run.model, *run.near)) : std::nullopt;
+    run.result = solve::equilibrium(run.model, options, first);
     if (near && !run.result.outcome.ok()) run.result = solve::equilibrium(run.model, options);
   }
 }

@@ -131,6 +131,50 @@ TEST(MachineCases, RopesOfEqualTensionKeepTheirLengths) {
   EXPECT_NEAR(rises / (1000 * 10 / 11.0 * std::sqrt(101) / 10), 1, 0.02) << before;
 }
 
+// A case begins near the state of the deck, but what is fixed in it stands where the case has it.
+TEST(MachineCases, WhatIsFixedStandsWhereTheCaseHasIt) {
+  const std::string posts =
+      "taut: 1\n"
+      "machine:\n"
+      "  points: {a: [0 m, 0 m, 10 m]}\n"
+      "  ropes: {r: {mass: 0 kg/m, stiffness: 10 MN, breaking_force: 100 kN}}\n"
+      "  bodies:\n"
+      "    post: {at: [10.01 m, 0 m, 10 m]}\n"
+      "    slide: {at: [21 m, 0 m, 10 m], free: [x]}\n"
+      "  reevings:\n"
+      "    - {name: r1, rope: r, path: [{anchor: a}, {anchor: post}], length: 10 m}\n"
+      "    - {name: r2, rope: r, path: [{anchor: post}, {anchor: slide}], length: 10 m}\n"
+      "  take_up: [{body: slide, screw: 8 kN, keeps: place}]\n"
+      "analyses: [{equilibrium: {}}]\n";
+  const CaseModel model = model_of(posts, question_of({"machine.bodies.post.at.x", "machine.take_up[0].screw"},
+                                                      {"equilibrium.r1.T_max", "equilibrium.r2.T_max"}));
+  for (const double x : {10.01, 10.02}) {
+    for (const double screw : {8e3, 3e3}) {
+      const double both[] = {x, screw};
+      const CaseAnswer answer = model.answer(both);
+      EXPECT_NEAR(answer.outputs[0], 10e6 * (x - 10) / 10, 1e-3);
+      EXPECT_NEAR(answer.outputs[1], screw, 1e-3);
+    }
+  }
+}
+
+// A screw takes up the tolerance of its rope.
+TEST(MachineCases, AScrewIsSetOnTheRopeOfTheCase) {
+  const std::string slide =
+      "taut: 1\n"
+      "machine:\n"
+      "  points: {a: [0 m, 0 m, 10 m]}\n"
+      "  ropes: {r: {mass: 0 kg/m, stiffness: 10 MN, breaking_force: 100 kN}}\n"
+      "  bodies: {slide: {at: [10 m, 0 m, 10 m], free: [x]}}\n"
+      "  reevings: [{name: r1, rope: r, path: [{anchor: a}, {anchor: slide}], length: 10 m}]\n"
+      "  take_up: [{body: slide, screw: 8 kN, keeps: place}]\n"
+      "analyses: [{equilibrium: {}}]\n";
+  const CaseModel model = model_of(slide, question_of({"machine.reevings.r1.length"}, {"equilibrium.r1.T_max"}));
+  for (const double length : {9.99, 10.01}) {
+    EXPECT_NEAR(model.answer(std::span(&length, 1)).outputs[0], 8e3, 1e-3);
+  }
+}
+
 TEST(MachineCases, AnInputThatEveryAnalysisSetsAnewIsAMistake) {
   const auto mistake = [](const std::string& analyses, const std::string& input) {
     std::string text = deck;

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <vector>
 
@@ -50,24 +49,41 @@ double weight_of(const machine::Model& model, int body, double t) {
   return weight;
 }
 
-/// What a body that hangs on a carriage weighs with all that hangs on it by ropes, N. Infinite where one of them goes
-/// on to something that pulls by itself: the ground, a drum, a body that is moved or fixed.
-double hung_weight(const machine::Model& model, const machine::Carriage& car, int body, double t) {
+/// The pull of a branch on a body at one of its ends, N; zero where it has no end there.
+Vector3 pull_on(const machine::Reeving& rope, const CheckBranch& branch, int body) {
+  Vector3 pull = Vector3::Zero();
+  if (rope.nodes[branch.from].at.body == body) pull += rope.copies * branch.on_start;
+  if (rope.nodes[branch.to].at.body == body) pull += rope.copies * branch.on_end;
+  return pull;
+}
+
+/// What a body that hangs on a carriage weighs with all that hangs on it by ropes, N, and with the pull of ropes that
+/// go on to something that does not hang there: the ground, a drum, a body that is moved or fixed.
+double hung_weight(const CheckState& state, const machine::Carriage& car, int body) {
+  const machine::Model& model = *state.model;
   std::vector<int> all = {body};
   double weight = 0;
+  const auto hangs = [&](const machine::Node& node) {
+    const int other = node.at.body;
+    return other != machine::ground && !node.drum && model.bodies[other].driven.empty() &&
+           !model.bodies[other].free.empty();
+  };
   for (std::size_t i = 0; i < all.size(); ++i) {
-    weight += weight_of(model, all[i], t);
-    for (const machine::Reeving& rope : model.reevings) {
+    weight += weight_of(model, all[i], state.t.value_or(0));
+    for (std::size_t r = 0; r < model.reevings.size(); ++r) {
+      const auto& nodes = model.reevings[r].nodes;
       const auto at = [&](int of) {
-        return std::any_of(rope.nodes.begin(), rope.nodes.end(), [&](const auto& node) { return node.at.body == of; });
+        return std::any_of(nodes.begin(), nodes.end(), [&](const auto& node) { return node.at.body == of; });
       };
       if (!at(all[i]) || at(car.body)) continue;
-      for (const machine::Node& node : rope.nodes) {
-        const int other = node.at.body;
-        const bool hangs = other != machine::ground && !node.drum && model.bodies[other].driven.empty() &&
-                           !model.bodies[other].free.empty();
-        if (!hangs) return std::numeric_limits<double>::infinity();
-        if (std::find(all.begin(), all.end(), other) == all.end()) all.push_back(other);
+      if (std::all_of(nodes.begin(), nodes.end(), hangs)) {
+        for (const machine::Node& node : nodes) {
+          if (std::find(all.begin(), all.end(), node.at.body) == all.end()) all.push_back(node.at.body);
+        }
+        continue;
+      }
+      for (const CheckBranch& branch : state.branches) {
+        if (branch.reeving == static_cast<int>(r)) weight -= pull_on(model.reevings[r], branch, all[i]).z();
       }
     }
   }
@@ -89,7 +105,7 @@ double hung_load(const CheckState& state, const machine::Carriage& car) {
   }
   double all = 0;
   for (const auto& [body, pull] : pulls) {
-    all += state.rest == nullptr ? std::min(pull, hung_weight(model, car, body, state.t.value_or(0))) : pull;
+    all += state.rest == nullptr ? std::min(pull, hung_weight(state, car, body)) : pull;
   }
   return all / model.gravity;
 }

@@ -87,6 +87,19 @@ TEST(CarriageChecks, InAMotionAllThatHangsCounts) {
   EXPECT_NEAR(check_of(grows, "car.payload").value, 500 + 20e3 / 9.80665, 10);
 }
 
+// A tag line that is slack pulls nothing: the load that falls into its rope counts with its weight.
+TEST(CarriageChecks, ASlackTagLineMakesNoLoad) {
+  std::string text = skyline("rated_payload: 6 t", with_log("[{anchor: car}, {anchor: log}]"));
+  const std::string rest = "equilibrium: {}", log = "length: 10 m}\n";
+  text.replace(text.find(rest), rest.size(), "transient: {duration: 2 s, tolerance: 1e-3, start: assembled}");
+  text.insert(text.find(log) + log.size(),
+              "    - {name: tag, rope: drop, path: [{anchor: log}, {anchor: b}], length: 150 m}\n");
+  const Result r = run_text(text);
+  ASSERT_EQ(r.status, Status::ok) << r.message << to_text(r.errors);
+  EXPECT_GT(value_of(r, "drop.T_max"), 1.1 * 5000 * 9.80665);
+  EXPECT_NEAR(check_of(r, "car.payload").value, 5000, 40) << "and half of the rope that lies there";
+}
+
 // A payload keeps the rating with what hangs there already.
 TEST(CarriageChecks, APayloadLeavesRoomForWhatHangs) {
   std::string deck = skyline("rated_payload: 6 t", with_log("[{anchor: car}, {anchor: log}]"));

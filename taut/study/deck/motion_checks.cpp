@@ -7,8 +7,6 @@
 #include <cmath>
 #include <map>
 
-#include "taut/math/index.hpp"
-
 namespace taut::study {
 namespace {
 
@@ -42,9 +40,8 @@ void check_bodies(const machine::Machine& machine, const machine::Model& model, 
     const machine::Body& body = model.bodies[b];
     const bool shifts =
         std::any_of(body.free.begin(), body.free.end(), [](const auto& f) { return f.along.norm() > 0; });
-    const bool held = std::any_of(model.screws.begin(), model.screws.end(),
-                                  [&](const auto& screw) { return as_size(screw.body) == b; });
-    if (!shifts || held || body.of_rope || has_mass(model, static_cast<int>(b), rope_mass)) continue;
+    const int index = static_cast<int>(b);
+    if (!shifts || model.is_on_screw(index) || body.of_rope || has_mass(model, index, rope_mass)) continue;
     complaints.push_back({place_of_body(machine, body.name), "moves freely: a motion needs its 'mass'"});
   }
 }

@@ -195,6 +195,7 @@ class Builder {
     contact.friction = given.law.friction;
     contact.efficiency = given.law.efficiency;
     contact.round = given.radius > 0;
+    contact.driven = given.motor.has_value();
     contact.support = given.support;
     contact.copies = rope.copies;
     contact.drum = given.drum.value_or(-1);

@@ -122,6 +122,7 @@ struct Contact {
   int column = -1;   ///< of the flow
   double friction = 0, efficiency = 1;
   bool round = false;                 ///< has a wrap about its axis; else the angle between the directions
+  bool driven = false;                ///< by a motor: its grip counts the wrap alone, as in statics
   Vector3 support = Vector3::Zero();  ///< as of a node of the model
   double mass = 0;                    ///< kg per unstretched metre, for the pressure of a rope that runs over it
   double bearing_log = 0, bearing_ratio = 1;  ///< what the efficiency of a light one allows: -ln eta, 1/eta

@@ -159,22 +159,17 @@ void turn_spins(const Mechanism& m, const Scheme& s, const Values& before, doubl
   is.e = L > 0 ? std::min(0.0, path_of(line, is) / L - 1) : 0;  // nothing holds a dead end: it has no stretch
 }
 
-struct PressedBy {
-  double angle = 0, by_wrap = 0;  ///< rad, -
-};
-
-/// The angle by which a rope is pressed on what does not turn: on a round all of its turning, out of its plane too.
-/// What it turns more than its wrap is that of the step before: with its derivatives along the way alone the iteration
-/// creeps where a block tilts (seed 247 of the random machines).
-PressedBy pressed_by(const Mechanism& m, const Contact& contact, const Values& before, const Values& now, double was,
-                     double wrap) {
-  const bool slides = contact.spin < 0 && std::isinf(contact.bearing_log);
-  if (!contact.round || !slides) return {std::max(0.0, wrap), wrap > 0 ? 1.0 : 0.0};
+/// The angle by which a rope is pressed on its groove: all of its turning, out of the plane of a round too. What it
+/// turns more than its wrap is that of the step before: with its derivatives along the way alone the iteration creeps
+/// where a block tilts (seed 247 of the random machines).
+double pressed_by(const Mechanism& m, const Contact& contact, const Values& before, const Values& now, double was,
+                  double wrap) {
+  const double along = std::max(0.0, wrap);
+  if (!contact.round || contact.driven) return along;
   const Line& line = m.lines[contact.in];
   const Vector3 n = line.side[1] * to_ground(now.bodies, line.body[1], line.axis[1]);
   const Vector3 &in = direction(m, before, contact.in, 1), &out = direction(m, before, contact.out, 0);
-  const double aside = mechanics::turning(n, in, out, {.value = was}).value - std::max(0.0, was);
-  return {std::max(0.0, wrap) + aside, wrap > 0 ? 1.0 : 0.0};
+  return along + mechanics::turning(n, in, out, {.value = was}).value - std::max(0.0, was);
 }
 
 /// Angle of the arc, and what its law allows.
@@ -206,9 +201,8 @@ void bound(const Mechanism& m, const Scheme& s, const Values& before, std::size_
     if (held && contact.spin >= 0 && rope.closed) is.log_ratio = infinite;
     return;
   }
-  const PressedBy pressed =
-      everywhere ? PressedBy{} : pressed_by(m, contact, before, now, before.contacts[i].wrap, is.wrap);
-  const double grip = everywhere ? infinite : contact.friction * pressed.angle;
+  const double grip =
+      everywhere ? infinite : contact.friction * pressed_by(m, contact, before, now, before.contacts[i].wrap, is.wrap);
   if (contact.bearing_log <= grip) {
     is.log_ratio = contact.bearing_log;
     is.ratio = contact.bearing_ratio;
@@ -216,7 +210,7 @@ void bound(const Mechanism& m, const Scheme& s, const Values& before, std::size_
   }
   is.log_ratio = grip;
   is.ratio = std::exp(grip);
-  is.log_by_wrap = contact.friction * pressed.by_wrap;
+  if (is.wrap > 0) is.log_by_wrap = contact.friction;
 }
 
 [[gnu::always_inline]] inline void flow(const Mechanism& m, const Scheme& s, const Values& before, const Work& w,
