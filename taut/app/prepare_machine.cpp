@@ -209,6 +209,34 @@ void add_screws(const machine::Machine& machine, Result& r) {
   }
 }
 
+/// What a deck gives, with warnings of it.
+Result described(const MachineDeck& deck, const machine::Model& model, bool report) {
+  Result r;
+  r.method_title = "Machine";
+  if (report) {
+    r.given = given_of(MachineDeck::describe(), &deck);
+    r.assumptions = results::assumptions_of(deck.machine);
+    r.warnings = absurd_machine(deck, model);
+  }
+  for (const auto& car : deck.machine.carriages) {
+    if (!car.from_library.empty()) r.assumptions.push_back(car.from_library);
+  }
+  results::add_rope_stiffness(deck.machine, r);
+  results::warn_of_rope_values(deck.machine, r);
+  if (auto text = survey_warning(model)) warn_unsafe(r, *std::move(text));
+  return r;
+}
+
+/// What holds its ropes and bears its loads otherwise than one may think.
+void warn_of_machine(const MachineDeck& deck, const results::MachineRun& run, Result& r) {
+  for (std::string& text : results::held_tension_warnings(deck.machine, run.model))
+    r.warnings.push_back(std::move(text));
+  for (std::string& text : results::fixed_load_warnings(run.model)) warn_unsafe(r, std::move(text));
+  if (!run.judges) return;
+  if (run.tells) add_pulls(deck, r);
+  add_screws(deck.machine, r);
+}
+
 SweptVerdict judge_apart(const MachineDeck& deck, const results::MachineRun& run, Result& r);
 
 /// All that was asked, as deep as wanted. `run`: what it rests on, for whoever goes on from there.
@@ -221,28 +249,14 @@ Result compute(const MachineDeck& deck, machine::Model model, study::AskedAll as
   run.paths = std::move(asked.paths);
   run.progress = progress;
   run.display = deck.display;
-  Result r;
-  r.method_title = "Machine";
-  if (report) r.given = given_of(MachineDeck::describe(), &deck);
-  if (report) r.assumptions = results::assumptions_of(deck.machine);
-  for (const auto& car : deck.machine.carriages) {
-    if (!car.from_library.empty()) r.assumptions.push_back(car.from_library);
-  }
-  if (report) r.warnings = absurd_machine(deck, run.model);
-  results::add_rope_stiffness(deck.machine, r);
-  results::warn_of_rope_values(deck.machine, r);
-  if (auto text = survey_warning(run.model)) warn_unsafe(r, *std::move(text));
+  Result r = described(deck, run.model, report);
   std::vector<study::PutUpLine> lines;
   study::note_failure(r, put_up(deck, run.model, lines), "installation");
   if (r.status != Status::ok) {
     if (report) results::add_described_figures(run, "no equilibrium was found", r);
     return r;
   }
-  for (std::string& text : results::held_tension_warnings(deck.machine, run.model))
-    r.warnings.push_back(std::move(text));
-  for (std::string& text : results::fixed_load_warnings(run.model)) warn_unsafe(r, std::move(text));
-  if (run.judges && run.tells) add_pulls(deck, r);
-  if (run.judges) add_screws(deck.machine, r);
+  warn_of_machine(deck, run, r);
   solve_states(deck, run, r);
   if (run.judges || !asked.more.empty()) run.checked = std::make_shared<checks::CheckedParts>(deck, run.model);
   add_payload_limits(asked.more, run);

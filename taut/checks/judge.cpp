@@ -337,18 +337,21 @@ void Judge::take_peaks(const machine::Model& m, const solve::TransientResult& mo
   }
 }
 
+void Judge::begin_motion(const machine::Model& m, const solve::TransientFrame& first) {
+  events_seen_ = 0;
+  broken_.clear();
+  stood_.clear();
+  footprints_.clear();
+  // a motion that goes on from a saved state does not see where its feet stood before: they count as all down
+  for (std::size_t i = 0; first.t > 0 && i < first.faces.size(); ++i) stood_.insert(i);
+  hangs_ = slack_branches(m, first);
+}
+
 void Judge::take_moment(const machine::Model& m, const solve::TransientResult& so_far,
                         const solve::TransientFrame& moment, const std::vector<FreeRope>& free,
                         const std::string& words) {
-  if (moment.t <= so_far.frames.front().t) {
-    events_seen_ = 0;
-    broken_.clear();
-    stood_.clear();
-    footprints_.clear();
-    // a motion that goes on from a saved state does not see where its feet stood before: they count as all down
-    for (std::size_t i = 0; moment.t > 0 && i < moment.faces.size(); ++i) stood_.insert(i);
-    hangs_ = slack_branches(m, moment);
-  }
+  const bool begins = moment.t <= so_far.frames.front().t;
+  if (begins) begin_motion(m, moment);
   const std::vector<std::string> slack = slack_branches(m, moment);
   std::erase_if(hangs_,
                 [&](const std::string& one) { return std::find(slack.begin(), slack.end(), one) == slack.end(); });
@@ -368,7 +371,7 @@ void Judge::take_moment(const machine::Model& m, const solve::TransientResult& s
     if (broken_.contains(m.reevings[car.reeving].name)) continue;
     take_carriage(m, car, moment.bodies[car.body].position, when);
   }
-  if (moment.t <= so_far.frames.front().t) warn_of_buried(m, words);
+  if (begins) warn_of_buried(m, words);
   for (const solve::TransientFrame::Branch& branch : moment.branches) {
     const std::string& rope = m.reevings[branch.reeving].name;
     const bool slack = branch.whole && std::max(branch.T_from, branch.T_to) <= 0;

@@ -164,6 +164,7 @@ class Judge {
   void take_spans(const machine::Model& model, const machine::State& state, const std::set<std::string>& broken,
                   const std::string& words);
   void take_slack(const machine::Model& model, const solve::EquilibriumResult& state, const std::string& words);
+  void begin_motion(const machine::Model& model, const solve::TransientFrame& first);
   /// Branches of ropes that may not be slack, and are.
   [[nodiscard]] std::vector<std::string> slack_branches(const machine::Model& model,
                                                         const solve::TransientFrame& moment) const;

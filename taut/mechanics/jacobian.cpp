@@ -148,24 +148,27 @@ void add_dead_forces(Assembly& a) {
   }
 }
 
-/// Adds the derivative of factor_in T_in + factor_out T_out + factor_angle angle at a turn to a row.
-void add_turn(Assembly& a, int turn, int row, double factor_in, double factor_out, double factor_angle,
-              const Angle& angle) {
+/// The derivatives of something at a turn by its tensions and by an angle there.
+struct ByTurn {
+  double in = 0, out = 0, angle = 0;
+};
+
+/// Adds the derivative of such a thing to a row.
+void add_turn(Assembly& a, int turn, int row, const ByTurn& by, const Angle& angle) {
   const Layout::Turn& t = a.system.layout.turns[turn];
   const Columns &in = a.columns[t.before], &out = a.columns[t.after];
   const Vector3 &d_in = a.e.branches[t.before].arrives, &d_out = a.e.branches[t.after].leaves;
   for (std::size_t k = 0; k < as_size(in.count); ++k) {
-    a.J.add(row, in.unknown[k], factor_in * d_in.dot(in.pull_to[k]) + factor_angle * angle.by_in.dot(in.arrives[k]));
+    a.J.add(row, in.unknown[k], by.in * d_in.dot(in.pull_to[k]) + by.angle * angle.by_in.dot(in.arrives[k]));
   }
   for (std::size_t k = 0; k < as_size(out.count); ++k) {
-    a.J.add(row, out.unknown[k],
-            factor_out * d_out.dot(out.pull_from[k]) + factor_angle * angle.by_out.dot(out.leaves[k]));
+    a.J.add(row, out.unknown[k], by.out * d_out.dot(out.pull_from[k]) + by.angle * angle.by_out.dot(out.leaves[k]));
   }
 }
 
 void add_drop(Assembly& a, int turn, int row) {
   const DropRates rates = drop_rates(a.system, a.system.layout.turns[turn]);
-  add_turn(a, turn, row, rates.by_in, rates.by_out, 0, {});
+  add_turn(a, turn, row, {.in = rates.by_in, .out = rates.by_out}, {});
 }
 
 void add_arc(Assembly& a, int turn, int row) {
@@ -174,7 +177,7 @@ void add_arc(Assembly& a, int turn, int row) {
   const double radius = rope.nodes[t.node].radius;
   if (radius == 0) return;
   const ArcLength length = arc(a.system, a.e, turn);
-  add_turn(a, turn, row, length.by_in, length.by_out, length.by_wrap, a.e.bends[turn].wrap);
+  add_turn(a, turn, row, {.in = length.by_in, .out = length.by_out, .angle = length.by_wrap}, a.e.bends[turn].wrap);
 }
 
 void add_contact(Assembly& a, int turn) {
@@ -188,7 +191,8 @@ void add_contact(Assembly& a, int turn) {
   const double flow = a.system.losses * t.flow;
   const double in = std::exp(flow * lost.log / 2), out = 1 / in;
   const double T_in = a.e.branches[t.before].T_to, T_out = a.e.branches[t.after].T_from;
-  add_turn(a, turn, *t.row, -in, out, -(out * T_out + in * T_in) / 2 * flow * lost.by_turning, a.e.bends[turn].turning);
+  const double by_angle = -(out * T_out + in * T_in) / 2 * flow * lost.by_turning;
+  add_turn(a, turn, *t.row, {.in = -in, .out = out, .angle = by_angle}, a.e.bends[turn].turning);
 }
 
 /// The free length of a branch in a row.

@@ -139,25 +139,32 @@ const Description& AnalysisRequest::describe() {
   return d;
 }
 
+namespace {
+
+/// The temperatures of the machine in the states that an analysis shows to the verdict, K.
+std::vector<double> temperatures_of(const AnalysisRequest& one) {
+  std::vector<double> all;
+  if (one.envelope && one.envelope->judge) all = one.envelope->temperatures;
+  if (one.installation && one.installation->judge) {
+    all = one.installation->temperatures;
+    for (const auto& end : {one.installation->from, one.installation->to}) {
+      if (end) all.push_back(*end);
+    }
+  }
+  if (one.sweep && one.sweep->judge && one.sweep->heats()) {
+    for (const std::string& end : {one.sweep->from, one.sweep->to}) {
+      if (const auto t = parse_quantity(end, si::K)) all.push_back(*t);
+    }
+  }
+  return all;
+}
+
+}  // namespace
+
 std::optional<double> hottest_of(const machine::Machine& machine, const std::vector<AnalysisRequest>& analyses) {
   std::optional<double> hottest = machine.temperature;
-  const auto take = [&](const std::optional<double>& one) {
-    if (one && (!hottest || *one > *hottest)) hottest = one;
-  };
   for (const AnalysisRequest& one : analyses) {
-    if (one.envelope && one.envelope->judge) {
-      for (const double t : one.envelope->temperatures) take(t);
-    }
-    if (one.installation && one.installation->judge) {
-      for (const double t : one.installation->temperatures) take(t);
-      take(one.installation->from);
-      take(one.installation->to);
-    }
-    if (one.sweep && one.sweep->judge && one.sweep->heats()) {
-      for (const std::string& end : {one.sweep->from, one.sweep->to}) {
-        if (const auto t = parse_quantity(end, si::K)) take(*t);
-      }
-    }
+    for (const double t : temperatures_of(one)) hottest = std::max(t, hottest.value_or(t));
   }
   return hottest;
 }

@@ -49,41 +49,50 @@ double weight_of(const machine::Model& model, int body, double t) {
   return weight;
 }
 
-/// The pull of a branch on a body at one of its ends, N; zero where it has no end there.
-Vector3 pull_on(const machine::Reeving& rope, const CheckBranch& branch, int body) {
-  Vector3 pull = Vector3::Zero();
-  if (rope.nodes[branch.from].at.body == body) pull += rope.copies * branch.on_start;
-  if (rope.nodes[branch.to].at.body == body) pull += rope.copies * branch.on_end;
-  return pull;
+/// Whether a rope has a node on a body.
+bool meets(const machine::Reeving& rope, int body) {
+  return std::any_of(rope.nodes.begin(), rope.nodes.end(), [&](const auto& node) { return node.at.body == body; });
+}
+
+/// Whether all that a rope holds hangs, too: it goes on to no ground and no drum, and to no body that is moved or
+/// fixed.
+bool hangs(const machine::Model& model, const machine::Reeving& rope) {
+  return std::all_of(rope.nodes.begin(), rope.nodes.end(), [&](const machine::Node& node) {
+    const int body = node.at.body;
+    return body != machine::ground && !node.drum && model.bodies[body].driven.empty() &&
+           !model.bodies[body].free.empty();
+  });
+}
+
+/// How a rope pulls a body down, N.
+double pull_down(const CheckState& state, int reeving, int body) {
+  const machine::Reeving& rope = state.model->reevings[reeving];
+  double up = 0;
+  for (const CheckBranch& branch : state.branches) {
+    if (branch.reeving != reeving) continue;
+    if (rope.nodes[branch.from].at.body == body) up += rope.copies * branch.on_start.z();
+    if (rope.nodes[branch.to].at.body == body) up += rope.copies * branch.on_end.z();
+  }
+  return -up;
 }
 
 /// What a body that hangs on a carriage weighs with all that hangs on it by ropes, N, and with the pull of ropes that
-/// go on to something that does not hang there: the ground, a drum, a body that is moved or fixed.
+/// go on to something else.
 double hung_weight(const CheckState& state, const machine::Carriage& car, int body) {
   const machine::Model& model = *state.model;
   std::vector<int> all = {body};
   double weight = 0;
-  const auto hangs = [&](const machine::Node& node) {
-    const int other = node.at.body;
-    return other != machine::ground && !node.drum && model.bodies[other].driven.empty() &&
-           !model.bodies[other].free.empty();
-  };
   for (std::size_t i = 0; i < all.size(); ++i) {
     weight += weight_of(model, all[i], state.t.value_or(0));
-    for (std::size_t r = 0; r < model.reevings.size(); ++r) {
-      const auto& nodes = model.reevings[r].nodes;
-      const auto at = [&](int of) {
-        return std::any_of(nodes.begin(), nodes.end(), [&](const auto& node) { return node.at.body == of; });
-      };
-      if (!at(all[i]) || at(car.body)) continue;
-      if (std::all_of(nodes.begin(), nodes.end(), hangs)) {
-        for (const machine::Node& node : nodes) {
-          if (std::find(all.begin(), all.end(), node.at.body) == all.end()) all.push_back(node.at.body);
-        }
+    for (int r = 0; r < static_cast<int>(model.reevings.size()); ++r) {
+      const machine::Reeving& rope = model.reevings[r];
+      if (!meets(rope, all[i]) || meets(rope, car.body)) continue;
+      if (!hangs(model, rope)) {
+        weight += pull_down(state, r, all[i]);
         continue;
       }
-      for (const CheckBranch& branch : state.branches) {
-        if (branch.reeving == static_cast<int>(r)) weight -= pull_on(model.reevings[r], branch, all[i]).z();
+      for (const machine::Node& node : rope.nodes) {
+        if (std::find(all.begin(), all.end(), node.at.body) == all.end()) all.push_back(node.at.body);
       }
     }
   }

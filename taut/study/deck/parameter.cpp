@@ -146,46 +146,60 @@ class Finder {
                      .place = place_};
   }
 
+  /// Entries of a list, and by how many steps they are named.
+  struct Called {
+    std::vector<std::size_t> entries;
+    std::size_t steps = 0;
+  };
+
+  /// The entries that the step calls by what they have at a key; `known`: all that they have there.
+  Called called(const Description& entry, const char* key, const std::vector<void*>& all, std::size_t at,
+                std::vector<std::string>& known) const {
+    Called found;
+    const Field* text = entry.find(key);
+    if (text == nullptr || text->kind != FieldKind::text) return found;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      known.push_back(text_of(*text, all[i]));
+      const std::size_t count = fits(known.back(), at);
+      if (count > found.steps) found = {{}, count};  // "a.b" before "a"
+      if (count > 0 && count == found.steps) found.entries.push_back(i);
+    }
+    // what has no name of its own is called by its rope, place or body
+    const Field* name = entry.find("name");
+    const auto named = [&](std::size_t i) { return name != nullptr && !text_of(*name, all[i]).empty(); };
+    auto& entries = found.entries;
+    if (const auto own = std::find_if_not(entries.begin(), entries.end(), named);
+        own != entries.end() && std::all_of(own + 1, entries.end(), named)) {
+      entries = {*own};
+    }
+    return found;
+  }
+
   Found in_record(const Field& f, const Record& record, std::size_t at) {
-    const auto all = record.all();
+    std::vector<void*> all;
+    all.reserve(record.all().size());
     // the slot was made of an object that may be changed
-    const auto changeable = [](const void* one) { return const_cast<void*>(one); };
+    for (const void* one : record.all()) all.push_back(const_cast<void*>(one));
     if (!f.is_list) {
       if (all.empty()) return no(at, "is part of something that the deck does not have");
-      return in_struct(*f.record, changeable(all.front()), at);
+      return in_struct(*f.record, all.front(), at);
     }
     if (at >= steps_.size()) return no(at, "is a list: name an entry, [0] and so on");
     if (const auto i = number_of(steps_[at])) {
       if (*i >= all.size()) return no(at, fmt::format("is not one of its {} entries", all.size()));
       enter(*i);
-      return in_struct(*f.record, changeable(all[*i]), at + 1);
+      return in_struct(*f.record, all[*i], at + 1);
     }
     std::vector<std::string> known;
     for (const char* key : {"name", "rope", "at", "body"}) {
-      const Field* text = f.record->find(key);
-      if (text == nullptr || text->kind != FieldKind::text) continue;
-      std::vector<std::size_t> found;
-      std::size_t longest = 0;  // "a.b" before "a"
-      for (std::size_t i = 0; i < all.size(); ++i) {
-        known.push_back(text_of(*text, changeable(all[i])));
-        const std::size_t count = fits(known.back(), at);
-        if (count > longest) found.clear(), longest = count;
-        if (count > 0 && count == longest) found.push_back(i);
+      const auto [entries, steps] = called(*f.record, key, all, at, known);
+      if (entries.size() > 1) {
+        return no(at, fmt::format("is the '{}' of {} entries: write the index of one, [{}]", key, entries.size(),
+                                  fmt::join(entries, "], [")));
       }
-      // what has no name of its own is called by its rope, place or body
-      const Field* name = f.record->find("name");
-      const auto named = [&](std::size_t i) { return name != nullptr && !text_of(*name, changeable(all[i])).empty(); };
-      if (const auto own = std::find_if_not(found.begin(), found.end(), named);
-          own != found.end() && std::all_of(own + 1, found.end(), named)) {
-        found = {*own};
-      }
-      if (found.size() > 1) {
-        return no(at, fmt::format("is the '{}' of {} entries: write the index of one, [{}]", key, found.size(),
-                                  fmt::join(found, "], [")));
-      }
-      if (found.empty()) continue;
-      enter(found.front());
-      return in_struct(*f.record, changeable(all[found.front()]), at + longest);
+      if (entries.empty()) continue;
+      enter(entries.front());
+      return in_struct(*f.record, all[entries.front()], at + steps);
     }
     return no(at, fmt::format("is not an entry of the list{}", did_you_mean(steps_[at], known)));
   }
