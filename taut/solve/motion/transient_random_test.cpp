@@ -90,7 +90,7 @@ TEST(TransientRandom, OnceWithoutAnswer) {
   for (const unsigned seed :
        {61U, 125U, 153U, 207U, 241U, 246U, 270U, 376U, 382U, 441U, 461U, 247U, 1825U, 1854U, 2384U, 1536U}) {
     SCOPED_TRACE(seed);
-    const TransientResult r = run(seed, 20'000);
+    const TransientResult r = run(seed, 100'000);  // a rope of 247 chatters between slack and taut
     ASSERT_TRUE(r.outcome.ok()) << r.outcome.message;
     EXPECT_NEAR(r.t_end, 2, 1e-12);
     EXPECT_LT(std::abs(r.frames.back().energy.residual), 0.01 * r.frames.back().energy.turnover);

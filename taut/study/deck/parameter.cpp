@@ -161,7 +161,7 @@ class Finder {
     for (std::size_t i = 0; i < all.size(); ++i) {
       known.push_back(text_of(*text, all[i]));
       const std::size_t count = fits(known.back(), at);
-      if (count > found.steps) found = {{}, count};  // "a.b" before "a"
+      if (count > found.steps) found = {.entries = {}, .steps = count};  // "a.b" before "a"
       if (count > 0 && count == found.steps) found.entries.push_back(i);
     }
     // what has no name of its own is called by its rope, place or body

@@ -159,17 +159,15 @@ void turn_spins(const Mechanism& m, const Scheme& s, const Values& before, doubl
   is.e = L > 0 ? std::min(0.0, path_of(line, is) / L - 1) : 0;  // nothing holds a dead end: it has no stretch
 }
 
-/// The angle by which a rope is pressed on its groove: all of its turning, out of the plane of a round too. What it
-/// turns more than its wrap is that of the step before: with its derivatives along the way alone the iteration creeps
-/// where a block tilts (seed 247 of the random machines).
-double pressed_by(const Mechanism& m, const Contact& contact, const Values& before, const Values& now, double was,
-                  double wrap) {
+/// The angle by which a rope is pressed on its groove: all of its turning, out of the plane of a round too. (Its
+/// derivative counts as that of the wrap: the ways out of the plane change it little.)
+double pressed_by(const Mechanism& m, const Contact& contact, const Values& now, double wrap) {
   const double along = std::max(0.0, wrap);
   if (!contact.round || contact.driven) return along;
   const Line& line = m.lines[contact.in];
   const Vector3 n = line.side[1] * to_ground(now.bodies, line.body[1], line.axis[1]);
-  const Vector3 &in = direction(m, before, contact.in, 1), &out = direction(m, before, contact.out, 0);
-  return along + mechanics::turning(n, in, out, {.value = was}).value - std::max(0.0, was);
+  const Vector3 &in = direction(m, now, contact.in, 1), &out = direction(m, now, contact.out, 0);
+  return mechanics::turning(n, in, out, {.value = wrap}).value;
 }
 
 /// Angle of the arc, and what its law allows.
@@ -201,8 +199,7 @@ void bound(const Mechanism& m, const Scheme& s, const Values& before, std::size_
     if (held && contact.spin >= 0 && rope.closed) is.log_ratio = infinite;
     return;
   }
-  const double grip =
-      everywhere ? infinite : contact.friction * pressed_by(m, contact, before, now, before.contacts[i].wrap, is.wrap);
+  const double grip = everywhere ? infinite : contact.friction * pressed_by(m, contact, now, is.wrap);
   if (contact.bearing_log <= grip) {
     is.log_ratio = contact.bearing_log;
     is.ratio = contact.bearing_ratio;
