@@ -86,10 +86,11 @@ struct RopeLoad {
   std::optional<Signal> signal = std::nullopt;  ///< in motion: the force, N, or the rate, N/m, over time
 };
 
-/// Loss of tension at a contact. In the sense of growing tension T_out = r T_in, ln r = min(friction * wrap, -ln
-/// efficiency): groove and bearing act in series, and the weaker one gives way. The inertia of rotation is not
-/// included. A saddle: efficiency 0 (it does not turn). A sheave: its efficiency, and infinite friction where the rope
-/// cannot slip. A rolling carriage: efficiency 0 and its rolling friction. No loss: efficiency 1.
+/// Loss of tension at a contact. In the sense of growing tension T_out = r T_in, ln r = min(friction * theta, -ln
+/// efficiency) with theta by which the rope turns there, out of the plane of a round too (mechanics/bend.hpp): groove
+/// and bearing act in series, and the weaker one gives way. The inertia of rotation is not included. A saddle:
+/// efficiency 0 (it does not turn). A sheave: its efficiency, and infinite friction where the rope cannot slip. A
+/// rolling carriage: efficiency 0 and its rolling friction. No loss: efficiency 1.
 struct ContactLaw {
   double friction = std::numeric_limits<double>::infinity();  ///< of the rope on the groove, >= 0
   double efficiency = 1;                                      ///< of the turning sheave, 0 <= efficiency <= 1
