@@ -310,9 +310,11 @@ void DriveUses::take_moment(const machine::Model& m, const solve::TransientFrame
   const std::string when = fmt::format("{}, t = {:.4g} s", words, frame.t);
   check_cylinders(m, frame, when, yielding_);
   const auto drums = solve::drums(m, frame);
-  take_slips(m, frame, words);
+  const double time = frame.t - last_moment_;
+  last_moment_ = frame.t;
+  take_slips(m, frame, time, words);
   if (drums.empty()) return;
-  take_dragged(m, frame, words);
+  take_dragged(m, frame, time, words);
   std::vector<Check> made;
   check_capacities(m, drums, made);
   for (const auto& [drum, load] : loads_of(drums, {})) {
@@ -334,9 +336,8 @@ void DriveUses::take_moment(const machine::Model& m, const solve::TransientFrame
 
 /// A rope creeps over its driven sheave by its stretch, a small share of the rim's way. Where it is faster than that
 /// against the rim it slips; the ways of these moments add up.
-void DriveUses::take_slips(const machine::Model& m, const solve::TransientFrame& frame, const std::string& words) {
-  const double time = frame.t - slides_at_;
-  slides_at_ = frame.t;
+void DriveUses::take_slips(const machine::Model& m, const solve::TransientFrame& frame, double time,
+                           const std::string& words) {
   if (slides_.size() != frame.contacts.size() || !(time > 0)) {  // a motion begins
     slides_.assign(frame.contacts.size(), 0);
     return;
@@ -355,9 +356,10 @@ void DriveUses::take_slips(const machine::Model& m, const solve::TransientFrame&
   }
 }
 
-/// A drum by a torque whose load turns it back, until the motion ends. Where another drive does work it may be what
-/// draws the rope out: a haulback that is kept tight.
-void DriveUses::take_dragged(const machine::Model& m, const solve::TransientFrame& frame, const std::string& words) {
+/// A drum by a torque whose load turns it back, until the motion ends, by more than the swing of a load that it bears.
+/// Where another drive does work it may be what draws the rope out: a haulback that is kept tight.
+void DriveUses::take_dragged(const machine::Model& m, const solve::TransientFrame& frame, double time,
+                             const std::string& words) {
   const bool drawn = !m.motors.empty() ||
                      std::any_of(frame.drums.begin(), frame.drums.end(), [](const auto& one) { return one.power > 0; });
   for (std::size_t d = 0; d < frame.drums.size(); ++d) {
@@ -366,7 +368,9 @@ void DriveUses::take_dragged(const machine::Model& m, const solve::TransientFram
       dragged_.erase(m.drums[d].name);
       continue;
     }
-    dragged_[m.drums[d].name] =
+    Slip& back = dragged_[m.drums[d].name];
+    back.slipped += std::abs(is.speed) * std::max(time, 0.0);
+    back.words =
         fmt::format("{}: at its end, t = {:.4g} s, the load drags '{}' at {:.3g} m/s against its torque of {:.4g} kN m",
                     words, frame.t, m.drums[d].name, std::abs(is.speed), std::abs(is.torque) / 1e3);
   }
@@ -382,7 +386,11 @@ void DriveUses::take_set_brakes(const machine::Model& m, const solve::TransientF
 }
 
 void DriveUses::take(const machine::Model& m, const solve::TransientResult& motion, const std::string& words) {
-  unbraked_.merge(dragged_);
+  for (const machine::Drum& drum : m.drums) {
+    const auto back = dragged_.find(drum.name);
+    if (back == dragged_.end() || back->second.slipped < drum.core_radius) continue;
+    unbraked_.try_emplace(drum.name, back->second.words);
+  }
   dragged_.clear();
   slides_.clear();
   for (std::size_t d = 0; d < m.drums.size(); ++d) {

@@ -35,8 +35,10 @@ class DriveUses {
  private:
   void keep(std::vector<Check> made, const std::string& words);
   void take_set_brakes(const machine::Model& model, const solve::TransientFrame& rest, const std::string& words);
-  void take_slips(const machine::Model& model, const solve::TransientFrame& frame, const std::string& words);
-  void take_dragged(const machine::Model& model, const solve::TransientFrame& frame, const std::string& words);
+  void take_slips(const machine::Model& model, const solve::TransientFrame& frame, double time,
+                  const std::string& words);
+  void take_dragged(const machine::Model& model, const solve::TransientFrame& frame, double time,
+                    const std::string& words);
   void take_brakes(const machine::Model& model, const solve::TransientResult& motion, const std::string& words);
   void keep_turns(const machine::Model& model, const solve::DrumResult& drum, const std::string& words);
   void keep_winding(const machine::Model& m, const Array<solve::DrumResult>& ends,
@@ -54,8 +56,8 @@ class DriveUses {
   };
   std::map<std::string, Slip> slips_;                   // the largest of each sheave
   std::vector<double> slides_;                          // m, by contact, so far in the motion that is shown now
-  double slides_at_ = 0;                                // s, its last moment
-  std::map<std::string, std::string> dragged_;          // its drums that their load turns back now
+  std::map<std::string, Slip> dragged_;                 // its drums that their load turns back now: by how much rope
+  double last_moment_ = 0;                              // s, of that motion
   std::map<std::string, std::string> unbraked_;         // drums whose brake slips, or has not stopped them
   std::map<std::string, std::string> unloaded_brakes_;  // drums that no state shows by their brake: where
   std::map<std::string, std::string> paid_out_;  // ropes that a state shows as they run off their drum, with losses

@@ -347,14 +347,18 @@ void Judge::begin_motion(const machine::Model& m, const solve::TransientFrame& f
   hangs_ = slack_branches(m, first);
 }
 
+void Judge::keep_slack(const std::vector<std::string>& branches) {
+  std::erase_if(hangs_, [&](const std::string& one) {
+    return std::find(branches.begin(), branches.end(), one) == branches.end();
+  });
+}
+
 void Judge::take_moment(const machine::Model& m, const solve::TransientResult& so_far,
                         const solve::TransientFrame& moment, const std::vector<FreeRope>& free,
                         const std::string& words) {
   const bool begins = moment.t <= so_far.frames.front().t;
   if (begins) begin_motion(m, moment);
-  const std::vector<std::string> slack = slack_branches(m, moment);
-  std::erase_if(hangs_,
-                [&](const std::string& one) { return std::find(slack.begin(), slack.end(), one) == slack.end(); });
+  if (!hangs_.empty()) keep_slack(slack_branches(m, moment));
   for (; events_seen_ < so_far.events.size(); ++events_seen_) {
     const solve::TransientEvent& event = so_far.events[events_seen_];
     if (event.what == "break") broken_.insert(m.reevings[*event.reeving].name);

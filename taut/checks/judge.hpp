@@ -165,6 +165,7 @@ class Judge {
                   const std::string& words);
   void take_slack(const machine::Model& model, const solve::EquilibriumResult& state, const std::string& words);
   void begin_motion(const machine::Model& model, const solve::TransientFrame& first);
+  void keep_slack(const std::vector<std::string>& branches);
   /// Branches of ropes that may not be slack, and are.
   [[nodiscard]] std::vector<std::string> slack_branches(const machine::Model& model,
                                                         const solve::TransientFrame& moment) const;

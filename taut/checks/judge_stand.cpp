@@ -14,37 +14,34 @@ namespace {
 
 constexpr double dragged_way = 0.1;  ///< m; feet give way by less under what they hold
 
-/// By drums or sheaves on it: a machine, or a part of one, no load.
-bool carries_ropes(const machine::Model& m, int body) {
+/// Whether a rope meets a body at such a node.
+template <class Such>
+bool meets_ropes(const machine::Model& m, int body, const Such& such) {
   return std::any_of(m.reevings.begin(), m.reevings.end(), [&](const machine::Reeving& rope) {
     return std::any_of(rope.nodes.begin(), rope.nodes.end(),
-                       [&](const machine::Node& node) { return node.at.body == body && node.radius > 0; });
+                       [&](const machine::Node& node) { return node.at.body == body && such(node); });
   });
 }
 
+/// By drums or sheaves on it: a machine, or a part of one, no load.
+bool carries_ropes(const machine::Model& m, int body) {
+  return meets_ropes(m, body, [](const machine::Node& node) { return node.radius > 0; });
+}
+
 bool holds_ropes(const machine::Model& m, int body) {
-  return std::any_of(m.reevings.begin(), m.reevings.end(), [&](const machine::Reeving& rope) {
-    return std::any_of(rope.nodes.begin(), rope.nodes.end(),
-                       [&](const machine::Node& node) { return node.at.body == body; });
-  });
+  return meets_ropes(m, body, [](const machine::Node&) { return true; });
 }
 
 /// A winch that stands there. What has only sheaves may be skidded by their ropes.
 bool has_drum(const machine::Model& m, int body) {
-  return std::any_of(m.reevings.begin(), m.reevings.end(), [&](const machine::Reeving& rope) {
-    return std::any_of(rope.nodes.begin(), rope.nodes.end(),
-                       [&](const machine::Node& node) { return node.drum && node.at.body == body; });
-  });
+  return meets_ropes(m, body, [](const machine::Node& node) { return node.drum.has_value(); });
 }
 
 /// Whether ropes end on it at one of these anchors.
 bool ends_ropes(const machine::Model& m, int body, const std::vector<AnchorCheckRequest>& anchors) {
-  const auto is_named = [&](const machine::Node& node) {
-    return node.at.body == body &&
+  return meets_ropes(m, body, [&](const machine::Node& node) {
+    return node.kind == machine::NodeKind::anchor &&
            std::any_of(anchors.begin(), anchors.end(), [&](const auto& one) { return one.name == node.name; });
-  };
-  return std::any_of(m.reevings.begin(), m.reevings.end(), [&](const machine::Reeving& rope) {
-    return is_named(rope.nodes.front()) || is_named(rope.nodes.back());
   });
 }
 

@@ -212,8 +212,8 @@ bool is_put_up(const machine::Machine& machine) {
                      [](const auto& s) { return s.keeps == machine::description::ScrewKeeps::place; });
 }
 
-/// The machine on which lines, guys and screws of a case are put up: with the case's build, and with the loads, the
-/// temperature and the other ropes of the deck (study::puts_up_anew).
+/// The machine on which lines and guys of a case are put up: with the case's build, and with the loads, the temperature
+/// and the other ropes of the deck (study::puts_up_anew). Screws take its temperature alone.
 machine::Machine built_for(const machine::Machine& deck, machine::Machine own) {
   own.temperature = deck.temperature;
   own.loads = deck.loads;
