@@ -115,7 +115,14 @@ TEST(Measures, MistakesAreToldAtTheirPlace) {
   const taut::Result never = run_text(deck("    a: {of: hook.z, mean: {from: 2 s, to: 3 s}}"));
   EXPECT_EQ(never.find_value("a"), nullptr);
   ASSERT_EQ(never.warnings.size(), 1U);
-  EXPECT_NE(never.warnings[0].find("a has no mean"), std::string::npos);
+  EXPECT_NE(never.warnings[0].find("a has no value"), std::string::npos);
+  for (const char* taken : {"relative: difference", "value: max"}) {
+    const taut::Result after = run_text(deck(fmt::format("    a: {{of: hook.z, since: 1000 s, {}}}", taken)));
+    EXPECT_EQ(after.find_value("a"), nullptr) << taken;
+    EXPECT_EQ(after.find_value("a_max"), nullptr) << taken;
+    ASSERT_EQ(after.warnings.size(), 1U) << taken;
+    EXPECT_NE(after.warnings[0].find("a has no value"), std::string::npos) << taken;
+  }
 }
 
 }  // namespace taut_test::measures_test

@@ -59,9 +59,13 @@ void CheckedParts::take(const machine::Model& model, const solve::EquilibriumRes
   payloads.take(model, state, words);
   const bool shown = !guys.empty() || any_shown();
   if (shown) show(state_of(model, state, words, analysis));
+  const bool runs = std::any_of(state.flow.begin(), state.flow.end(), [](const Array<int>& rope) {
+    return std::any_of(rope.begin(), rope.end(), [](int f) { return f != 0; });
+  });
   for (const solve::EquilibriumResult& bound : state.bounds) {
     const std::string held = held_words(words);
     judge.take(model, bound, held);
+    if (runs) drives.take_bound(model, bound, held);
     if (shown) show(state_of(model, bound, held, analysis));
   }
 }

@@ -12,6 +12,7 @@
 #include "taut/base/suggest.hpp"
 #include "taut/calc/verdict.hpp"
 #include "taut/checks/checked_parts.hpp"
+#include "taut/checks/heat.hpp"
 
 namespace taut::checks {
 namespace {
@@ -151,7 +152,10 @@ void add_checks(const CheckedDeck& deck, const machine::Model& model, const Chec
     add_support_checks(seen.supports, r);
     add_yarder_checks(seen.yarders, r);
   }
-  if (!elsewhere) add_carriage_checks(seen.carriages, r);
+  if (!elsewhere) {
+    add_carriage_checks(seen.carriages, r);
+    add_unjudged_heat(deck, model, r);
+  }
   for (const std::string& words : seen.ropes.growing()) warn_unsafe(r, words);
   r.warnings.insert(r.warnings.end(), seen.unseen.begin(), seen.unseen.end());
   r.unmade.insert(r.unmade.end(), seen.unseen.begin(), seen.unseen.end());

@@ -30,6 +30,8 @@ void complain_of_confirmed(const ChecksRequest& request, std::vector<Complaint>&
 void finish_checks(const ChecksRequest& request, Result& r);
 
 // Ropes of a machine: rope_checks.cpp.
+/// The reevings that a name under `checks: ropes` means: one, or all of a rope.
+std::vector<std::size_t> reevings_named(const std::string& name, const CheckedDeck& deck, const machine::Model& model);
 std::vector<AskedRules> resolve_ropes(const ChecksRequest& request, const CheckedDeck& deck,
                                       const machine::Model& model, std::vector<Complaint>& complaints);
 /// All that is to be reported of one rope: checks, and what was left out. `around`: as of `rope_rules`. `chosen`: it is

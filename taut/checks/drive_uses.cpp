@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "taut/calc/verdict.hpp"
+#include "taut/checks/drawn_out.hpp"
 #include "taut/checks/guy/guy_checks.hpp"
 #include "taut/solve/drives.hpp"
 #include "taut/solve/running.hpp"
@@ -105,6 +106,11 @@ bool stands_by_brake(const machine::Drum& drum) {
   return drum.drive.brake || !by_motor;
 }
 
+/// Its brake is open, and nothing drives it.
+bool turns_freely(const machine::Drum& drum) {
+  return drum.drive.kind == machine::DriveKind::free && !drum.drive.brake;
+}
+
 /// It has to hold the pull of its rope.
 void add_brake_check(const machine::Drum& drum, const DrumLoad& d, std::vector<Check>& made) {
   made.push_back(make_check(
@@ -115,7 +121,9 @@ void add_brake_check(const machine::Drum& drum, const DrumLoad& d, std::vector<C
 /// All ropes of a drum, against what it takes of each alone.
 void check_capacities(const machine::Model& m, const Array<solve::DrumResult>& ends, std::vector<Check>& made) {
   std::map<int, double> used;  // of the drum, as a share
+  std::map<int, int> on_drum;  // ends of ropes
   for (const solve::DrumResult& d : ends) {
+    ++on_drum[d.drum];
     if (d.length && d.capacity.value_or(0) > 0) used[d.drum] += m.reevings[d.reeving].copies * *d.length / *d.capacity;
   }
   for (const solve::DrumResult& d : ends) {
@@ -123,7 +131,7 @@ void check_capacities(const machine::Model& m, const Array<solve::DrumResult>& e
     // within flanges that hold no layer there is no share of it
     const int copies = m.reevings[d.reeving].copies;
     const double all = *d.capacity > 0 ? used[d.drum] * *d.capacity : copies * *d.length;
-    const bool shared = copies > 1 || all != *d.length;
+    const bool shared = copies > 1 || on_drum[d.drum] > 1;
     made.push_back(make_check(
         m.drums[d.drum].name + ".capacity", all, si::m,
         {.sense = Sense::at_most,
@@ -260,25 +268,42 @@ void DriveUses::keep_winding(const machine::Model& m, const Array<solve::DrumRes
   }
 }
 
-/// Where sheaves lose, a rope pulls less while it runs off its drum than at rest and hauled in.
+/// Where sheaves lose, a rope pulls less while it runs off its drum than at rest and hauled in; so it does where a map
+/// of senses lets it run off over one of them, or leaves one out: that one loses nothing then.
 void DriveUses::keep_senses(const machine::Model& m, const Array<solve::DrumResult>& ends,
                             const solve::EquilibriumResult& state, const std::string& words) {
   for (const solve::DrumResult& d : ends) {
     const machine::Reeving& rope = m.reevings[d.reeving];
     const Array<int>& flow = state.flow[d.reeving];
-    const int along = d.at_end ? flow.back() : flow.front();
-    const bool loses = std::any_of(rope.nodes.begin(), rope.nodes.end(), [](const machine::Node& node) {
-      return node.kind == machine::NodeKind::contact && node.law.efficiency < 1 && node.law.friction > 0;
-    });
-    if (loses && (d.at_end ? along < 0 : along > 0)) {
-      paid_out_.try_emplace(rope.name,
-                            fmt::format("'{}' is judged only while it runs off '{}' ({}), where losses help: add an "
-                                        "equilibrium at rest, or with 'motion: in'",
-                                        rope.name, m.drums[d.drum].name, words));
-    } else {
-      hauled_.insert(rope.name);
+    const int hauls = d.at_end ? 1 : -1;
+    const int at_drum = d.at_end ? flow.back() : flow.front();  // 0 in a map: it names contacts
+    bool loses_all = true, loses_any = false, stands = true;
+    for (std::size_t n = 0; n < flow.size(); ++n) {
+      const machine::Node& node = rope.nodes[n];
+      stands = stands && flow[n] == 0;
+      if (node.kind != machine::NodeKind::contact || node.law.efficiency >= 1 || node.law.friction == 0) continue;
+      loses_any = true;
+      loses_all = loses_all && (machine::rides(m, node) || flow[n] == hauls);
     }
+    if (!loses_any || stands || at_drum == hauls || (at_drum == 0 && loses_all)) {
+      hauled_.insert(rope.name);
+      continue;
+    }
+    paid_out_.try_emplace(rope.name,
+                          fmt::format("'{}' is judged only while it runs off '{}' over some of its sheaves, or without "
+                                      "their loss ({}): add an equilibrium at rest, or with 'motion: in'",
+                                      rope.name, m.drums[d.drum].name, words));
   }
+}
+
+/// Statics lets every drum stand.
+void DriveUses::keep_free(const machine::Drum& drum, double torque, const std::string& words) {
+  if (torque == 0) return;
+  unmade_.try_emplace(
+      drum.name + ".free",
+      fmt::format("{}: nothing holds '{}', whose brake is open, against the {:.4g} kN m of its rope: set "
+                  "the brake, or give a drive",
+                  words, drum.name, torque / 1e3));
 }
 
 void DriveUses::take(const machine::Model& m, const solve::EquilibriumResult& state, const std::string& words) {
@@ -289,6 +314,10 @@ void DriveUses::take(const machine::Model& m, const solve::EquilibriumResult& st
   keep_senses(m, ends, state, words);
   for (const auto& [drum, load] : loads_of(ends, state.flow)) {
     check_torque(m.drums[drum], load, made, unmade_);
+    if (turns_freely(m.drums[drum])) {
+      keep_free(m.drums[drum], load.torque, words);
+      continue;
+    }
     if (!stands_by_brake(m.drums[drum])) continue;
     if (load.stands) {
       add_brake_check(m.drums[drum], load, made);
@@ -303,6 +332,12 @@ void DriveUses::take(const machine::Model& m, const solve::EquilibriumResult& st
     keep_layer(m, d, words);
     keep_flange(m, d);
   }
+  keep(std::move(made), words);
+}
+
+void DriveUses::take_bound(const machine::Model& m, const solve::EquilibriumResult& bound, const std::string& words) {
+  std::vector<Check> made;
+  for (const auto& d : solve::drives(m, bound)) check_drive(m, d, made, unmade_);
   keep(std::move(made), words);
 }
 
@@ -357,14 +392,13 @@ void DriveUses::take_slips(const machine::Model& m, const solve::TransientFrame&
 }
 
 /// A drum by a torque whose load turns it back, until the motion ends, by more than the swing of a load that it bears.
-/// Where another drive does work it may be what draws the rope out: a haulback that is kept tight.
+/// Where other drives give the work they draw the rope out: a haulback that is kept tight.
 void DriveUses::take_dragged(const machine::Model& m, const solve::TransientFrame& frame, double time,
                              const std::string& words) {
-  const bool drawn = !m.motors.empty() ||
-                     std::any_of(frame.drums.begin(), frame.drums.end(), [](const auto& one) { return one.power > 0; });
+  const std::vector<bool> drawn = drawn_out(m, frame);
   for (std::size_t d = 0; d < frame.drums.size(); ++d) {
     const solve::TransientFrame::Drum& is = frame.drums[d];
-    if (!is.by_torque || is.braked || drawn || !(is.power < 0)) {
+    if (!is.by_torque || is.braked || drawn[d] || !(is.power < 0)) {
       dragged_.erase(m.drums[d].name);
       continue;
     }

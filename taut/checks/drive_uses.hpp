@@ -18,6 +18,9 @@ class DriveUses {
  public:
   /// `words`: which state it is, "sweep, drive.friction = 0.2".
   void take(const machine::Model& model, const solve::EquilibriumResult& state, const std::string& words);
+  /// One of the bounds of a running machine, for the senses in which ropes that nobody hauls may creep: the grip and
+  /// torque of its driven sheaves. (At rest friction may take any part of a torque.)
+  void take_bound(const machine::Model& model, const solve::EquilibriumResult& bound, const std::string& words);
   /// A moment of a motion: what lies on its drums, what their brakes have to hold where they stand without a brake that
   /// is set, cylinders at their limits.
   void take_moment(const machine::Model& model, const solve::TransientFrame& frame, const std::string& words);
@@ -45,6 +48,7 @@ class DriveUses {
                     const solve::EquilibriumResult& state);
   void keep_senses(const machine::Model& m, const Array<solve::DrumResult>& ends, const solve::EquilibriumResult& state,
                    const std::string& words);
+  void keep_free(const machine::Drum& drum, double torque, const std::string& words);
   void keep_layer(const machine::Model& m, const solve::DrumResult& d, const std::string& words);
   void keep_flange(const machine::Model& m, const solve::DrumResult& d);
 

@@ -12,7 +12,7 @@ namespace taut::drive_uses_slip_test {
 using taut_test::run_text;
 
 /// An endless rope at 5 m/s, pulled by 10 kN on its slack side; for 2 s a force of `cut` holds it back.
-Result endless(double duration, double cut) {
+Result endless(double duration, double cut, const char* arc = "") {
   return run_text(fmt::format(R"(taut: 1
 machine:
   signals:
@@ -21,7 +21,7 @@ machine:
   ropes: {{haul: {{mass: 0.6 kg/m, stiffness: 13 MN, breaking_force: 150 kN, damping_ratio: 0.03}}}}
   bodies: {{slide: {{mass: 900 kg, at: [0 m, 0 m, 1 m], free: [x]}}}}
   sheaves:
-    head: {{at: [30 m, 0 m, 1 m], diameter: 800 mm, friction: 0.2, inertia: 60 kg m^2, motor: {{speed: running}}}}
+    head: {{at: [30 m, 0 m, 1 m], diameter: 800 mm, friction: 0.2, inertia: 60 kg m^2, motor: {{speed: running{6}}}}}
     tail: {{body: slide, at: [0 m, 0 m, 0 m], diameter: 800 mm, inertia: 60 kg m^2}}
   loads: [{{at: slide, force: [-20 kN, 0 kN, 0 kN]}}]
   reevings: [{{name: loop, rope: haul, path: [{{over: head, side: left}}, {{over: tail, side: left}}], closed: true, length: 62.513 m}}]
@@ -29,7 +29,7 @@ machine:
 analyses: [{{transient: {{duration: {5} s, output_step: 50 ms, tolerance: 1e-3}}}}]
 checks: {{ropes: {{haul: {{safety_factor: 3}}}}}}
 )",
-                              duration - 5, duration - 4.5, duration - 2.5, duration - 2.4, cut, duration));
+                              duration - 5, duration - 4.5, duration - 2.5, duration - 2.4, cut, duration, arc));
 }
 
 // (10 + 9.6)/10 = 1.96 > exp(0.2 pi) = 1.874: it slips for 2 s, however long it ran before
@@ -41,6 +41,14 @@ TEST(DriveSlips, HowLongItRanBeforeDoesNotCount) {
     EXPECT_NE(r.unsafe[0].find("the rope slips on 'head'"), std::string::npos) << r.unsafe[0];
     EXPECT_TRUE(endless(duration, 8.0).unsafe.empty()) << "it creeps";
   }
+}
+
+// of the half turn 90 deg grip: exp(0.2 pi/2) = 1.37 is less than (10 + 8)/10
+TEST(DriveSlips, AWorkingArcCountsInMotion) {
+  const Result slips = endless(10, 8.0, ", working_arc: 90 deg");
+  ASSERT_EQ(slips.unsafe.size(), 1U) << slips.message << to_text(slips.errors);
+  EXPECT_NE(slips.unsafe[0].find("the rope slips on 'head'"), std::string::npos) << slips.unsafe[0];
+  EXPECT_TRUE(endless(10, 3.0, ", working_arc: 90 deg").unsafe.empty());
 }
 
 /// 3 t on a winch at 0.207 m: 6.08 kN m. From 0.5 s on it gives a torque.
@@ -68,6 +76,64 @@ TEST(DriveSlips, ALoadThatTurnsItsWinchBackIsUnsafe) {
   // lowered by its torque, and stopped
   const Result stopped = hoist(5.5, ", {at: 1 s, drive: winch, brake: set}");
   for (const std::string& words : stopped.unsafe) EXPECT_EQ(words.find("the load drags"), std::string::npos) << words;
+}
+
+bool told_as_dragged(const Result& r) {
+  return std::any_of(r.unsafe.begin(), r.unsafe.end(), [](const std::string& words) {
+    return words.find("the load drags 'winch'") != std::string::npos;
+  });
+}
+
+/// The hoist with 5 kN m for its 6.08, and a second one beside it that lifts at a given speed.
+TEST(DriveSlips, AnotherHoistDoesNotDrawItsRopeOut) {
+  const Result r = run_text(R"(taut: 1
+machine:
+  ropes: {hoist: {mass: 1 kg/m, stiffness: 9.8 MN, breaking_force: 400 kN, damping_ratio: 0.2, diameter: 14 mm}}
+  bodies:
+    hook: {mass: 3 t, at: [0.2 m, 0 m, 9 m], free: [x, z]}
+    other: {mass: 9 t, at: [0.2 m, 5 m, 2 m], free: [x, z]}
+  sheaves:
+    head: {at: [0 m, 0 m, 12 m], diameter: 400 mm, inertia: 0.5 kg m^2}
+    beside: {at: [0 m, 5 m, 12 m], diameter: 400 mm, inertia: 0.5 kg m^2}
+  drums:
+    winch: {at: [-5 m, 0 m, 1 m], core_diameter: 400 mm, drive: {torque: 5 kN m}, inertia: 50 kg m^2}
+    second: {at: [-5 m, 5 m, 1 m], core_diameter: 400 mm, drive: {speed: 1 m/s}, inertia: 50 kg m^2}
+  reevings:
+    - {name: hoist, rope: hoist, path: [{drum: winch}, {over: head}, {anchor: hook}], length: 15.3 m}
+    - {name: lift, rope: hoist, path: [{drum: second}, {over: beside}, {anchor: other}], length: 22.3 m}
+analyses: [{transient: {duration: 1 s, output_step: 20 ms, tolerance: 1e-3, start: assembled}}]
+checks: {ropes: {hoist: {safety_factor: 4}, lift: {safety_factor: 2}}}
+)");
+  ASSERT_EQ(r.status, Status::ok) << r.message << to_text(r.errors);
+  EXPECT_TRUE(told_as_dragged(r));
+}
+
+/// A carriage on a slope of 30 deg between a mainline below it and a haulback above it by a torque. The mainline has a
+/// speed: it draws the haulback out, as long as it has to pull for that.
+TEST(DriveSlips, AMainlineDrawsItsHaulbackOutDownhill) {
+  const auto yard = [](const char* torque, const char* mainline) {
+    return run_text(fmt::format(R"(taut: 1
+machine:
+  ropes: {{line: {{mass: 0.8 kg/m, stiffness: 9.8 MN, breaking_force: 400 kN, damping_ratio: 0.2, diameter: 14 mm}}}}
+  bodies: {{car: {{mass: 2 t, at: [40 m, 0 m, 20 m], guide: [2, 0, 1]}}}}
+  drums:
+    main: {{at: [0 m, 0 m, 0 m], core_diameter: 400 mm, drive: {{{1}}}, inertia: 50 kg m^2}}
+    winch: {{at: [80 m, 0 m, 40 m], core_diameter: 400 mm, drive: {{torque: {0}}}, inertia: 50 kg m^2}}
+  reevings:
+    - {{name: pull, rope: line, path: [{{drum: main}}, {{anchor: car}}], tension_at_start: 12 kN}}
+    - {{name: back, rope: line, path: [{{anchor: car}}, {{drum: winch}}], tension_at_end: 20 kN}}
+analyses: [{{transient: {{duration: 1.5 s, output_step: 20 ms, tolerance: 1e-3, start: assembled}}}}]
+checks: {{ropes: {{pull: {{safety_factor: 2}}, back: {{safety_factor: 2}}}}}}
+)",
+                                torque, mainline));
+  };
+  const Result drawn = yard("4.3 kN m", "speed: 1 m/s");
+  ASSERT_EQ(drawn.status, Status::ok) << drawn.message << to_text(drawn.errors);
+  EXPECT_FALSE(told_as_dragged(drawn));
+  // the mainline too gives way by a torque: its 0.1 kN m are less than what the carriage does
+  const Result runs = yard("0.5 kN m", "torque: 0.1 kN m");
+  ASSERT_EQ(runs.status, Status::ok) << runs.message << to_text(runs.errors);
+  EXPECT_TRUE(told_as_dragged(runs));
 }
 
 // The rated pull is one that lasts; 2.4 m/s in 0.7 s makes a peak of more.

@@ -138,6 +138,33 @@ analyses: [)" + analyses +
   EXPECT_NE(verdict_of(lowered)->reason.find("only while it runs off 'w'"), std::string::npos);
   EXPECT_EQ(to_text(verdict_of(hoist("equilibrium: {motion: hoist}"))->kind), "passes");
   EXPECT_EQ(to_text(verdict_of(hoist("equilibrium: {motion: lower}, equilibrium: {}"))->kind), "passes");
+  // written as senses of contacts: a drum at the start of the path takes in against it
+  EXPECT_EQ(to_text(verdict_of(hoist("equilibrium: {motion: {block: 1}}"))->kind), "not_judged");
+  EXPECT_EQ(to_text(verdict_of(hoist("equilibrium: {motion: {block: -1}}"))->kind), "passes");
+}
+
+/// At rest a drum stands, whatever holds it; one whose brake is open, without a drive, has nothing.
+TEST(DriveUses, ALoadOnAFreeDrumIsNotJudged) {
+  const auto hoist = [](const std::string& brake) {
+    return run_text(R"(taut: 1
+machine:
+  ropes: {hoist: {mass: 0 kg/m, stiffness: 13 MN, breaking_force: 100 kN}}
+  bodies: {hook: {mass: 2 t, at: [0.2 m, 0 m, 3 m], free: [z]}}
+  drums: {w: {at: [0 m, 0 m, 20 m], core_diameter: 400 mm, inertia: 50 kg m^2, brake_torque: 5 kN m, drive: {brake: )" +
+                    brake + R"(}}}
+  reevings: [{rope: hoist, path: [{drum: w}, {anchor: hook}], length: 17 m}]
+checks: {ropes: {hoist: {safety_factor: 3}}}
+analyses: [equilibrium: {}]
+)");
+  };
+  const Result open = hoist("open");
+  ASSERT_TRUE(verdict_of(open)) << open.message << to_text(open.errors);
+  EXPECT_EQ(to_text(verdict_of(open)->kind), "not_judged");
+  EXPECT_NE(verdict_of(open)->reason.find("nothing holds 'w', whose brake is open"), std::string::npos)
+      << verdict_of(open)->reason;
+  EXPECT_TRUE(
+      std::none_of(open.checks.begin(), open.checks.end(), [](const Check& c) { return c.name == "w.brake_torque"; }));
+  EXPECT_EQ(to_text(verdict_of(hoist("set"))->kind), "passes");
 }
 
 /// A closed rope that nothing holds back needs no torque, and rounding is none.

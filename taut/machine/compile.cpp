@@ -265,7 +265,10 @@ class Compiler {
       if (!check_apart(stops, places, closed, path, complaints_) || !complaints_.empty()) continue;
       set_axes(stops, places, closed);
       set_sides(stops, places, closed);
-      model_.reevings[r].guides = guides_of(stops, places, static_cast<int>(machine_.bodies.size()), complaints_);
+      model_.reevings[r].guides = guides_of(
+          stops, places,
+          {.first = static_cast<int>(machine_.bodies.size()), .count = static_cast<int>(machine_.carriages.size())},
+          complaints_);
       check_room(model_, stops, closed, path, complaints_);
       set_clamps(stops, places, model_.reevings[r]);
       model_.reevings[r].nodes.reserve(stops.size());

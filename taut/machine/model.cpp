@@ -4,6 +4,12 @@
 
 namespace taut::machine {
 
+double weight_on(const Model& model, int body) {
+  double weight = model.bodies[body].mass * model.gravity;
+  for (const Load& load : model.loads) weight += load.at.body == body ? load.force.norm() : 0;
+  return weight;
+}
+
 double terrain_x(const Model& model, const Vector3& place) {
   return model.terrain_along.dot(place - model.terrain_from);
 }

@@ -115,7 +115,7 @@ struct Node {
   /// Of a clamp: unstretched length from the start of the rope to the clamp, at the reference temperature, m. Of a
   /// closed rope the length starts where the rope arrives at its drive.
   double length_before = 0;
-  double inertia = 0;        ///< of a sheave that turns, kg m2
+  double inertia = 0;        ///< of a sheave that turns, kg m2; without `wheel` each copy of the rope has one
   double drag = 0;           ///< of such a sheave: moment against its angular velocity, N m s
   std::optional<int> drum;   ///< of an anchor: index of its drum; empty: a pin
   std::optional<int> motor;  ///< of a sheave: index of the motor that drives it
@@ -281,6 +281,9 @@ struct Model {
 
 /// Whether it is on a carriage.
 bool rides(const Model& model, const Node& node);
+
+/// The weight of a body, and the sizes of the forces of the loads on it, N.
+double weight_on(const Model& model, int body);
 
 /// Chainage of a place: its x in the terrain, m.
 double terrain_x(const Model& model, const Vector3& place);

@@ -6,6 +6,7 @@
 
 #include "taut/base/array.hpp"
 #include "taut/base/expects.hpp"
+#include "taut/math/index.hpp"
 #include "taut/rope/tangent.hpp"
 
 namespace taut::machine {
@@ -153,6 +154,21 @@ State initial_state(const Model& model) {
     }
   }
   return state;
+}
+
+bool is_of(const Model& model, const State& state) {
+  const std::size_t ropes = model.reevings.size();
+  if (state.bodies.size() != model.bodies.size() || state.branches.size() != ropes || state.touched.size() != ropes)
+    return false;
+  for (std::size_t r = 0; r < ropes; ++r) {
+    if (state.branches[r].size() != as_size(branch_count(model.reevings[r]))) return false;
+    if (state.touched[r].size() != model.reevings[r].nodes.size()) return false;
+  }
+  if (state.beams.size() != model.beams.size()) return false;
+  for (std::size_t b = 0; b < model.beams.size(); ++b) {
+    if (state.beams[b].size() != model.beams[b].pieces.size()) return false;
+  }
+  return true;
 }
 
 }  // namespace taut::machine

@@ -52,6 +52,9 @@ std::pair<Vector3, Vector3> straight_ends(const State& state, const Node& from, 
 /// sag at this tension needs.
 double taut_length(const State& state, const Reeving& reeving, const Node& from, const Node& to, double tension);
 
+/// Whether a state is one of this model: as many bodies, ropes with their branches and nodes, beams with their pieces.
+bool is_of(const Model& model, const State& state);
+
 /// A place in the ground frame, m.
 Vector3 in_ground(const State& state, const Place& place);
 

@@ -6,8 +6,14 @@
 
 namespace taut::results {
 
-/// Loads on bodies that cannot move: their force goes to the ground, and no rope and no beam feels it. One sentence for
-/// each body; a driven body, and a section of a beam, are none of them.
+/// Loads on bodies that cannot move, and the mass of one that hangs on ropes: they go to the ground, and no rope and no
+/// beam feels them. One sentence for each body; a driven body, and a section of a beam, are none of them. A body hangs
+/// where all its ropes lead up from it, as the deck describes it, by more than 45 deg: guys lead down from a tower, and
+/// less steeply up from an anchor.
 std::vector<std::string> fixed_load_warnings(const machine::Model& model);
+
+/// Ropes tied to, or led over, a place of the ground where a beam stands or has its free end: a fixed point in the air,
+/// while the beam feels nothing of them. One sentence for each place.
+std::vector<std::string> rope_beside_beam_warnings(const machine::Model& model);
 
 }  // namespace taut::results

@@ -59,6 +59,59 @@ TEST(FixedLoads, driven_bodies_and_bodies_without_load) {
   EXPECT_EQ(fixed_load_warnings(model).size(), 1u);
 }
 
+/// A hook of 3 t on two falls, 9 m below its head; `body`: what is said of it.
+std::string hook(const char* body) {
+  return fmt::format(R"(taut: 1
+machine:
+  ropes: {{hoist: {{mass: 1 kg/m, stiffness: 10 MN, breaking_force: 100 kN, diameter: 14 mm}}}}
+  bodies: {{hook: {{mass: 3 t, at: [0 m, 0 m, 1 m]{}}}}}
+  points: {{left: [-0.2 m, 0 m, 10 m], right: [0.2 m, 0 m, 10 m]}}
+  sheaves: {{block: {{body: hook, at: [0 m, 0 m, 0 m], diameter: 400 mm}}}}
+  reevings: [{{name: hoist, rope: hoist, path: [{{anchor: left}}, {{over: block}}, {{anchor: right}}], length: 18.65 m}}]
+analyses: [{{equilibrium: {{}}}}]
+checks: {{ropes: {{hoist: {{safety_factor: 3}}}}}}
+)",
+                     body);
+}
+
+// Its rope carries nothing, and passes.
+TEST(FixedLoads, a_hook_that_is_not_free_is_unsafe) {
+  const Result r = run_text(hook(""));
+  ASSERT_EQ(r.unsafe.size(), 1U) << r.message << to_text(r.errors);
+  EXPECT_NE(r.unsafe[0].find("'hook' cannot move, and hangs on ropes that do not feel its mass of 3000 kg"),
+            std::string::npos)
+      << r.unsafe[0];
+  const Result free = run_text(hook(", free: [z]"));
+  EXPECT_TRUE(free.unsafe.empty()) << free.message << to_text(free.errors);
+  EXPECT_NEAR(value_of(free, "hoist.T_max"), 3000 * 9.80665 / 2, 200);
+}
+
+// A point 'head' of the ground at the mast's top holds the guy in the air.
+TEST(FixedLoads, a_rope_at_the_ground_beside_the_top_of_a_mast_is_unsafe) {
+  const auto mast = [](const char* from) {
+    return run_text(fmt::format(R"(taut: 1
+machine:
+  ropes: {{guy: {{mass: 1.6 kg/m, stiffness: 20 MN, breaking_force: 200 kN, diameter: 18 mm}}}}
+  points: {{foot: [0 m, 0 m, 0 m], head: [0 m, 0 m, 12 m], west: [-12 m, 0 m, 0 m], east: [12 m, 0 m, 0 m], near: [0.5 m, 0 m, 0.2 m]}}
+  beams: {{mast: {{from: foot, to: head, section: CHS 168.3x6.3, steel: S355}}}}
+  guys:
+    g1: {{rope: guy, from: {0}, to: west, install: {{tension: 20 kN, at: anchor}}}}
+    g2: {{rope: guy, from: mast.top, to: east, install: {{tension: 20 kN, at: anchor}}}}
+    g3: {{rope: guy, from: foot, to: near, length: 0.55 m}}
+analyses: [{{equilibrium: {{}}}}]
+checks: {{guys: {{guy: {{safety_factor: 3, may_go_slack: true}}}}, masts: {{mast: {{load_factor: 1.5}}}}}}
+)",
+                                from));
+  };
+  const Result beside = mast("head");
+  ASSERT_EQ(beside.unsafe.size(), 1U) << beside.message << to_text(beside.errors);
+  EXPECT_NE(beside.unsafe[0].find("'head' holds 'g1' as a fixed point of the ground, where 'mast' stands"),
+            std::string::npos)
+      << beside.unsafe[0];
+  const Result right = mast("mast.top");
+  EXPECT_TRUE(right.unsafe.empty()) << right.message << to_text(right.errors);
+}
+
 // What an analysis puts on such a body is a mistake.
 TEST(FixedLoads, analyses_that_load_a_body_that_cannot_move) {
   const auto mistakes = [](const std::string& analysis, const std::string& free = "") {

@@ -233,6 +233,36 @@ TEST(MachineBeams, GuysAreInstalledOnTheUnloadedMastThenKept) {
   EXPECT_TRUE(jumps);
 }
 
+/// A cutting force that follows its rope has no potential; a pole beside the saw has nothing to do with it.
+TEST(MachineBeams, WhatABeamDoesNotHoldIsNotItsFall) {
+  const auto saw = [](const std::string& top) {
+    return run_text(R"(taut: 1
+machine:
+  points: {foot: [100 m, 0 m, 0 m], top: [100 m, 0 m, 5 m]}
+  ropes: {saw: {mass: 0.6 kg/m, stiffness: 6.5 MN, breaking_force: 100 kN, diameter: 12 mm}}
+  bodies: {slide: {mass: 85 kg, at: [0 m, 0 m, 1 m], free: [x]}}
+  sheaves:
+    drive: {at: [8 m, 0 m, 1 m], diameter: 700 mm, friction: 0.25, motor: {}}
+    tail: {body: slide, at: [0 m, 0 m, 0 m], diameter: 700 mm}
+  beams: {pole: {from: foot, to: top, section: CHS 88.9x5, steel: S355, mass: 0 kg/m}}
+  reevings: [{rope: saw, path: [{over: drive}, {over: tail}], closed: true, length: 18.2 m}]
+  take_up: [{body: slide, weight: 1.4 t, along: [-1, 0, 0]}]
+  rope_loads: [{name: cut, rope: saw, between: [tail, drive], rate: 0.1 kN/m, elements: 6}]
+)" + top + R"(
+analyses: [{equilibrium: {motion: in}}]
+checks: {ropes: {saw: {safety_factor: 5}}, exempt: [pole]}
+)");
+  };
+  const taut::Result r = saw("");
+  ASSERT_EQ(r.status, taut::Status::ok) << r.message << to_text(r.errors);
+  EXPECT_NEAR(value_of(r, "saw.T_max"), 1400 * 9.80665 / 2 + 800, 1);  // and what is cut on 8 m
+  // a cantilever of 5 m: pi^2 EI/(4 L^2) = 24 kN
+  EXPECT_EQ(saw("  loads: [{at: pole.top, force: [0 kN, 0 kN, -20 kN]}]").status, taut::Status::ok);
+  const taut::Result buckles = saw("  loads: [{at: pole.top, force: [0 kN, 0 kN, -30 kN]}]");
+  EXPECT_EQ(buckles.status, taut::Status::infeasible);
+  EXPECT_NE(buckles.message.find("'pole' buckles"), std::string::npos) << buckles.message;
+}
+
 TEST(MachineBeams, PlacesCountFromTheBaseOrTheTop) {
   std::string deck = guyed;
   const taut::Result r = run_text(deck);

@@ -315,11 +315,9 @@ class RopeChecker {
     const auto slides = std::find_if(use_.bends.begin(), use_.bends.end(), [](const Bend& bend) {
       return bend.kind == BendKind::saddle && bend.tension > 0 && bend.wrap >= least_wrap;
     });
-    if (rules_.no_saddles && slides != use_.bends.end()) {
-      leave_out("D/d",
-                fmt::format("a running rope of a crane slides over the saddle '{}', for which there is no rule: use a "
-                            "sheave there",
-                            slides->name));
+    if ((rules_.no_saddles || (rules_.ratio_asked && !bent)) && slides != use_.bends.end()) {
+      leave_out("D/d", fmt::format("{} slides over the saddle '{}', for which there is no rule: use a sheave there",
+                                   rules_.no_saddles ? "a running rope" : "the rope", slides->name));
     }
     check(BendKind::sheave, rules_.sheave_ratios, "sheave_ratio");
     check(BendKind::compensating_sheave, rules_.compensating_ratios, "compensating_ratio");

@@ -26,17 +26,17 @@ struct RopeRules {
   double dynamic_factor = 1;          ///< on the static tension
   std::string dynamic_words;          ///< where it comes from, with its trust
   std::string dynamic_trust = "user";
-  std::optional<Limit> dynamic_safety;                                 ///< least F_min/(phi T)
-  std::optional<Limit> elastic_share;                                  ///< of F_min that the peak may reach
-  bool own_elastic_share = false;                                      ///< it is the deck's: a limit of the strength
-  std::optional<Limit> termination;                                    ///< efficiency of the ends
-  bool no_saddles = false;                                             ///< it has to run over sheaves
-  std::string termination_refused;                                     ///< why these ends must not be used; empty: may
-  std::optional<Limit> least_termination;                              ///< what a factor that covers the ends asks
-  std::optional<double> temperature;                                   ///< the rope's, K
-  std::optional<Limit> hottest;                                        ///< K
-  std::optional<Limit> hottest_end;                                    ///< K, by the termination
-  std::optional<Limit> heat_strength;                                  ///< share of the strength at its temperature
+  std::optional<Limit> dynamic_safety;     ///< least F_min/(phi T)
+  std::optional<Limit> elastic_share;      ///< of F_min that the peak may reach
+  bool own_elastic_share = false;          ///< it is the deck's: a limit of the strength
+  std::optional<Limit> termination;        ///< efficiency of the ends
+  bool no_saddles = false;                 ///< a crane's rope, or one that is said to run, has to run over sheaves
+  std::string termination_refused;         ///< why these ends must not be used; empty: may
+  std::optional<Limit> least_termination;  ///< what a factor that covers the ends asks
+  std::optional<double> temperature;       ///< the rope's, K
+  std::optional<Limit> hottest;            ///< K
+  std::optional<Limit> hottest_end;        ///< K, by the termination
+  std::optional<Limit> heat_strength;      ///< share of the strength at its temperature
   std::vector<Limit> sheave_ratios, compensating_ratios, drum_ratios;  ///< least D/d
   bool runs = false;                      ///< a D/d is expected: where no rule has one, that is reported
   bool ratio_asked = false;               ///< a D/d by the deck's own number or class

@@ -8,12 +8,15 @@
 #include <limits>
 #include <numeric>
 #include <optional>
+#include <set>
 #include <utility>
+#include <vector>
 
 #include "taut/base/array.hpp"
 #include "taut/math/index.hpp"
 #include "taut/mechanics/beam_piece.hpp"
 #include "taut/solve/definite.hpp"
+#include "taut/solve/stability.hpp"
 
 namespace taut::solve {
 namespace {
@@ -396,6 +399,30 @@ mechanics::Layout without_beams(const mechanics::Layout& layout, std::optional<i
   return bare;
 }
 
+/// Of the freedoms `left`, those of what moves with beams: nothing else is coupled to one of theirs.
+Array<int> with_beams(const mechanics::System& s, const Eigen::MatrixXd& stiffness, const Array<int>& left) {
+  std::set<int> bodies;
+  for (const machine::Beam& beam : s.model.beams) {
+    for (const machine::BeamPiece& piece : beam.pieces) bodies.insert({piece.start.body, piece.end.body});
+  }
+  Array<int> found;
+  Array<char> known(left.size(), 0);
+  const auto take = [&](int i) {
+    if (known[i] != 0) return;
+    known[i] = 1;
+    found.push_back(i);
+  };
+  for (int i = 0; i < static_cast<int>(left.size()); ++i) {
+    if (bodies.contains(s.layout.dofs[left[i]].body)) take(i);
+  }
+  for (std::size_t next = 0; next < found.size(); ++next) {
+    for (int j = 0; j < static_cast<int>(left.size()); ++j) {
+      if (stiffness(found[next], j) != 0 || stiffness(j, found[next]) != 0) take(j);
+    }
+  }
+  return found;
+}
+
 }  // namespace
 
 std::optional<BeamStability> beam_stability(const mechanics::System& s, const mechanics::Configuration& c,
@@ -423,7 +450,15 @@ std::optional<BeamStability> beam_stability(const mechanics::System& s, const me
   order.insert(order.end(), left.begin(), left.end());
   const std::optional<Eigen::MatrixXd> condensed = condense(J.dense(), order, eliminated);
   if (!condensed) return std::nullopt;
-  const Eigen::MatrixXd stiffness = -*condensed;
+  Eigen::MatrixXd stiffness = -*condensed;
+  // what forces along ropes act on has no potential: there nothing is told, as without beams
+  if (has_followers(s)) {
+    const Array<int> kept_rows = with_beams(s, stiffness, left);
+    std::fill(coordinates.begin(), coordinates.end(), std::nullopt);
+    for (std::size_t i = 0; i < kept_rows.size(); ++i) coordinates[left[kept_rows[i]]] = static_cast<int>(i);
+    const std::vector<int> rows(kept_rows.begin(), kept_rows.end());
+    stiffness = Eigen::MatrixXd(stiffness(rows, rows));
+  }
   const StiffnessAssembly machine(s, c, e, stiffness, coordinates);
   BeamStability result;
   result.stable = machine.definite(every, 1);

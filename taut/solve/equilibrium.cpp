@@ -48,13 +48,6 @@ constexpr int most_pull_doublings = 5;
 constexpr double pull_precision = 1e-4;
 constexpr int coarser_beams = 3;  ///< steps of a beam for one of a fall: their error is below where a fall ends
 
-/// The weight of a body and of the loads on it, N.
-double weight_on(const machine::Model& model, int body) {
-  double weight = model.bodies[body].mass * model.gravity;
-  for (const machine::Load& load : model.loads) weight += load.at.body == body ? load.force.norm() : 0;
-  return weight;
-}
-
 /// A machine solved with what touches now.
 struct Solved {
   Outcome outcome;
@@ -440,7 +433,7 @@ WithoutMainline without_mainline(const machine::Model& model, const EquilibriumO
   const std::size_t beside = ends_there ? mainline.nodes.size() - 2 : 1;
   const Vector3 pull =
       machine::in_ground({.bodies = s.c.bodies, .branches = {}, .touched = {}}, mainline.nodes[beside].at) - place;
-  if (hold.norm() <= no_force * weight_on(model, carriage.body)) {
+  if (hold.norm() <= no_force * machine::weight_on(model, carriage.body)) {
     if (mainline.weight > 0) {
       return {.why = fmt::format(
                   "'{}' stands by itself at x = {:.6g} m, and the weight of its mainline '{}' pulls it away from "
@@ -489,6 +482,32 @@ void pull_mainline_taut(const machine::Model& model, const EquilibriumOptions& o
   if (!found.why.empty()) s.outcome = taut::infeasible(found.why);
 }
 
+/// A carriage that is put at a height on a rope that hangs as a deep loop elsewhere: from the taut first state, else it
+/// has no answer.
+void leave_deep_rope(const machine::Model& model, const EquilibriumOptions& options, const Flow& flow,
+                     machine::State& at, Solved& s) {
+  if (!options.prescribed || !options.prescribed->z) return;
+  const machine::Carriage& carriage = model.carriages[options.prescribed->carriage];
+  const auto deep = [&](const Solved& one) {
+    return deep_link_at_height(system_of(model, one.layout, options), carriage, one.c, one.e);
+  };
+  const auto loop = s.outcome.ok() ? deep(s) : std::nullopt;
+  if (!loop) return;
+  machine::State state = first_state(model, options);
+  Solved taut = solve_touching(model, state, options, flow);
+  if (taut.outcome.ok() && !deep(taut)) {
+    s = std::move(taut);
+    at = std::move(state);
+    return;
+  }
+  const mechanics::Layout::Branch& branch = s.layout.branches[*loop];
+  const machine::Reeving& rope = model.reevings[branch.reeving];
+  s.outcome = taut::infeasible(
+      fmt::format("no taut rope was found that holds '{}' at that height, only one with a deep loop of '{}' between "
+                  "'{}' and '{}': choose another z",
+                  carriage.name, rope.name, rope.nodes[branch.from].name, rope.nodes[branch.to].name));
+}
+
 /// The machine with its ropes' flow known; no rope's running counts.
 EquilibriumResult standing(const machine::Model& model, const EquilibriumOptions& options, const Flow& flow,
                            const std::optional<machine::State>& start) {
@@ -497,6 +516,7 @@ EquilibriumResult standing(const machine::Model& model, const EquilibriumOptions
   Solved s = solve_touching(model, result.state, options, flow);
   roll(model, options, flow, result.state, s);
   pull_mainline_taut(model, options, flow, result.state, s);
+  leave_deep_rope(model, options, flow, result.state, s);
   result.outcome = s.outcome;
   result.closure.iterations = s.steps;
   if (!result.outcome.ok()) return result;
@@ -516,32 +536,14 @@ EquilibriumResult standing(const machine::Model& model, const EquilibriumOptions
 }
 
 bool is_of_size(const Array<Array<int>>& flow, const Array<machine::Reeving>& reevings) {
-  if (flow.size() != reevings.size()) return false;
-  for (std::size_t r = 0; r < flow.size(); ++r) {
-    if (flow[r].size() != reevings[r].nodes.size()) return false;
-  }
-  return true;
-}
-
-bool is_of_size(const machine::State& state, const machine::Model& model) {
-  const std::size_t ropes = model.reevings.size();
-  if (state.bodies.size() != model.bodies.size() || state.branches.size() != ropes || state.touched.size() != ropes)
-    return false;
-  for (std::size_t r = 0; r < ropes; ++r) {
-    if (state.branches[r].size() != as_size(machine::branch_count(model.reevings[r]))) return false;
-    if (state.touched[r].size() != model.reevings[r].nodes.size()) return false;
-  }
-  if (state.beams.size() != model.beams.size()) return false;
-  for (std::size_t b = 0; b < model.beams.size(); ++b) {
-    if (state.beams[b].size() != model.beams[b].pieces.size()) return false;
-  }
-  return true;
+  return std::equal(flow.begin(), flow.end(), reevings.begin(), reevings.end(),
+                    [](const auto& own, const machine::Reeving& rope) { return own.size() == rope.nodes.size(); });
 }
 
 /// What a caller promises of the arguments: beyond these sizes memory would be read that is not theirs.
 void expect_arguments(const machine::Model& model, const EquilibriumOptions& options,
                       const std::optional<machine::State>& start) {
-  expects(!start || is_of_size(*start, model), "a start is a state of this model");
+  expects(!start || machine::is_of(model, *start), "a start is a state of this model");
   expects(options.flow.empty() || is_of_size(options.flow, model.reevings), "the flow is given at every node");
   if (!options.prescribed) return;
   const int carriage = options.prescribed->carriage;
@@ -557,7 +559,7 @@ Outcome stands_by_itself(const machine::Model& model, const EquilibriumOptions& 
   const machine::Carriage& carriage = model.carriages.at(as_size(options.prescribed->carriage));
   double largest = 0;
   for (const RopeResult& rope : result.ropes) largest = std::max(largest, rope.T_max);
-  const double none = std::max(no_force * weight_on(model, carriage.body), options.tolerance * largest);
+  const double none = std::max(no_force * machine::weight_on(model, carriage.body), options.tolerance * largest);
   if (result.hold.norm() <= none) return {};
   return infeasible(
       fmt::format("'{}' stays at x = {:.6g} m only by a force of {:.4g} kN along its track, and nothing gives it: give "

@@ -24,16 +24,6 @@ constexpr double matrix_rounding = 1e-7;  ///< of the scaled matrix
 constexpr double weight_of_bodies = 100;
 constexpr double pushed = 0.01;  ///< of the longest span
 
-/// Forces along a rope or torques that follow it: they have no potential.
-bool has_followers(const mechanics::System& s) {
-  return std::any_of(s.layout.turns.begin(), s.layout.turns.end(), [&](const mechanics::Layout::Turn& t) {
-    const machine::Node& node = s.model.reevings[t.reeving].nodes[t.node];
-    if (node.kind == machine::NodeKind::contact && node.tension_drop) return true;
-    if (node.kind == machine::NodeKind::load || (node.kind == machine::NodeKind::drive && t.row)) return true;
-    return node.kind == machine::NodeKind::drive && s.model.reevings[t.reeving].given == machine::Given::torque;
-  });
-}
-
 bool loses(const mechanics::System& s) {
   return std::any_of(s.layout.turns.begin(), s.layout.turns.end(), [&](const mechanics::Layout::Turn& t) {
     const machine::ContactLaw& law = mechanics::node_of(s, t).law;
@@ -246,6 +236,15 @@ std::string words(const mechanics::System& s, const EnergyCurvature::Row& row) {
 }
 
 }  // namespace
+
+bool has_followers(const mechanics::System& s) {
+  return std::any_of(s.layout.turns.begin(), s.layout.turns.end(), [&](const mechanics::Layout::Turn& t) {
+    const machine::Node& node = s.model.reevings[t.reeving].nodes[t.node];
+    if (node.kind == machine::NodeKind::contact && node.tension_drop) return true;
+    if (node.kind == machine::NodeKind::load || (node.kind == machine::NodeKind::drive && t.row)) return true;
+    return node.kind == machine::NodeKind::drive && s.model.reevings[t.reeving].given == machine::Given::torque;
+  });
+}
 
 std::optional<EnergyCurvature> energy_curvature(const mechanics::System& s, const mechanics::Configuration& c,
                                                 const mechanics::Evaluation& e) {

@@ -39,6 +39,9 @@ std::optional<EnergyCurvature> energy_curvature(const mechanics::System& system,
 /// against it while those before it follow freely, right also where they are stiff and not quite symmetric.
 std::optional<Eigen::VectorXd> negative_direction(const SparseRows& matrix);
 
+/// Whether forces act along ropes, or torques of drives: these follow their rope, and have no potential.
+bool has_followers(const mechanics::System& system);
+
 struct Stability {
   Outcome outcome;       ///< not ok: at the least push the machine moves away; the message names what moves most
   bool rope = false;     ///< that is a rope over its contacts, or at its end, and no body

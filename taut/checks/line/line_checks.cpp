@@ -266,6 +266,23 @@ void check_bends(const LineStates& line, Result& r) {
   }
 }
 
+/// A limiter or fuse lets go above its tension: no state may need more.
+void check_limiter(const LineCheckRequest& request, Result& r) {
+  const Value* T = r.find_value(request.name + ".T_max");
+  if (T == nullptr) {
+    r.unmade.push_back(
+        fmt::format("{}.limiter_tension is not checked: no state gives the line a tension", request.name));
+    r.warnings.push_back(r.unmade.back());
+    return;
+  }
+  add_part_check(request.name, "limiter_tension", T->value, si::N,
+                 {.sense = Sense::at_most,
+                  .limit = *request.limiter,
+                  .rule = "largest tension against the limiter or fuse of the line, which lets go above it",
+                  .trust = "user"},
+                 r);
+}
+
 void check_rating(const LineCheckRequest& request, const machine::Model& model, Result& r) {
   const double own = line_named(model, request.name)->breaking_force;
   const double strength = own > 0 ? own : request.breaking_force.value_or(0);
@@ -280,6 +297,7 @@ void check_rating(const LineCheckRequest& request, const machine::Model& model, 
                              strength / 1e3),
          .trust = trust},
         r);
+    check_limiter(request, r);
     return;
   }
   add_part_check(

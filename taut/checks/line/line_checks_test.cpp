@@ -16,6 +16,7 @@ using taut_test::check_of;
 using taut_test::expect_mistake;
 using taut_test::line_over_tree;
 using taut_test::run_text;
+using taut_test::value_of;
 
 TEST(LineChecks, TailTreeAndAnchor) {
   const std::string checks =
@@ -41,6 +42,13 @@ TEST(LineChecks, LimiterTakesTheRopesPlace) {
   const Result r = run_text(line_over_tree("  lines: {skyline: {spar_rating: 350 kN, limiter: 200 kN}}\n"));
   EXPECT_TRUE(check_of(r, "skyline.limiter").passes);
   EXPECT_NEAR(check_of(r, "skyline.limiter").limit, 350e3, 1e-9);
+  // what lets go below the tension of a state is no part of it
+  const Check& lets_go = check_of(r, "skyline.limiter_tension");
+  EXPECT_TRUE(lets_go.passes);
+  EXPECT_NEAR(lets_go.value, value_of(r, "skyline.T_max"), 1e-6);
+  EXPECT_FALSE(check_of(run_text(line_over_tree("  lines: {skyline: {spar_rating: 350 kN, limiter: 20 kN}}\n")),
+                        "skyline.limiter_tension")
+                   .passes);
 }
 
 // With one support both sides end at an anchor: the steeper one is the tail's, whichever end the path begins at.

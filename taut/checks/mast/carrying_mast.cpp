@@ -195,7 +195,8 @@ MastReport carrying_mast(const MastCheckRequest& request, const std::vector<Carr
   if (all.combinations.empty()) {
     MastReport none;
     none.name = request.name;
-    none.refused = "no analysis found a state of the machine";
+    none.refused = "it is not checked: no analysis found a state of the machine";
+    none.unseen = true;
     return none;
   }
   MastReport report = own_mast(all, all.loads, gravity);

@@ -215,7 +215,8 @@ class MachineMast {
     }
     add_cases();
     const auto& cases = report_.loaded.cases;
-    if (cases.empty()) report_.refused = "no analysis found an equilibrium";
+    report_.unseen = cases.empty() && report_.refused.empty();
+    if (report_.unseen) report_.refused = "it is not checked: no analysis found an equilibrium";
     tell(std::none_of(cases.begin(), cases.end(), [](const structure::MastCase& c) { return c.members; }));
     if (mast_.beams.size() == 1) report_.in_section = other_section();
     return std::move(report_);
@@ -468,6 +469,19 @@ void take(const CheckState& state, const CheckedDeck& deck, MastStates& mast) {
   mast.where_stiffness = state.words;
 }
 
+/// A beam has one steel.
+void complain_of_steel(const MastCheckRequest& request, const std::string& path, const CheckedDeck& deck,
+                       std::vector<Complaint>& complaints) {
+  if (!request.steel) return;
+  for (const std::string& name : beams_of(request)) {
+    const Beam* beam = beam_named(deck, name);
+    if (beam == nullptr || !beam->steel || *beam->steel == *request.steel) continue;
+    complaints.push_back(
+        {path + ".steel", fmt::format("beam '{}' is of {}: say its steel there alone", name, *beam->steel)});
+    return;
+  }
+}
+
 void complain_of_masts(const std::vector<MastCheckRequest>& masts, const CheckedDeck& deck, const machine::Model& model,
                        std::vector<Complaint>& complaints) {
   for (const MastCheckRequest& one : masts) {
@@ -482,16 +496,17 @@ void complain_of_masts(const std::vector<MastCheckRequest>& masts, const Checked
       if (one.plate) complaints.push_back({path + ".plate", "is of the guys of a beam of the machine"});
       continue;
     }
-    const auto refuse = [&](bool given, const char* key) {
-      if (given) complaints.push_back({path + "." + key, "is the machine's: say it of the beam there"});
+    const auto refuse = [&](bool given, const char* key, const char* advice = "say it of the beam there") {
+      if (given) complaints.push_back({path + "." + key, fmt::format("is the machine's: {}", advice)});
     };
-    refuse(!one.loads.empty(), "loads");
+    refuse(!one.loads.empty(), "loads", "put them into 'machine.loads', at a place of the beam");
     refuse(!one.carries.empty(), "carries");
     refuse(one.section.has_value(), "section");
     refuse(!one.pieces.empty(), "pieces");
     refuse(one.height.has_value(), "height");
-    refuse(one.own_weight, "own_weight");
-    refuse(one.top_stiffness != 0, "top_stiffness");
+    refuse(one.own_weight, "own_weight", "the beam weighs what its section or its 'mass' says");
+    refuse(one.top_stiffness != 0, "top_stiffness", "guys hold its top as stiffly as they are");
+    complain_of_steel(one, path, deck, complaints);
     refuse(one.base.has_value(), "base");
     refuse(!one.foot.empty(), "foot");
     refuse(!one.towards.empty(), "towards");

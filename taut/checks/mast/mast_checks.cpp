@@ -352,8 +352,12 @@ void add_mast_report(const MastCheckRequest& request, const MastReport& report, 
                     report.name));
   }
   if (!report.refused.empty()) {
-    limit_use(report, "section", std::nan(""), report.refused, "derived", r);
     r.warnings.push_back(fmt::format("{}: {}", report.name, report.refused));
+    if (report.unseen) {
+      r.unmade.push_back(r.warnings.back());
+    } else {
+      limit_use(report, "section", std::nan(""), report.refused, "derived", r);
+    }
     add_mast_choice(request, report, r);
     return;
   }

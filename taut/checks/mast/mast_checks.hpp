@@ -44,6 +44,7 @@ struct MastReport {
   structure::LoadedMast loaded;
   std::vector<MastMaterial> materials;  ///< by part
   std::string refused;                  ///< why there are no forces
+  bool unseen = false;                  ///< because no state was found, which is no failure of the mast
   std::string relieved;                 ///< a combination in which its own weight relieves it by too much
   std::string short_length;             ///< a buckling length of the deck that is shorter than the machine's
   std::set<std::string> left_out;       ///< analyses with states that no combination names

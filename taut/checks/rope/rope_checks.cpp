@@ -15,17 +15,6 @@
 namespace taut::checks {
 namespace {
 
-/// The reevings that a name of the deck means: one, or all of a rope.
-std::vector<std::size_t> reevings_named(const std::string& name, const CheckedDeck& deck, const machine::Model& model) {
-  std::vector<std::size_t> own;
-  std::vector<std::size_t> of_rope;
-  for (std::size_t i = 0; i < model.reevings.size(); ++i) {
-    if (model.reevings[i].name == name) own.push_back(i);
-    if (rope_name_of(deck.machine, i) == name) of_rope.push_back(i);
-  }
-  return own.empty() ? of_rope : own;
-}
-
 /// Names of what bends these ropes.
 std::vector<std::string> rounds_of(const machine::Model& model, const std::vector<std::size_t>& reevings) {
   std::vector<std::string> known;
@@ -68,6 +57,16 @@ void set_compensating(const RopeCheckRequest& request, rope::RopeUse& use) {
 }
 
 }  // namespace
+
+std::vector<std::size_t> reevings_named(const std::string& name, const CheckedDeck& deck, const machine::Model& model) {
+  std::vector<std::size_t> own;
+  std::vector<std::size_t> of_rope;
+  for (std::size_t i = 0; i < model.reevings.size(); ++i) {
+    if (model.reevings[i].name == name) own.push_back(i);
+    if (rope_name_of(deck.machine, i) == name) of_rope.push_back(i);
+  }
+  return own.empty() ? of_rope : own;
+}
 
 std::vector<AskedRules> resolve_ropes(const ChecksRequest& request, const CheckedDeck& deck,
                                       const machine::Model& model, std::vector<Complaint>& complaints) {

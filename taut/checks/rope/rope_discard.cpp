@@ -44,10 +44,23 @@ int class_number(const RopeCheckRequest& request) {
   return request.group && request.group->size() == 2 && (*request.group)[0] == 'M' ? (*request.group)[1] - '0' : 0;
 }
 
-/// The row for so many wires in the outer strands.
-std::optional<RuleRow> row_for(const std::string& topic, int wires) {
-  for (RuleRow& row : catalogue::rules_of(topic)) {
-    if (row.up_to && wires <= *row.up_to) return std::move(row);
+/// Filler wires of a strand 1 + k + kF + 2k, k: they bear nothing. "6x25" is such a strand without saying so.
+int fillers(const catalogue::Construction& rope) {
+  const bool usual = rope.wires == 21 || rope.wires == 25 || rope.wires == 29;
+  return (rope.lay == "f" || rope.lay == "kf" || (rope.lay.empty() && usual)) ? (rope.wires - 1) / 4 : 0;
+}
+
+/// Outer strands of Seale lay with 19 wires or fewer count two rows higher: their outer wires are thick. A strand whose
+/// lay is not known may be one of them.
+bool is_thick_wired(const catalogue::Construction& rope) {
+  return rope.wires <= 19 && (rope.lay == "s" || rope.lay == "ks" || (rope.lay.empty() && rope.wires > 9));
+}
+
+/// The row for so many wires in the outer strands that bear, or one that stands higher in the table.
+std::optional<RuleRow> row_for(const std::string& topic, int wires, std::size_t higher) {
+  std::vector<RuleRow> rows = catalogue::rules_of(topic);
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    if (rows[i].up_to && wires <= *rows[i].up_to) return std::move(rows[i - std::min(i, higher)]);
   }
   return std::nullopt;
 }
@@ -59,22 +72,26 @@ void add_wires(const RopeCheckRequest& request, const rope::RopeUse& use, std::v
   const bool layered = std::any_of(use.drums.begin(), use.drums.end(), [](const auto& d) { return d.layers > 1; });
   // strands that do not turn the rope have their outer wires in another layer
   const bool turns = construction->strands >= 10;
-  const int wires = construction->strands * construction->wires;
+  const int fill = turns ? 0 : fillers(*construction);
+  const bool thick = !turns && is_thick_wired(*construction);
+  const int wires = construction->strands * (construction->wires - fill);
   const int from_class = turns ? 3 : 5;
   const bool twice = class_number(request) >= from_class;
   for (const char* topic : {"discard.ordinary", "discard.lang", "discard.rotation_resistant"}) {
     if (turns != (std::string_view(topic) == "discard.rotation_resistant")) continue;
-    const auto row = row_for(topic, wires);
+    const auto row = row_for(topic, wires, thick ? 2 : 0);
     if (!row) continue;
     for (const auto& [length, count] : {std::pair{6, *row->low}, std::pair{30, *row->high}}) {
       const double most = twice ? 2 * count : count;
       std::string why = class_number(request) > 0 ? "class " + *request.group : std::string("class not known");
+      if (thick)
+        why += construction->lay.empty() ? "; lay not known, Seale assumed: two rows up" : "; Seale: two rows up";
       if (layered && !twice) why += fmt::format("; {:.0f} on the part that lies in layers on a drum", 2 * count);
       rows.push_back({.criterion = row->item,
                       .on_length = length * (use.rope.diameter > 0 ? use.rope.diameter : none),
                       .broken_wires = most,
-                      .limit = fmt::format("{:.0f} or more on {} d: {} wires{}, {}", most, length, wires,
-                                           turns ? "" : " in the outer strands", why),
+                      .limit = fmt::format("{:.0f} or more on {} d: {} wires{}{}, {}", most, length, wires,
+                                           fill > 0 ? " that bear" : "", turns ? "" : " in the outer strands", why),
                       .trust = catalogue::trust_words(*row)});
     }
   }

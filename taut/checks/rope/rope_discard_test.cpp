@@ -46,10 +46,27 @@ TEST(RopeDiscard, broken_wires_by_length_lay_and_class) {
   EXPECT_EQ(cell(layered, 1, "broken_wires"), 18);
   EXPECT_THAT(text_cell(layered, 1, "limit"), HasSubstr("36 on the part that lies in layers"));
   EXPECT_EQ(cell(discard("6x36WS", "IWRC", ""), 0, "broken_wires"), 9);
-  EXPECT_EQ(cell(discard("6x19S", "IWRC", "M1"), 0, "broken_wires"), 5);  // 114 wires
   const Table turns = discard("35x7", "WSC", "M3");
   EXPECT_EQ(cell(turns, 0, "broken_wires"), 4);
   EXPECT_EQ(cell(turns, 1, "broken_wires"), 8);
+}
+
+// Filler wires do not count, and Seale strands of 19 wires stand two rows up: 8x19S with 152 wires in the row of 114.
+TEST(RopeDiscard, wires_that_bear_and_thick_ones) {
+  struct Counted {
+    const char* construction;
+    double on_6_d, on_30_d;
+  };
+  for (const auto& [construction, on_6_d, on_30_d] :
+       {Counted{"6x25F", 5, 10}, Counted{"6x25", 5, 10}, Counted{"8x25F", 6, 13}, Counted{"6x29F", 6, 11},
+        Counted{"6x19S", 3, 6}, Counted{"6x19", 3, 6}, Counted{"6x19W", 5, 10}, Counted{"8x19S", 5, 10},
+        Counted{"6x7", 2, 4}, Counted{"6x36", 9, 18}}) {
+    const Table t = discard(construction, "IWRC", "M1");
+    EXPECT_EQ(cell(t, 0, "broken_wires"), on_6_d) << construction;
+    EXPECT_EQ(cell(t, 1, "broken_wires"), on_30_d) << construction;
+  }
+  EXPECT_THAT(text_cell(discard("6x25F", "IWRC", "M1"), 0, "limit"), HasSubstr("114 wires that bear"));
+  EXPECT_THAT(text_cell(discard("6x19S", "IWRC", "M1"), 0, "limit"), HasSubstr("Seale: two rows up"));
 }
 
 TEST(RopeDiscard, lost_diameter_by_core) {

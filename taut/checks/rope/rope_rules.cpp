@@ -30,12 +30,6 @@ double hottest_of(const RuleRow& row) {
   return *row.up_to;
 }
 
-/// Whether a rope at this temperature may be weaker than the cold one: a fibre core is not allowed there any more.
-bool weakens(double temperature) {
-  static const double harmless = hottest_of(catalogue::rules_of("temperature.FC").front());
-  return temperature > harmless;
-}
-
 /// "cable logging (CH), standing skyline: MBF / largest tension (SEILAPLAN)".
 std::string words_of(const RuleRow& row) {
   std::string words = row.field.empty() ? row.item : fmt::format("{}, {}", row.field, row.item);
@@ -254,6 +248,7 @@ class RequestReader {
 
   void ratios() {
     rules_.ratio_asked = !request_.diameter_ratio.empty() || (request_.group && runs());
+    rules_.no_saddles = rules_.ratio_asked && request_.running == Choose::yes;
     if (!request_.diameter_ratio.empty()) {
       if (request_.diameter_ratio.size() > 2) complain("diameter_ratio", "one number, or two: of sheaves and of drums");
       const Limit sheave{.value = request_.diameter_ratio.front(), .rule = "D/d of the deck", .trust = "user"};
@@ -326,7 +321,7 @@ class RopeLimits {
     const auto& ids = asked_.fields;
     const bool crane =
         std::any_of(ids.begin(), ids.end(), [](const auto& id) { return begins(id, {"safety.crane_"}); });
-    rules_.no_saddles = crane && rules_.runs;
+    rules_.no_saddles |= crane && rules_.runs;
     if (crane && rules_.termination && rules_.termination->rule.find(not_for_lifting) != std::string::npos) {
       rules_.termination_refused = rules_.termination->rule;
     }
@@ -425,6 +420,11 @@ class RopeLimits {
 };
 
 }  // namespace
+
+bool weakens(double temperature) {
+  static const double harmless = hottest_of(catalogue::rules_of("temperature.FC").front());
+  return temperature > harmless;
+}
 
 catalogue::RopeRow with_request(catalogue::RopeRow rope, const RopeCheckRequest& request) {
   if (request.rope) {

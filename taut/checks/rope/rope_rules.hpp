@@ -30,6 +30,9 @@ struct AskedRules {
 /// Complaints of names that the tables do not have, at paths below `path`.
 AskedRules asked_rules(const RopeCheckRequest& request, const std::string& path, std::vector<Complaint>& complaints);
 
+/// Whether a rope at this temperature, K, may be weaker than the cold one: a fibre core is not allowed there any more.
+bool weakens(double temperature);
+
 /// The limits that a deck asks for, from the tables of rules, for this rope. Of a rule that is a range the safe end
 /// counts. `around`: the highest temperature of the machine, K, which a rope has of which none is said, where it is
 /// hotter than the tables' first one, 100 degC.

@@ -162,19 +162,19 @@ void check_holds(const Machine& machine, std::vector<Complaint>& complaints) {
   for (const auto& round : machine.supports) check_round(machine, "supports", round, complaints);
 }
 
-Array<Guides> guides_of(const Array<Stop>& stops, const Array<Vector3>& places, int first_carriage,
+Array<Guides> guides_of(const Array<Stop>& stops, const Array<Vector3>& places, CarriageBodies carriages,
                         std::vector<Complaint>& complaints) {
   Array<Guides> all;
   const auto flagged = std::count_if(stops.begin(), stops.end(), [](const Stop& s) { return s.ahead_of.has_value(); });
   if (flagged == 0) return all;
   std::size_t found = 0;
   for (const bool at_end : {false, true}) {
-    const Run run = run_at(stops, at_end, first_carriage);
+    const Run run = run_at(stops, at_end, carriages.first);
     if (run.guides.empty()) continue;
     found += run.guides.size();
     const Stop& last = stops[run.guides.back()];
     const Vector3 way = in_plan(places[run.guides.back()] - places[run.far]);
-    if (stops[run.far].node.at.body >= first_carriage || way.norm() == 0) {
+    if (carriages.contains(stops[run.far].node.at.body) || way.norm() == 0) {
       complaints.push_back({last.ahead_of->path,
                             fmt::format("'{}' and '{}', from where its rope comes, lie at one place in plan or on a "
                                         "carriage: what is ahead of the carriage is not known",

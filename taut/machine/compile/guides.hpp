@@ -17,10 +17,16 @@ std::optional<int> ahead_of(const Machine& machine, const description::Round& ro
 /// Complains of `holds` that can't be read.
 void check_holds(const Machine& machine, std::vector<Complaint>& complaints);
 
+/// The bodies of the carriages; those of beams stand behind them.
+struct CarriageBodies {
+  int first = 0, count = 0;
+  bool contains(int body) const { return body >= first && body < first + count; }
+};
+
 /// The guides at the ends of a rope's path. Complains, at the guide's element of the path, of one that does not stand
 /// beside the end at its carriage, and of guides that do not follow one another along the line in the order of the
-/// path. `places`: of the stops, in the ground frame. `first_carriage`: the body of the first carriage.
-Array<Guides> guides_of(const Array<Stop>& stops, const Array<Vector3>& places, int first_carriage,
+/// path. `places`: of the stops, in the ground frame.
+Array<Guides> guides_of(const Array<Stop>& stops, const Array<Vector3>& places, CarriageBodies carriages,
                         std::vector<Complaint>& complaints);
 
 /// Takes the guides that hold ahead of the carriage `body` out of all paths, or puts those into them that hold where

@@ -172,9 +172,11 @@ const Description& Round::describe() {
           .field(&Round::holds, "holds",
                  "'ahead_of CARRIAGE': it holds a rope that ends at this carriage only while the carriage has not "
                  "passed it; default: always")
-          .field(&Round::one_wheel, "one_wheel",
-                 "true: one wheel with a groove for each rope, and each turn of one, that runs over it; default: "
-                 "sheaves beside each other that turn by themselves; a driven sheave is always one wheel")
+          .field(
+              &Round::one_wheel, "one_wheel",
+              "true: one wheel with a groove for each rope, and each turn of one, that runs over it; default: "
+              "sheaves beside each other that turn by themselves, each with the inertia and drag, one for each of the "
+              "'copies' of a rope too; a driven sheave is always one wheel")
           .record(&Round::motor, "motor", "the sheave drives its rope");
   return d;
 }

@@ -44,7 +44,8 @@ const Description& Drum::describe() {
           .or_map(&Drum::over_ground)
           .required()
           .field(&Drum::body, "body", "the body that carries it; default: the ground")
-          .field(&Drum::axis, "axis", "", si::one, "direction of its axis")
+          .field(&Drum::axis, "axis", "", si::one,
+                 "direction of its axis, in the frame of its body; default: [0, 1, 0]")
           .field(&Drum::core_diameter, "core_diameter", "D", si::m.in("mm"), "diameter of the bare drum; 0: a point")
           .at_most(farthest)
           .at_least(0)

@@ -64,9 +64,11 @@ template <class T>
 void check_taut(const Sliding& q, Sheet<T>& s, const Output& out) {
   const T least = s.given(q.minimum_tension);
   s.check("extension rope stays taut", s.named("S_1min", si::N, out.S1_min), si::N,
-          {Sense::at_least, least, "Reutov 2021: a slack rope jumps off its sheave", "user"});
+          {Sense::at_least, least, "Reutov 2021: a slack rope jumps off its sheave; least of all sliding positions",
+           "user"});
   s.check("retraction rope stays taut", s.named("S_2min", si::N, out.S2_min), si::N,
-          {Sense::at_least, least, "Reutov 2021: a slack rope jumps off its sheave", "user"});
+          {Sense::at_least, least, "Reutov 2021: a slack rope jumps off its sheave; least of all sliding positions",
+           "user"});
 }
 
 }  // namespace

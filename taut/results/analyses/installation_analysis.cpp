@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "taut/calc/answers.hpp"
 #include "taut/calc/none.hpp"
@@ -181,6 +182,29 @@ void add_base_tension(const InstallationRun& run, const Display& display, Result
   add_answer_line(r, "Put up", parts);
 }
 
+/// Of a length: what a deck may leave out of its figures.
+constexpr double same_rope = 1e-4;
+
+/// Whether the rope that is put up is the one that the machine has. A winch may draw in what it wants.
+void compare_lengths(const InstallationRun& run, const machine::Reeving& rope, const Display& display, Result& r) {
+  const bool on_drum = rope.nodes.front().drum || rope.nodes.back().drum;
+  if (!run.given || on_drum || rope.given != machine::Given::length) return;
+  double least = std::numeric_limits<double>::infinity(), most = 0;
+  for (const Row& row : run.rows) {
+    if (!row.at.outcome.ok()) continue;
+    least = std::min(least, row.at.unstretched);
+    most = std::max(most, row.at.unstretched);
+  }
+  if (most == 0 || (rope.value >= least * (1 - same_rope) && rope.value <= most * (1 + same_rope))) return;
+  warn_unsafe(r, fmt::format("installation{}: '{}' is put up with {} (unstretched), but the machine is calculated with "
+                             "{} of it: leave out 'given', or give the rope what it is put up with ('install')",
+                             run.ending, run.words,
+                             most - least <= same_rope * most
+                                 ? display.brief(least, si::m)
+                                 : fmt::format("{} to {}", display.brief(least, si::m), display.brief(most, si::m)),
+                             display.brief(rope.value, si::m)));
+}
+
 void add_results(const InstallationRun& run, bool judged, const Display& display, Result& r) {
   study::Missing missing;
   for (const Row& row : run.rows) missing.take(row.at.outcome, words_of(row, run));
@@ -214,6 +238,7 @@ std::vector<QuantityWords> lengths_words() { return words_of(lengths_of_ropes())
 void add_answer(const InstallationRun& asked, MachineRun& machine, Result& r) {
   InstallationRun run = asked;
   study::solve(machine.model, run);
+  compare_lengths(run, machine.model.reevings[run.reeving], machine.display, r);
   add_results(run, machine.checked->judged, machine.display, r);
   for (const Row& row : run.rows) {
     if (!row.at.outcome.ok()) continue;

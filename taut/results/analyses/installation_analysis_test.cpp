@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "test/support/machine_decks.hpp"
 
 namespace installation_analysis_test {
@@ -48,6 +50,22 @@ TEST(InstallationAnalysis, EachRowIsTheBareRopeAtItsTemperature) {
     for (std::size_t k = 0; k < 3; ++k) free += cell(spans, k, "stretched");
     EXPECT_NEAR(cell(t, i, "stretched"), free, 0.1) << "but for what lies on the saddle";
   }
+}
+
+/// Whether it is told that the rope that is put up is not the one that is calculated.
+bool told_of_another_rope(const std::string& asked) {
+  const Result r = run_text(installation_of(asked));
+  EXPECT_EQ(r.status, Status::ok) << r.message << to_text(r.errors);
+  return std::any_of(r.unsafe.begin(), r.unsafe.end(),
+                     [](const std::string& words) { return words.find("is put up with") != std::string::npos; });
+}
+
+// The skyline has 382 m.
+TEST(InstallationAnalysis, AnotherRopeThanTheOneThatIsCalculatedIsUnsafe) {
+  EXPECT_TRUE(told_of_another_rope("temperatures: [-20 degC, 40 degC], given: {tension: 30 kN, temperature: 15 degC}"));
+  EXPECT_TRUE(told_of_another_rope("temperatures: [-20 degC, 40 degC], given: {tension: 30 kN}"));
+  EXPECT_FALSE(told_of_another_rope("temperatures: [-20 degC, 40 degC], given: {length: 382.01 m}"));
+  EXPECT_FALSE(told_of_another_rope("temperatures: [-20 degC, 40 degC]"));
 }
 
 TEST(InstallationAnalysis, AChartKeepsTheLengthOfItsTemperature) {

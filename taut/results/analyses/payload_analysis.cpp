@@ -49,6 +49,13 @@ Table payload_table(const machine::Model& model, const study::PayloadRun& run) {
   return t;
 }
 
+/// The machine with what it carries there.
+machine::Model loaded(const study::PayloadRun& run, const study::PayloadPosition& place) {
+  machine::Model model = *place.model;
+  model.bodies[model.carriages[run.way.carriage].body].mass += place.point.payload.mass;
+  return model;
+}
+
 /// The line with the carriage where the payload is least, and the payload by place with the limit that governs.
 Profile payload_profile(const MachineRun& machine, const study::PayloadRun& run, const study::PayloadPosition& least) {
   const study::Payload& worst = least.point.payload;
@@ -64,7 +71,7 @@ Profile payload_profile(const MachineRun& machine, const study::PayloadRun& run,
     if (&one == &least) p.decisive = p.places.size();
     const bool known = one.answered();
     p.places.push_back({.x = one.point.x,
-                        .z = known ? one.point.z : none,
+                        .z = known ? lowest(one.point.payload.at, least.model->carriages[run.way.carriage].body) : none,
                         .ground = known ? one.point.z - one.point.clearance : none,
                         .value = known ? one.point.payload.mass : none,
                         .governs = known ? one.point.payload.governing : std::string()});
@@ -287,9 +294,7 @@ void add_results(MachineRun& machine, const study::PayloadRun& run, Result& r) {
     }
     missing.take(one.answered() ? Outcome() : one.point.payload.outcome, one.point.x);
     if (!one.answered()) continue;
-    machine::Model loaded = *one.model;
-    loaded.bodies[loaded.carriages[run.way.carriage].body].mass += one.point.payload.mass;
-    machine.checked->take(loaded, one.point.payload.at, where, checks::analysis_name(run.ending, "payload"));
+    machine.checked->take(loaded(run, one), one.point.payload.at, where, checks::analysis_name(run.ending, "payload"));
   }
   const std::vector<NothingCarried> nothing = add_nothing(machine, run, r);
   missing.note(r, fmt::format("payload{}, {}", run.ending, run.words), machine.checked->judged);
@@ -318,7 +323,7 @@ void add_results(MachineRun& machine, const study::PayloadRun& run, Result& r) {
     if (!used.curves.empty()) r.figures.emplace_back(std::move(used));
   }
   machine.others.push_back({fmt::format("least payload, {:.5g} kg at x = {:.6g} m", worst.mass, least.of_all->point.x),
-                            *least.of_all->model, worst.at});
+                            loaded(run, *least.of_all), worst.at});
 }
 
 }  // namespace

@@ -145,6 +145,14 @@ Profile line_profile(const DrawnLine& line) {
   return p;
 }
 
+double lowest(const solve::EquilibriumResult& answer, int body) {
+  double z = answer.state.bodies[body].position.z();
+  for (const solve::EquilibriumResult& bound : answer.bounds) {
+    if (bound.outcome.ok()) z = std::min(z, bound.state.bodies[body].position.z());
+  }
+  return z;
+}
+
 void sort_places(Profile& profile) {
   if (profile.places.empty()) return;
   const double x = profile.places[profile.decisive].x;
@@ -175,7 +183,7 @@ Profile load_path_profile(const MachineRun& run, const study::LoadPathRun& path)
       decisive = shown.size();
     }
     shown.push_back({.x = one.point->x,
-                     .z = ok ? one.point->z : none,
+                     .z = ok ? lowest(one.point->at, one.model->carriages[path.way.carriage].body) : none,
                      .ground = ok ? one.point->z - one.point->clearance : none,
                      .value = own.value,
                      .governs = own.rope});

@@ -15,6 +15,9 @@ struct DrawnLine {
 /// caller's.
 Profile line_profile(const DrawnLine& line);
 
+/// The height of a body, m: the least of an answer and its bounds, in any of which friction may hold it.
+double lowest(const solve::EquilibriumResult& answer, int body);
+
 /// Puts the places in the order of x; `decisive` stays the same place.
 void sort_places(Profile& profile);
 

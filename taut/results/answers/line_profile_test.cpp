@@ -39,8 +39,11 @@ TEST(LineProfile, HasGroundSupportsRopesAndTheWayOfTheCarriage) {
   const taut::Table& t = table_of(r, "load_path");
   for (std::size_t i = 0; i < 5; ++i) {
     const std::size_t row = 4 - i;  // the deck goes the other way
-    EXPECT_NEAR(p.places[i].z, cell(t, row, "z"), 1e-9);
-    EXPECT_NEAR(p.places[i].z - p.places[i].ground, cell(t, row, "clearance"), 1e-9);
+    // friction may hold it lower than the answer of the table
+    const double lower = cell(t, row, "z") - p.places[i].z;
+    EXPECT_GE(lower, -1e-9);
+    EXPECT_LT(lower, 0.05);
+    EXPECT_NEAR(p.places[i].z - p.places[i].ground, cell(t, row, "clearance") - lower, 1e-9);
     const double skyline = cell(t, row, "skyline.T_max") / 280e3, mainline = cell(t, row, "mainline.T_max") / 110e3;
     EXPECT_NEAR(p.places[i].value, std::max(skyline, mainline), 1e-12);
     EXPECT_EQ(p.places[i].governs, skyline > mainline ? "skyline" : "mainline");

@@ -59,7 +59,7 @@ void add_measure(const study::TransientRun& run, const machine::Observable& o, c
     r.values.back().unit = o.unit;
   } else {
     r.warnings.push_back(
-        fmt::format("{} has no mean: the motion never comes to where it is taken ({})", o.name, words_of(run)));
+        fmt::format("{} has no value: the motion never comes to where it is taken ({})", o.name, words_of(run)));
   }
 }
 

@@ -60,6 +60,24 @@ TEST(Wheels, AreSheavesThatTurnByThemselvesWithoutTheirNumber) {
   EXPECT_NEAR(last.bodies[2].acceleration.z(), -50 * 9.81 / (450 + wheel), 1e-3);
 }
 
+/// Copies of a rope run over a wheel each, with its inertia and its drag, unless they share one.
+TEST(Wheels, EachCopyOfARopeHasItsOwn) {
+  constexpr double wheel = inertia / (radius * radius);
+  for (const bool shared : {false, true}) {
+    machine::Model m = two_ropes(shared, false);
+    m.reevings[0].copies = 3;
+    m.reevings.pop_back();
+    m.bodies.resize(2);
+    const TransientResult r = run_to_end(m, lasting(1, 1e-5));
+    EXPECT_NEAR(r.frames.back().bodies[0].acceleration.z(), 120 * 9.81 / (720 + (shared ? 1 : 3) * wheel), 1e-3);
+    m.reevings[0].nodes[1].drag = 50;
+    const double drag = (shared ? 1 : 3) * 50 / (radius * radius);
+    const TransientResult slow = run_to_end(m, lasting(1, 1e-5));
+    const double rate = drag / (720 + (shared ? 1 : 3) * wheel);
+    EXPECT_NEAR(slow.frames.back().bodies[0].velocity.z(), 120 * 9.81 / drag * (1 - std::exp(-rate)), 2e-3);
+  }
+}
+
 TEST(Wheels, TurnTheSameInTheReference) {
   TransientOptions options = lasting(0.5, 1e-6);
   const TransientResult a = run_to_end(two_ropes(true, true), options);

@@ -86,6 +86,20 @@ std::optional<int> deep_mainline_link(const mechanics::System& s, const mechanic
   return std::nullopt;
 }
 
+std::optional<int> deep_link_at_height(const mechanics::System& s, const machine::Carriage& carriage,
+                                       const mechanics::Configuration& c, const mechanics::Evaluation& e) {
+  const auto at_carriage = [&](int node) { return node >= carriage.node && node < carriage.node + carriage.rollers; };
+  for (const mechanics::Layout::Rope& rope : s.layout.ropes) {
+    if (rope.row != s.layout.height_row) continue;
+    for (int k = rope.first; k < rope.first + rope.count; ++k) {
+      const mechanics::Layout::Branch& branch = s.layout.branches[k];
+      if (at_carriage(branch.from) || at_carriage(branch.to)) continue;
+      if (s.model.reevings[branch.reeving].weight > 0 && !(tension_rate(s, c, e, k) < 0)) return k;
+    }
+  }
+  return std::nullopt;
+}
+
 void draw_fed_taut(const mechanics::System& s, const Array<FedEnd>& fed, mechanics::Configuration& c) {
   const machine::State state{.bodies = c.bodies, .branches = {}, .touched = {}, .beams = {}};
   for (const FedEnd& end : fed) {

@@ -40,6 +40,11 @@ std::optional<int> deep_link(const mechanics::System& system, const Array<FedEnd
 std::optional<int> deep_mainline_link(const mechanics::System& system, const mechanics::Configuration& c,
                                       const mechanics::Evaluation& e);
 
+/// The same of the rope whose length follows from the height at which a carriage is put, in the branches between its
+/// other nodes: at every tension that a deep loop has there, a taut branch is an answer too.
+std::optional<int> deep_link_at_height(const mechanics::System& system, const machine::Carriage& carriage,
+                                       const mechanics::Configuration& c, const mechanics::Evaluation& e);
+
 /// Gives every branch of the fed ropes the length that it has without sag at the given tension: the side of their taut
 /// root from which it is reached without passing it.
 void draw_fed_taut(const mechanics::System& system, const Array<FedEnd>& fed, mechanics::Configuration& c);

@@ -32,8 +32,10 @@ struct Zone {
   const machine::Node* node = nullptr;
   double middle = 0, reach = 0;  ///< m
   double near = 0;               ///< from the middle to the places next to it, m; 0: an end, which is not passed
+  bool point = false;            ///< the carriage is a point: nearer than that nothing is told
 
   bool has(double x) const { return std::abs(middle - x) <= reach; }
+  bool is_too_near(double x) const { return point && !has(x) && std::abs(middle - x) < near - beside; }
 };
 
 /// How far the outer rollers are from the middle of a carriage, m.
@@ -55,13 +57,15 @@ Array<Zone> zones_of(const machine::Model& model, int carriage, const Vector3& a
     all.push_back({.node = &node,
                    .middle = place->dot(along),
                    .reach = std::max(node.radius + half, least_reach),
-                   .near = end ? 0 : node.radius + (half > 0 ? half + beside : half_carriage)});
+                   .near = end ? 0 : node.radius + (half > 0 ? half + beside : half_carriage),
+                   .point = half == 0 && !end});
   }
   for (const machine::PlacedGuide& guide : machine::guides_ahead_of(model, carriage)) {
     all.push_back({.node = guide.node,
                    .middle = guide.place.dot(along),
                    .reach = std::max(guide.node->radius, least_reach),
-                   .near = guide.node->radius + (half > 0 ? half + beside : half_carriage)});
+                   .near = guide.node->radius + (half > 0 ? half + beside : half_carriage),
+                   .point = half == 0});
   }
   return all;
 }
@@ -99,18 +103,26 @@ Array<WayPart> parts_of(const machine::Model& model, const Way& way) {
     return a.carriages[way.carriage].node == b.carriages[way.carriage].node && machine::same_guides(a, b);
   };
   const Array<Zone> zones = zones_of(model, way.carriage, way.along);
+  // the ends of the way are asked for; of the other steps those next to a support count in place of nearer ones
+  const auto left_out = [&](int i) {
+    const double x = way.x(i);
+    return i > 0 && i < way.steps && zone_at(zones, x) == nullptr &&
+           std::any_of(zones.begin(), zones.end(), [&](const Zone& one) { return one.is_too_near(x); });
+  };
   Array<WayPart> parts;
   for (int i = 0; i <= way.steps; ++i) {
     WayPart part{.model = at(way.x(i)), .first = i, .last = i, .support = zone_at(zones, way.x(i))};
     while (part.support == nullptr && part.last < way.steps && zone_at(zones, way.x(part.last + 1)) == nullptr &&
-           same_span(at(way.x(part.last + 1)), part.model)) {
+           !left_out(part.last + 1) && same_span(at(way.x(part.last + 1)), part.model)) {
       ++part.last;
     }
     i = part.last;
     parts.push_back(std::move(part));
     if (i == way.steps) break;
-    for (const double x : places_beside(zones, way.x(i), way.x(i + 1)))
-      parts.push_back({.model = at(x), .first = i, .last = i, .support = nullptr, .beside = x});
+    const int before = i;
+    while (left_out(i + 1)) ++i;
+    for (const double x : places_beside(zones, way.x(before), way.x(i + 1)))
+      parts.push_back({.model = at(x), .first = before, .last = before, .support = nullptr, .beside = x});
   }
   return parts;
 }

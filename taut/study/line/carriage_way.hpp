@@ -20,7 +20,8 @@ struct Names;
 const machine::Node* support_at(const machine::Model& model, int carriage, double x, const Vector3& along);
 
 /// A way span by span, in the order of its positions. Between two spans, and beside a support on which a position lies,
-/// are the places next to each support: bends over it, and forces on it, are largest there and grow fast towards it.
+/// are the places next to each support: bends over it, and forces on it, are largest there and grow fast towards it. Of
+/// a carriage that is a point, steps nearer to a support than these places are left out, but for the ends of the way.
 Array<WayPart> parts_of(const machine::Model& model, const Way& way);
 
 /// A load path over the positions of a part; of a single place it has two, both there.

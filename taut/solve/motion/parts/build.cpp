@@ -196,6 +196,8 @@ class Builder {
     contact.efficiency = given.law.efficiency;
     contact.round = given.radius > 0;
     contact.driven = given.motor.has_value();
+    if (given.motor && model_.motors[*given.motor].working_arc)
+      contact.working_arc = *model_.motors[*given.motor].working_arc;
     contact.support = given.support;
     contact.copies = rope.copies;
     contact.drum = given.drum.value_or(-1);
@@ -256,8 +258,9 @@ class Builder {
         contact.spin = count(m().spins.size());
         if (node.wheel) contact.spin = of_wheel.try_emplace(*node.wheel, contact.spin).first->second;
         spin.axis = along * node.axis;
-        spin.inertia = node.inertia;
-        spin.drag = options_.quasi_static ? 0 : node.drag;
+        const double wheels = node.wheel ? 1 : contact.copies;
+        spin.inertia = wheels * node.inertia;
+        spin.drag = options_.quasi_static ? 0 : wheels * node.drag;
         if (contact.spin == count(m().spins.size())) m().spins.push_back(spin);
         // a rope that runs over it the other way than the first one
         if (spin.axis.dot(m().spins[contact.spin].axis) < 0) contact.sense = -1;

@@ -1,6 +1,7 @@
 #pragma once
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -121,10 +122,11 @@ struct Contact {
   double sense = 1;  ///< of the spin's angle along the path
   int column = -1;   ///< of the flow
   double friction = 0, efficiency = 1;
-  bool round = false;                 ///< has a wrap about its axis; else the angle between the directions
-  bool driven = false;                ///< by a motor: its grip counts the wrap alone, as in statics
-  Vector3 support = Vector3::Zero();  ///< as of a node of the model
-  double mass = 0;                    ///< kg per unstretched metre, for the pressure of a rope that runs over it
+  bool round = false;   ///< has a wrap about its axis; else the angle between the directions
+  bool driven = false;  ///< by a motor: its grip counts the wrap alone, as in statics,
+  double working_arc = std::numeric_limits<double>::infinity();  ///< and of that no more than this, rad
+  Vector3 support = Vector3::Zero();                             ///< as of a node of the model
+  double mass = 0;  ///< kg per unstretched metre, for the pressure of a rope that runs over it
   double bearing_log = 0, bearing_ratio = 1;  ///< what the efficiency of a light one allows: -ln eta, 1/eta
   double copies = 1;
   int drum = -1;             ///< an end on a drum

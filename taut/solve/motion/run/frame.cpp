@@ -77,7 +77,7 @@ TransientFrame::Drum turning_of(const Mechanism& m, const Values& v, std::size_t
   const std::optional<Turning> turning = prescribed(m, of, v, v.when);
   d.held = turning && turning->omega == 0 && turning->alpha == 0 && v.drive(of).kind != machine::DriveKind::pull;
   d.braked = is_braked(m, of, v, v.when) && v.spins[spin].turns == 0;
-  d.by_torque = of.drum >= 0 && v.drive(of).kind == machine::DriveKind::torque && !v.drive(of).brake;
+  d.by_torque = (of.drum >= 0 || of.motor >= 0) && v.drive(of).kind == machine::DriveKind::torque && !v.drive(of).brake;
   d.speed = v.spins[spin].omega * radius;
   if (given_tension(m, first, v, v.when)) {
     const ContactValues& contact = v.contacts[of.contacts.front().first];

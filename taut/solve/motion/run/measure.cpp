@@ -54,6 +54,10 @@ void add_to_mean(const Run& run, const machine::Observable& what, double t, doub
   all.duration += duration;
 }
 
+constexpr double none = std::numeric_limits<double>::quiet_NaN();
+/// Before its `since` a measure has no value.
+constexpr Extreme unseen{.min = none, .max = none, .t_min = none, .t_max = none, .end = none};
+
 }  // namespace
 
 double observe(const Run& run, const Values& v, const machine::Observable& what) {
@@ -73,9 +77,13 @@ void measure(Run& run, const Values& v) {
     const machine::Observable& what = observed[i];
     Run::Measured& all = run.measured[i];
     Extreme& e = run.result.extremes[i];
-    const bool begins = all.t < what.since && v.t >= what.since;
-    if (begins) extend(e, as_seen(run, what, at_since(all, what, v.t)), what.since, true);
-    extend(e, as_seen(run, what, all.now), v.t, first && !begins);
+    if (v.t < what.since) {
+      e = unseen;
+    } else {
+      const bool begins = all.t < what.since;
+      if (begins) extend(e, as_seen(run, what, at_since(all, what, v.t)), what.since, true);
+      extend(e, as_seen(run, what, all.now), v.t, first && !begins);
+    }
     const double window = what.mean_of ? observe(run, v, run.model.mean_windows[*what.mean_of]) : v.t;
     add_to_mean(run, what, v.t, window, all);
     if (all.duration > 0) e.mean = all.integral / all.duration;

@@ -163,7 +163,8 @@ void turn_spins(const Mechanism& m, const Scheme& s, const Values& before, doubl
 /// derivative counts as that of the wrap: the ways out of the plane change it little.)
 double pressed_by(const Mechanism& m, const Contact& contact, const Values& now, double wrap) {
   const double along = std::max(0.0, wrap);
-  if (!contact.round || contact.driven) return along;
+  if (contact.driven) return std::min(along, contact.working_arc);
+  if (!contact.round) return along;
   const Line& line = m.lines[contact.in];
   const Vector3 n = line.side[1] * to_ground(now.bodies, line.body[1], line.axis[1]);
   const Vector3 &in = direction(m, now, contact.in, 1), &out = direction(m, now, contact.out, 0);
@@ -207,7 +208,7 @@ void bound(const Mechanism& m, const Scheme& s, const Values& before, std::size_
   }
   is.log_ratio = grip;
   is.ratio = std::exp(grip);
-  if (is.wrap > 0) is.log_by_wrap = contact.friction;
+  if (is.wrap > 0 && is.wrap < contact.working_arc) is.log_by_wrap = contact.friction;
 }
 
 [[gnu::always_inline]] inline void flow(const Mechanism& m, const Scheme& s, const Values& before, const Work& w,

@@ -1,0 +1,16 @@
+#pragma once
+#include "taut/checks/checked_deck.hpp"
+#include "taut/machine/model.hpp"
+
+namespace taut {
+struct Result;
+}
+
+namespace taut::checks {
+
+/// What is not judged because a machine is hotter than 100 degC in some state. Checks of guys and limits of payloads
+/// take the strength of the cold rope; a rope under `checks: ropes` is weakened by its temperature there. Beams and
+/// masts have the modulus and strength of cold steel, which fall above 100 degC (EN 1993-1-2, table 3.1).
+void add_unjudged_heat(const CheckedDeck& deck, const machine::Model& model, Result& r);
+
+}  // namespace taut::checks
