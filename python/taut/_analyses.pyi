@@ -1,6 +1,6 @@
 """Made from the descriptions by python/tools/make_stub.py; do not edit. `./dev python stub` makes it again.
 
-schema: f0291db9a2c20989bb4d20ca1507c0fe4570003ead3c579723d30e47377b56de
+schema: 9c44c846d7c584934ad9256441d7157222ec00d6d76b81f20ecca8815ef3958b
 """
 
 from collections.abc import Mapping, Sequence

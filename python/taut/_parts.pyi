@@ -1,6 +1,6 @@
 """Made from the descriptions by python/tools/make_stub.py; do not edit. `./dev python stub` makes it again.
 
-schema: f0291db9a2c20989bb4d20ca1507c0fe4570003ead3c579723d30e47377b56de
+schema: 9c44c846d7c584934ad9256441d7157222ec00d6d76b81f20ecca8815ef3958b
 """
 
 from collections.abc import Mapping, Sequence
@@ -121,7 +121,8 @@ class Parts:
         holds: 'ahead_of CARRIAGE': it holds a rope that ends at this carriage only while the carriage has not passed it;
             default: always.
         one_wheel: true: one wheel with a groove for each rope, and each turn of one, that runs over it; default: sheaves
-            beside each other that turn by themselves; a driven sheave is always one wheel. Default: false.
+            beside each other that turn by themselves, each with the inertia and drag, one for each of the 'copies' of a
+            rope too; a driven sheave is always one wheel. Default: false.
         motor: the sheave drives its rope.
 
         A number is SI, a text has its unit. Returns the machine; its mistakes are told when it is calculated.
@@ -163,7 +164,8 @@ class Parts:
         holds: 'ahead_of CARRIAGE': it holds a rope that ends at this carriage only while the carriage has not passed it;
             default: always.
         one_wheel: true: one wheel with a groove for each rope, and each turn of one, that runs over it; default: sheaves
-            beside each other that turn by themselves; a driven sheave is always one wheel. Default: false.
+            beside each other that turn by themselves, each with the inertia and drag, one for each of the 'copies' of a
+            rope too; a driven sheave is always one wheel. Default: false.
         motor: the sheave drives its rope.
 
         A number is SI, a text has its unit. Returns the machine; its mistakes are told when it is calculated.
@@ -196,7 +198,7 @@ class Parts:
         at: m. centre, in the frame of its body, or of the ground (at least -1000000 m and at most 1000000 m).
         core_diameter: m. diameter of the bare drum; 0: a point (at least 0 mm and at most 1e9 mm). Default: 0 mm.
         body: the body that carries it; default: the ground.
-        axis: direction of its axis.
+        axis: direction of its axis, in the frame of its body; default: [0, 1, 0].
         layer: the layer from which the rope leaves; default: the first (at least 1).
         drive: drive; without it the drum does not turn.
         layers: the layer follows from the length on the drum: `auto`.

@@ -34,9 +34,7 @@
 
 namespace taut::solve {
 namespace {
-
 using Flow = Array<Array<int>>;
-
 constexpr int relaxing_steps = 400;  ///< of one fall; the tests take up to 397
 constexpr double same_place = 1e-6;  ///< of the machine's length: two answers are one
 constexpr int parts_of_losses = 16;

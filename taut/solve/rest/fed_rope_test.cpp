@@ -222,7 +222,7 @@ TEST(FedRope, ACarriageIsPutAtAHeightOnATautRope) {
           options.prescribed = machine::Prescribed{.carriage = 0, .x = x, .z = 40 + 30 * (x - 90) / 110 - sag};
           const EquilibriumResult r = equilibrium(m, options);
           const bool pushed = r.outcome.message.find("can't push") != std::string::npos;
-          if (pushed && mainline && mass < 1000) continue;  // beside a saddle, on a flat rope
+          if (pushed && mainline && x == 100) continue;  // beside the lower saddle it would run away from there
           ASSERT_TRUE(r.outcome.ok()) << r.outcome.message;
           EXPECT_LT(r.ropes[0].unstretched, 340);
           machine::Model cut = m;
