@@ -395,10 +395,14 @@ void DriveUses::take_slips(const machine::Model& m, const solve::TransientFrame&
 /// Where other drives give the work they draw the rope out: a haulback that is kept tight.
 void DriveUses::take_dragged(const machine::Model& m, const solve::TransientFrame& frame, double time,
                              const std::string& words) {
-  const std::vector<bool> drawn = drawn_out(m, frame);
+  const auto gives_way = [](const solve::TransientFrame::Drum& is) {
+    return is.by_torque && !is.braked && is.power < 0;
+  };
+  const bool any = std::any_of(frame.drums.begin(), frame.drums.end(), gives_way);
+  const std::vector<bool> drawn = any ? drawn_out(m, frame) : std::vector<bool>(frame.drums.size(), false);
   for (std::size_t d = 0; d < frame.drums.size(); ++d) {
     const solve::TransientFrame::Drum& is = frame.drums[d];
-    if (!is.by_torque || is.braked || drawn[d] || !(is.power < 0)) {
+    if (!gives_way(is) || drawn[d]) {
       dragged_.erase(m.drums[d].name);
       continue;
     }

@@ -19,10 +19,14 @@ Vector3 described(const machine::Model& m, const machine::Place& place) {
 
 bool leads_up(const Vector3& way) { return way.z() > way.head<2>().norm(); }
 
+/// What carries a drum is a winch on its stand, though its ropes lead up.
 bool hangs(const machine::Model& m, int body) {
   bool held = false;
   for (const machine::Reeving& rope : m.reevings) {
     const std::size_t count = rope.nodes.size();
+    for (const machine::Node& node : rope.nodes) {
+      if (node.at.body == body && node.drum) return false;
+    }
     for (std::size_t k = 0; k + (rope.closed ? 0 : 1) < count; ++k) {
       const machine::Place& one = rope.nodes[k].at;
       const machine::Place& next = rope.nodes[(k + 1) % count].at;

@@ -86,6 +86,24 @@ TEST(FixedLoads, a_hook_that_is_not_free_is_unsafe) {
   EXPECT_NEAR(value_of(free, "hoist.T_max"), 3000 * 9.80665 / 2, 200);
 }
 
+// A winch stands below its tower: its rope leads up, and it hangs on nothing.
+TEST(FixedLoads, a_winch_below_its_rope_does_not_hang) {
+  const Result r = run_text(R"(taut: 1
+machine:
+  ropes: {hoist: {mass: 1 kg/m, stiffness: 10 MN, breaking_force: 100 kN, diameter: 14 mm}}
+  bodies:
+    yarder: {mass: 5 t, at: [0 m, 0 m, 0 m]}
+    hook: {mass: 1 t, at: [2 m, 0 m, 3 m], free: [x, z]}
+  drums: {winch: {body: yarder, at: [0 m, 0 m, 1 m], core_diameter: 300 mm}}
+  sheaves: {head: {at: [1 m, 0 m, 12 m], diameter: 400 mm}}
+  reevings: [{name: hoist, rope: hoist, path: [{drum: winch}, {over: head}, {anchor: hook}], length: 20 m}]
+analyses: [{equilibrium: {}}]
+checks: {ropes: {hoist: {safety_factor: 3}}}
+)");
+  ASSERT_EQ(r.status, Status::ok) << r.message << to_text(r.errors);
+  EXPECT_TRUE(r.unsafe.empty()) << r.unsafe[0];
+}
+
 // A point 'head' of the ground at the mast's top holds the guy in the air.
 TEST(FixedLoads, a_rope_at_the_ground_beside_the_top_of_a_mast_is_unsafe) {
   const auto mast = [](const char* from) {

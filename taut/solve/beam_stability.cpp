@@ -451,7 +451,7 @@ std::optional<BeamStability> beam_stability(const mechanics::System& s, const me
   const std::optional<Eigen::MatrixXd> condensed = condense(J.dense(), order, eliminated);
   if (!condensed) return std::nullopt;
   Eigen::MatrixXd stiffness = -*condensed;
-  // what forces along ropes act on has no potential: there nothing is told, as without beams
+  // forces along ropes have no potential: the parts that no beam holds are not tested, as in a machine without beams
   if (has_followers(s)) {
     const Array<int> kept_rows = with_beams(s, stiffness, left);
     std::fill(coordinates.begin(), coordinates.end(), std::nullopt);

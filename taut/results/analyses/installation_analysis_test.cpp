@@ -52,7 +52,7 @@ TEST(InstallationAnalysis, EachRowIsTheBareRopeAtItsTemperature) {
   }
 }
 
-/// Whether it is told that the rope that is put up is not the one that is calculated.
+/// Whether the result warns of a rope of another length than the machine has.
 bool told_of_another_rope(const std::string& asked) {
   const Result r = run_text(installation_of(asked));
   EXPECT_EQ(r.status, Status::ok) << r.message << to_text(r.errors);

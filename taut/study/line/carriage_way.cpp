@@ -32,7 +32,7 @@ struct Zone {
   const machine::Node* node = nullptr;
   double middle = 0, reach = 0;  ///< m
   double near = 0;               ///< from the middle to the places next to it, m; 0: an end, which is not passed
-  bool point = false;            ///< the carriage is a point: nearer than that nothing is told
+  bool point = false;            ///< the carriage is a point: steps nearer than `near` are left out
 
   bool has(double x) const { return std::abs(middle - x) <= reach; }
   bool is_too_near(double x) const { return point && !has(x) && std::abs(middle - x) < near - beside; }
