@@ -1,6 +1,6 @@
 """Made from the descriptions by python/tools/make_stub.py; do not edit. `./dev python stub` makes it again.
 
-schema: 9c44c846d7c584934ad9256441d7157222ec00d6d76b81f20ecca8815ef3958b
+schema: 154fba3a47aadf3386e41a09b63b28458710c8d371c7314e74cc727840896037
 """
 
 from collections.abc import Mapping, Sequence

@@ -141,8 +141,10 @@ Result solve_more(const std::vector<study::Asked>& asked, results::MachineRun& r
   return more;
 }
 
-/// Guys, lines and screws. In a load case guys and lines are as on the machine that they were put up on.
-Outcome put_up(const MachineDeck& deck, machine::Model& model, std::vector<study::PutUpLine>& lines) {
+/// Guys, lines and screws. In a load case guys and lines are as on the machine that they were put up on. `moments`: of
+/// guys and screws.
+Outcome put_up(const MachineDeck& deck, machine::Model& model, std::vector<study::PutUpLine>& lines,
+               std::vector<study::PutUpMoment>& moments) {
   const machine::Machine& machine = deck.put_up_on ? *deck.put_up_on : deck.machine;
   machine::Model other;
   if (deck.put_up_on) {
@@ -151,15 +153,15 @@ Outcome put_up(const MachineDeck& deck, machine::Model& model, std::vector<study
     other = std::move(*compiled);
   }
   machine::Model& built = deck.put_up_on ? other : model;
-  if (Outcome outcome = study::install_guys(built); !outcome.ok()) return outcome;
+  if (Outcome outcome = study::install_guys(built, &moments); !outcome.ok()) return outcome;
   if (Outcome outcome = study::put_up_lines(built, lines); !outcome.ok()) return outcome;
-  if (!deck.put_up_on) return study::set_screws(model);
+  if (!deck.put_up_on) return study::set_screws(model, &moments);
   study::keep_guys(machine, built, model);
   study::keep_lines(built, model);
   // on the ropes of the case, at the temperature at which the others are put up
   machine::Model set = model;
   if (machine.temperature) study::set_temperature(set, deck.machine, *machine.temperature);
-  if (Outcome outcome = study::set_screws(set); !outcome.ok()) return outcome;
+  if (Outcome outcome = study::set_screws(set, &moments); !outcome.ok()) return outcome;
   study::keep_screws(set, model);
   return {};
 }
@@ -252,7 +254,8 @@ Result compute(const MachineDeck& deck, machine::Model model, study::AskedAll as
   run.display = deck.display;
   Result r = described(deck, run.model, report);
   std::vector<study::PutUpLine> lines;
-  study::note_failure(r, put_up(deck, run.model, lines), "installation");
+  std::vector<study::PutUpMoment> moments;
+  study::note_failure(r, put_up(deck, run.model, lines, moments), "installation");
   if (r.status != Status::ok) {
     if (report) results::add_described_figures(run, "no equilibrium was found", r);
     return r;
@@ -263,6 +266,7 @@ Result compute(const MachineDeck& deck, machine::Model model, study::AskedAll as
   add_payload_limits(asked.more, run);
   if (run.judges) {
     results::show_put_up(run.model, lines, *run.checked);
+    for (const study::PutUpMoment& one : moments) run.checked->take_put_up(one.model, one.state, one.words);
     results::show_answers(run, *run.checked);
   }
   Result more = solve_more(asked.more, run, r);
@@ -350,9 +354,17 @@ std::set<std::string> judged_names(const results::MachineRun& run, bool more, co
   return names;
 }
 
+/// What a deck that names nothing to observe has observed is for motions, pulls in turn and vibrations.
+machine::ModelFor use_of(const MachineDeck& deck) {
+  const bool moves = std::any_of(deck.analyses.begin(), deck.analyses.end(), [](const study::AnalysisRequest& one) {
+    return one.transient || one.pretension || one.modes;
+  });
+  return moves ? machine::ModelFor::motion : machine::ModelFor::rest;
+}
+
 /// The machine of a deck with the choice that comes nearest, where no design was found.
 void picture_described(const MachineDeck& deck, Result& r) {
-  const auto model = machine::compile(deck.machine);
+  const auto model = machine::compile(deck.machine, use_of(deck));
   if (!model) return;
   std::vector<Complaint> complaints;
   results::MachineRun run;
@@ -374,14 +386,6 @@ bool all_parts_known(const io::Node& input) {
 void place_in_machine(const io::Node& input, std::vector<Complaint> complaints, Diagnostics& mistakes) {
   for (Complaint& c : complaints) c.path = c.path.empty() ? "machine" : "machine." + c.path;
   io::place(input, complaints, mistakes);
-}
-
-/// What a deck that names nothing to observe has observed is for motions, pulls in turn and vibrations.
-machine::ModelFor use_of(const MachineDeck& deck) {
-  const bool moves = std::any_of(deck.analyses.begin(), deck.analyses.end(), [](const study::AnalysisRequest& one) {
-    return one.transient || one.pretension || one.modes;
-  });
-  return moves ? machine::ModelFor::motion : machine::ModelFor::rest;
 }
 
 /// The files and tables that a deck names, put into it.
@@ -414,7 +418,7 @@ std::optional<ReadMachine> read_machine(const io::Node& input, const Display& di
   const auto first =
       deck->design ? std::make_shared<MachineDeck>(with_design(*deck, read.space, design::first_place(read.space)))
                    : deck;
-  auto model = machine::compile(first->machine);
+  auto model = machine::compile(first->machine, use_of(*first));
   if (!model) {
     place_in_machine(input, model.error(), mistakes);
     return std::nullopt;
@@ -435,7 +439,7 @@ std::optional<ReadMachine> read_machine(const io::Node& input, const Display& di
 Outcome renew_checks(const design::DesignSpace& space, MachineDeck& deck) {
   // what is free is read as the first of its candidates
   const MachineDeck first = deck.design ? with_design(deck, space, design::first_place(space)) : deck;
-  const auto model = machine::compile(first.machine);
+  const auto model = machine::compile(first.machine, use_of(first));
   if (!model) return infeasible(model.error().front().message);
   std::vector<Complaint> complaints;
   deck.asked = checks::resolve(first, *model, complaints);

@@ -73,6 +73,8 @@ Verdict failing(const Result& r, std::vector<const Check*> failed) {
     if (c != failed.front()) others.push_back(c->name);
   }
   if (!others.empty()) reason += fmt::format("; fails too: {}", listed(others));
+  if (r.status != Status::ok && !r.interrupted && !r.message.empty())
+    reason += fmt::format("; other states have no answer: {}", r.message);
   return {.kind = VerdictKind::fails, .verdict_class = {}, .reason = std::move(reason)};
 }
 

@@ -34,6 +34,7 @@ TEST(VerdictOf, TheFirstRowThatAppliesWins) {
   EXPECT_EQ(kind_of(r), VerdictKind::no_answer);
   r.checks.push_back(check("c", 1.2));
   EXPECT_EQ(kind_of(r), VerdictKind::fails);
+  EXPECT_NE(verdict_of(r)->reason.find("other states have no answer: no equilibrium"), std::string::npos);
   r.status = Status::bad_deck;
   EXPECT_FALSE(verdict_of(r));
 }

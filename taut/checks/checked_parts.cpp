@@ -113,6 +113,18 @@ void CheckedParts::show_empty(const machine::Model& model, const solve::Equilibr
   for (MastStates& one : masts) checks::take(seen, *deck, one);
 }
 
+void CheckedParts::take_put_up(const machine::Model& model, const solve::EquilibriumResult& state,
+                               const std::string& words) {
+  if (!judged) return;
+  ropes.take_empty(model, state, words);
+  payloads.take_ropes(model, state, words);
+  judge.take_ropes(model, state, words);
+  const CheckState seen = state_of(model, state, words, "installation");
+  for (AnchorStates& one : anchors) checks::take(seen, one);
+  for (SupportStates& one : supports) checks::take(seen, one);
+  for (GuyStates& one : guys) checks::take_put_up(seen, reevings[as_size(one.reeving)], one);
+}
+
 void CheckedParts::take_pretension(const Array<double>& T_start, const Array<double>& T_end, const std::string& words) {
   if (!judged) return;
   for (GuyStates& one : guys) {
@@ -184,6 +196,7 @@ void CheckedParts::take(const machine::Model& model, const solve::TransientResul
   for (std::size_t i = 0; i < motion.ropes.size(); ++i) {
     const solve::RopeExtreme& e = motion.ropes[i];
     ropes.take_motion(static_cast<int>(i), e, slowly, words);
+    judge.take_share(model.reevings[i], ropes.of(i).tension, ropes.of(i).where);
     if (!any_shown() || e.T.max <= (1 + unseen_share) * T_in_moments[i]) continue;
     unseen.push_back(
         fmt::format("{}: the peak of {}, {:.4g} kN at t = {:.4g} s, lies between output steps, which have at most "

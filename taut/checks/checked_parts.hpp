@@ -32,6 +32,8 @@ struct CheckedParts {
   /// ground yet.
   void take_empty(const machine::Model& model, const solve::EquilibriumResult& state, const std::string& line,
                   const std::string& words, bool put_up = false);
+  /// A moment while the machine is put up: the tensions of its ropes and guys, and what they pull at.
+  void take_put_up(const machine::Model& model, const solve::EquilibriumResult& state, const std::string& words);
   /// The tensions at both ends of all ropes, by reeving, N, that a `pretension` analysis leaves: of its guys they are
   /// pretensions.
   void take_pretension(const Array<double>& T_start, const Array<double>& T_end, const std::string& words);

@@ -389,4 +389,43 @@ analyses: [{transient: {duration: 0.2 s, output_step: 10 ms}}]
   EXPECT_TRUE(hook(", may_slack: true").unsafe.empty());
 }
 
+// A screw pulls hardest where it is set: the saw is judged warm alone, where its loop is slacker.
+TEST(CheckedParts, what_a_screw_pulls_when_it_is_set) {
+  const Result r = run_text(R"(taut: 1
+machine:
+  temperature: 0 degC
+  ropes: {loop: {mass: 0.1 kg/m, stiffness: 6 MN, breaking_force: 100 kN, diameter: 12 mm}}
+  bodies: {slide: {mass: 10 kg, at: [0 m, 0 m, 1 m], free: [x]}}
+  sheaves:
+    drive: {at: [8 m, 0 m, 1 m], diameter: 700 mm, friction: 0.25, motor: {speed: 1 m/s}}
+    tail: {body: slide, at: [0 m, 0 m, 0 m], diameter: 700 mm}
+  reevings: [{rope: loop, path: [{over: drive, side: left}, {over: tail, side: left}], closed: true, length: 18 m}]
+  take_up: [{body: slide, screw: 204 kN, along: [-1, 0, 0], keeps: place}]
+analyses: [{sweep: {parameter: temperature, from: 80 degC, to: 90 degC, steps: 1, motion: at_rest}}]
+checks: {ropes: {loop: {safety_factor: 1, sheave_weakening: covered}}}
+)");
+  ASSERT_EQ(r.status, Status::ok) << r.message << to_text(r.errors);
+  EXPECT_NEAR(check_of(r, "loop.safety_factor").value, 100.0 / 102, 1e-4);
+  EXPECT_EQ(verdict_of(r)->kind, VerdictKind::fails);
+}
+
+// One name, one number: the value is what the check and a study read.
+TEST(CheckedParts, the_safety_factor_of_a_motion_counts_what_lasts) {
+  const Result r = run_text(R"(taut: 1
+machine:
+  signals: {F: {ramp: {from: 25 kN, to: 50 kN, start: 1 s, duration: 2 s, smooth: true}}}
+  ropes: {r: {mass: 0 kg/m, stiffness: 10 MN, breaking_force: 100 kN, diameter: 10 mm, damping_ratio: 0.05}}
+  points: {p: [0 m, 0 m, 10 m]}
+  bodies: {b: {mass: 10 kg, at: [0 m, 0 m, 5 m], free: [z]}}
+  reevings: [{rope: r, path: [{anchor: p}, {anchor: b}], length: 5 m}]
+  loads: [{at: b, force: [0 N, 0 N, -25 kN], signal: F}]
+analyses: [{equilibrium: {}}, {transient: {duration: 10 s, output_step: 50 ms, tolerance: 1e-3}}]
+checks: {ropes: {r: {safety_factor: 1.5}}}
+)");
+  ASSERT_EQ(r.status, Status::ok) << r.message << to_text(r.errors);
+  const double factor = taut_test::value_of(r, "r.safety_factor");
+  EXPECT_NEAR(factor, 100 / 50.1, 2e-3);
+  EXPECT_EQ(check_of(r, "r.safety_factor").value, factor);
+}
+
 }  // namespace taut::checks::checked_parts_test

@@ -12,7 +12,7 @@
 #include "taut/base/suggest.hpp"
 #include "taut/calc/verdict.hpp"
 #include "taut/checks/checked_parts.hpp"
-#include "taut/checks/heat.hpp"
+#include "taut/checks/heat_and_cold.hpp"
 
 namespace taut::checks {
 namespace {
@@ -155,6 +155,7 @@ void add_checks(const CheckedDeck& deck, const machine::Model& model, const Chec
   if (!elsewhere) {
     add_carriage_checks(seen.carriages, r);
     add_unjudged_heat(deck, model, r);
+    warn_of_cold(deck, r);
   }
   for (const std::string& words : seen.ropes.growing()) warn_unsafe(r, words);
   r.warnings.insert(r.warnings.end(), seen.unseen.begin(), seen.unseen.end());

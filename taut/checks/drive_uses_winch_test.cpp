@@ -186,4 +186,59 @@ checks: {ropes: {haul: {safety_factor: 3}}}
   EXPECT_TRUE(taut_test::check_of(r, "a.torque").passes);
 }
 
+/// A skyline of 210 m beside 60 m on its drum, which has room for 65.35 m.
+std::string on_its_drum(const std::string& analysis) {
+  return R"(taut: 1
+machine:
+  points: {b: [200 m, 0 m, 40 m]}
+  ropes: {sky: {mass: 1.5 kg/m, stiffness: 20 MN, diameter: 20 mm, breaking_force: 300 kN}}
+  carriages: {car: {mass: 800 kg, rides: sky}}
+  drums: {winch: {at: [0 m, 0 m, 40 m], core_diameter: 480 mm, face_width: 400 mm, flange_diameter: 560 mm, layers: auto,
+                  length_on_drum: 60 m}}
+  reevings: [{rope: sky, path: [{drum: winch}, {through: car}, {anchor: b}], length: 210 m}]
+analyses: [)" +
+         analysis + "]\n";
+}
+
+// The rope that a drum takes in lies on it, whichever way its length is found.
+TEST(DriveUses, ADrumHoldsWhatAGivenSagOrPullTakesIn) {
+  for (const char* given : {"sag: 8 m", "winch_pull: 60 kN"}) {
+    const Result r = run_text(on_its_drum(
+        std::string("{equilibrium: {carriage: car, x: 100 m, held: true, given: {reeving: sky, ") + given + "}}}"));
+    ASSERT_EQ(r.status, Status::ok) << r.message << to_text(r.errors);
+    const double free = taut_test::value_of(r, "sky.unstretched");
+    EXPECT_LT(free, 203) << given;
+    EXPECT_NEAR(taut_test::check_of(r, "winch.capacity").value, 270 - free, 1e-9) << given;
+    EXPECT_EQ(to_text(verdict_of(r)->kind), "fails") << given;
+  }
+}
+
+// A rope whose free length is swept is hauled in: the rest is on its drum.
+TEST(DriveUses, ADrumHoldsWhatASweepTakesIn) {
+  const Result r = run_text(
+      on_its_drum("{sweep: {parameter: reevings.sky.length, from: 210 m, to: 203 m, steps: 2, carriage: car, x: 100 m, "
+                  "held: true}}"));
+  ASSERT_EQ(r.status, Status::ok) << r.message << to_text(r.errors);
+  EXPECT_NEAR(taut_test::check_of(r, "winch.capacity").value, 67, 1e-9);
+  EXPECT_EQ(to_text(verdict_of(r)->kind), "fails");
+}
+
+// At rest a brake needs no inertia, in a motion it does. A face is as wide as one turn.
+TEST(DriveUses, WhatADrumNeeds) {
+  const auto brake = [](const std::string& analyses, const std::string& drum = "") {
+    return run_text(R"(taut: 1
+machine:
+  ropes: {r: {mass: 0 kg/m, stiffness: 10 MN, breaking_force: 100 kN, diameter: 16 mm}}
+  bodies: {load: {mass: 1 t, at: [0.2 m, 0 m, 0 m], free: [z]}}
+  drums: {winch: {at: [0 m, 0 m, 20 m], core_diameter: 400 mm, brake_torque: 3 kN m)" +
+                    drum + R"(}}
+  reevings: [{rope: r, path: [{drum: winch}, {anchor: load}], length: 20 m}]
+analyses: [)" + analyses +
+                    "]\nchecks: {ropes: {r: {safety_factor: 5}}}\n");
+  };
+  EXPECT_TRUE(taut_test::check_of(brake("{equilibrium: {}}"), "winch.brake_torque").passes);
+  taut_test::expect_mistake(brake("{transient: {duration: 1 s}}"), "needs the 'inertia' of what it stops");
+  taut_test::expect_mistake(brake("{equilibrium: {}}", ", face_width: 10 mm"), "a rope of 16 mm has no room on 10 mm");
+}
+
 }  // namespace taut::drive_uses_winch_test

@@ -257,12 +257,17 @@ Judge::RopeWorst& Judge::take_tension(const machine::Reeving& rope, double T, co
   }
   worst.seen = true;
   worst.carries |= T > 0;
-  if (rope.breaking_force <= 0) return worst;
-  if (worst.breaking_force > 0 && T * worst.breaking_force <= worst.T_of_share * rope.breaking_force) return worst;
+  take_share(rope, T, words);
+  return worst;
+}
+
+void Judge::take_share(const machine::Reeving& rope, double T, const std::string& words) {
+  RopeWorst& worst = ropes_[rope.name];
+  if (rope.breaking_force <= 0) return;
+  if (worst.breaking_force > 0 && T * worst.breaking_force <= worst.T_of_share * rope.breaking_force) return;
   worst.breaking_force = rope.breaking_force;
   worst.T_of_share = T;
   worst.where_of_share = words;
-  return worst;
 }
 
 void Judge::take_rest(const machine::Model& m, const solve::TransientResult& still, const std::string& words) {

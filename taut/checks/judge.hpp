@@ -85,6 +85,8 @@ class Judge {
                    const solve::TransientFrame& moment, const std::vector<FreeRope>& free, const std::string& words);
   /// The place of rest about which a machine vibrates, as a motion of one moment: its tensions.
   void take_rest(const machine::Model& model, const solve::TransientResult& still, const std::string& words);
+  /// A tension at rest, N, that counts for the safety factor of a rope alone.
+  void take_share(const machine::Reeving& rope, double T, const std::string& words);
   /// A motion as a whole: which ropes bear tension, what goes slack.
   void take(const machine::Model& model, const solve::TransientResult& motion, const std::string& words);
 

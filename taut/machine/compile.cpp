@@ -74,7 +74,7 @@ class Compiler {
     for (std::size_t i = 0; i < machine_.carriages.size(); ++i)
       model_.carriages.push_back(carriage_of(machine_, i, model_.reevings, stops_, complaints_));
     if (complaints_.empty()) place_carriages(machine_, stops_, model_);
-    check_drums(machine_, complaints_);
+    check_drums(machine_, use_, complaints_);
     check_rope_loads(machine_, complaints_);
     if (complaints_.empty()) finish_nodes();
     check_guided_loads();

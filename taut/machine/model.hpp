@@ -176,6 +176,9 @@ struct Reeving {
   Given given = Given::length;  ///< a closed rope: length or torque
   double value = 0;
   int equal_to = -1;  ///< of Given::equal: a reeving
+  /// Unstretched free length beside which its drums hold their `length_on_drum`, m; none: that is `value`, where it is
+  /// a length. An analysis that changes `value` leaves it, so that the rest of the rope is on the drums.
+  std::optional<double> described_length = std::nullopt;
   /// Of an open rope over a drive without given torque: the second given quantity.
   std::optional<std::pair<Given, double>> also;
   double weight = 0;          ///< per unstretched length at the reference temperature, N/m, >= 0

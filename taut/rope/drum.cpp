@@ -18,6 +18,8 @@ void check(const DrumLayers& d) {
   expects(d.width >= d.rope_diameter, "a drum is wide enough for one turn");
 }
 
+constexpr double same_measure = 1e-12;  ///< relative: what fits exactly does so in floating point, in any unit
+
 double pitch_of(const DrumLayers& d) { return d.pitch > 0 ? d.pitch : d.rope_diameter; }
 double height_of(const DrumLayers& d) { return d.layer_height > 0 ? d.layer_height : d.rope_diameter; }
 
@@ -25,17 +27,16 @@ double height_of(const DrumLayers& d) { return d.layer_height > 0 ? d.layer_heig
 
 int turns_per_layer(const DrumLayers& drum) {
   check(drum);
-  // the first turn takes a rope's diameter, each further one a pitch; a width that fits exactly shall do so in floating
-  // point
-  return 1 + static_cast<int>(std::floor((drum.width - drum.rope_diameter) / pitch_of(drum) * (1 + 1e-12)));
+  // the first turn takes a rope's diameter, each further one a pitch
+  return 1 + static_cast<int>(std::floor((drum.width * (1 + same_measure) - drum.rope_diameter) / pitch_of(drum)));
 }
 
 int layers_within_flanges(const DrumLayers& drum) {
   check(drum);
   if (drum.flange_diameter == 0) return std::numeric_limits<int>::max();
   const double room = (drum.flange_diameter - drum.core_diameter) / 2 - drum.rope_diameter;
-  return room < -1e-12 * drum.rope_diameter ? 0
-                                            : 1 + static_cast<int>(std::floor(room / height_of(drum) * (1 + 1e-12)));
+  if (room < -same_measure * drum.core_diameter) return 0;
+  return 1 + static_cast<int>(std::floor((room + same_measure * drum.core_diameter) / height_of(drum)));
 }
 
 double layer_radius(const DrumLayers& drum, int layer) {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -71,6 +72,22 @@ TEST(Drum, RefusesWhatIsNone) {
   EXPECT_THROW(layer_radius(winch, 0), ContractViolation);
   EXPECT_THROW(turns_per_layer({}), ContractViolation);
   EXPECT_THROW(on_drum(winch, -1), ContractViolation);
+}
+
+// What fits exactly does so in any unit: 0.432 m - 0.4 m is 0.032 m less a rounding.
+TEST(Drum, WhatFitsExactlyFits) {
+  for (const auto& [core, rope, flange] : {std::array{0.4, 0.016, 0.432},
+                                           {0.4, 0.015, 0.43},
+                                           {0.4, 0.02, 0.44},
+                                           {0.4, 0.018, 0.436},
+                                           {0.6, 0.014, 0.628}}) {
+    const DrumLayers one{.core_diameter = core, .rope_diameter = rope, .width = 7 * rope, .flange_diameter = flange};
+    EXPECT_EQ(layers_within_flanges(one), 1) << rope;
+    EXPECT_EQ(turns_per_layer(one), 7) << rope;
+    DrumLayers less = one;
+    less.flange_diameter -= 1e-9;
+    EXPECT_EQ(layers_within_flanges(less), 0) << rope;
+  }
 }
 
 }  // namespace taut::rope::drum_test

@@ -177,6 +177,8 @@ class RopeChecker {
 
   void strength_on_sheaves() {
     const auto covered = [](const Limit& limit) { return limit.covers_bending; };
+    if (rules_.bending_asked && rules_.safety_factors.empty())
+      return leave_out("the weakening on sheaves", "no rule gives a safety factor at rest");
     if (!has_strength() || std::all_of(rules_.safety_factors.begin(), rules_.safety_factors.end(), covered)) return;
     if (rules_.bending_asked) {
       unmeasured("the weakening on sheaves");
@@ -203,7 +205,8 @@ class RopeChecker {
   }
 
   void resistance() {
-    if (!rules_.resistance || !has_strength()) return;
+    if (!rules_.resistance) return;
+    if (!has_strength()) return leave_out("EN 13001-3-2", "the breaking force is not known");
     if (!has_diameter()) return leave_out("EN 13001-3-2", "the diameter is not known");
     unmeasured("EN 13001-3-2");
     const auto counts = [](const Bend& bend) { return bend.kind != BendKind::saddle && bend.tension > 0; };
@@ -243,6 +246,8 @@ class RopeChecker {
   }
 
   void dynamics() {
+    if (!has_strength() && (rules_.dynamic_safety || rules_.elastic_share))
+      leave_out("its dynamic strength", "the breaking force is not known");
     const double peak = peak_tension(use_, rules_);
     if (!(peak > 0) || !has_strength()) return;
     const std::string words = use_.peak > 0 && use_.peak >= rules_.dynamic_factor * use_.tension
@@ -401,7 +406,9 @@ class RopeChecker {
       if (!asked) return;
       if (use_.drums.empty()) return leave_out(what, "it ends on no drum");
       for (const DrumEnd& drum : use_.drums) {
-        if (!known(drum)) leave_out(what, fmt::format("the drum '{}' needs {}", drum.name, needs));
+        if (known(drum)) continue;
+        leave_out(what, drum.tension > 0 ? fmt::format("the drum '{}' needs {}", drum.name, needs)
+                                         : fmt::format("in no state the rope pulls at the drum '{}'", drum.name));
       }
     };
     tell(rules_.fleet_angle.has_value(), "its fleet angle", "'face_width'",

@@ -395,4 +395,30 @@ TEST(RopeCheck, each_drum_needs_its_data_and_bears_all_copies) {
   EXPECT_NE(all.left_out[0].find("'d2'"), std::string::npos) << all.left_out[0];
 }
 
+// Without a breaking force no limit of strength is checked, and each is told.
+TEST(RopeCheck, no_strength_is_told) {
+  RopeRules rules;
+  rules.dynamic_safety = Limit{.value = 4, .rule = "of the deck", .trust = "user"};
+  rules.resistance = Limit{.value = 1, .rule = "EN 13001-3-2", .trust = "user"};
+  RopeUse use = hoist_rope();
+  use.rope.breaking_force = 0;
+  const RopeChecks all = check_rope(use, rules);
+  const auto told = [&](const std::string& words) {
+    return std::any_of(all.left_out.begin(), all.left_out.end(),
+                       [&](const std::string& one) { return one.find(words) != std::string::npos; });
+  };
+  EXPECT_TRUE(told("its dynamic strength is not checked: the breaking force is not known"));
+  EXPECT_TRUE(told("EN 13001-3-2 is not checked: the breaking force is not known"));
+}
+
+// The weakening on sheaves lowers a safety factor at rest: without one there is nothing to lower.
+TEST(RopeCheck, weakening_needs_a_factor_at_rest) {
+  RopeRules rules;
+  rules.bending_asked = true;
+  rules.dynamic_safety = Limit{.value = 3, .rule = "of the deck", .trust = "user"};
+  const RopeChecks all = check_rope(hoist_rope(), rules);
+  ASSERT_FALSE(all.left_out.empty());
+  EXPECT_NE(all.left_out.front().find("the weakening on sheaves is not checked"), std::string::npos);
+}
+
 }  // namespace taut::rope::rope_check_test

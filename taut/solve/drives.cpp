@@ -243,6 +243,12 @@ void set_senses(const machine::Model& model, const Array<Array<int>>& sides, Arr
   }
 }
 
+/// The free length beside which the drums of a rope hold their `length_on_drum`.
+std::optional<double> length_beside_drums(const machine::Reeving& rope) {
+  if (rope.described_length) return rope.described_length;
+  return rope.given == machine::Given::length ? std::optional(rope.value) : std::nullopt;
+}
+
 /// Tension of a rope at its start or end.
 template <class Branches>
 double tension_at(const Branches& branches, int reeving, bool at_end) {
@@ -258,9 +264,9 @@ Array<DrumResult> drums(const machine::Model& model, const EquilibriumResult& re
   for_each_end_on_drum(model, [&](int r, bool at_end, int on) {
     const machine::Drum& drum = model.drums[on];
     const machine::Reeving& rope = model.reevings[r];
-    const bool follows = rope.given == machine::Given::length;
     std::optional<double> length = drum.length_on_drum;
-    if (length && follows) *length += rope.value - result.ropes[r].unstretched;
+    const std::optional<double> free = length_beside_drums(rope);
+    if (length && free) *length += *free - result.ropes[r].unstretched;
     DrumResult d = at_drum(model, r, at_end, tension_at(result.branches, r, at_end), length);
     const int sense = sense_of(result.flow[r]);
     if (drum.drive.kind == machine::DriveKind::speed && rope.speed > 0 && sense != 0) {
@@ -300,8 +306,9 @@ std::optional<double> whole_length(const machine::Model& model, const Equilibriu
   const machine::Reeving& rope = model.reevings[reeving];
   if (rope.closed || !(rope.nodes.front().drum || rope.nodes.back().drum)) return result.ropes[reeving].unstretched;
   const std::optional<double> wound = length_on_drums(model, reeving);
-  if (!wound || rope.given != machine::Given::length) return std::nullopt;
-  return rope.value + *wound;
+  const std::optional<double> free = length_beside_drums(rope);
+  if (!wound || !free) return std::nullopt;
+  return *free + *wound;
 }
 
 Array<DrumResult> drums(const machine::Model& model, const TransientFrame& frame) {

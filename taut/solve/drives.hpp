@@ -59,8 +59,8 @@ struct DrumResult {
   std::optional<double> speed;            ///< of the rope, taking in, m/s
 };
 
-/// Of every end of a rope on a drum. The length on a drum is as given with the given length of its reeving in `model`;
-/// where an answer has another free length, the rest is on the drum.
+/// Of every end of a rope on a drum. The length on a drum is as given with the described length of its reeving (else
+/// with the given length in `model`); where an answer has another free length, the rest is on the drum.
 Array<DrumResult> drums(const machine::Model& model, const EquilibriumResult& result);
 
 /// The largest tension at an end of a rope, the band of friction at rest counted, of all its copies, N.

@@ -169,6 +169,14 @@ std::optional<double> hottest_of(const machine::Machine& machine, const std::vec
   return hottest;
 }
 
+std::optional<double> coldest_of(const machine::Machine& machine, const std::vector<AnalysisRequest>& analyses) {
+  std::optional<double> coldest = machine.temperature;
+  for (const AnalysisRequest& one : analyses) {
+    for (const double t : temperatures_of(one)) coldest = std::min(t, coldest.value_or(t));
+  }
+  return coldest;
+}
+
 AskedAll resolve(const std::vector<AnalysisRequest>& analyses, bool must_judge, const machine::Machine& machine,
                  const machine::Model& model, std::vector<Complaint>& complaints) {
   static const std::vector<AnalysisRequest> at_rest = [] {

@@ -38,6 +38,9 @@ struct AnalysisRequest {
 /// says none.
 std::optional<double> hottest_of(const machine::Machine& machine, const std::vector<AnalysisRequest>& analyses);
 
+/// The lowest one, K.
+std::optional<double> coldest_of(const machine::Machine& machine, const std::vector<AnalysisRequest>& analyses);
+
 /// Whether every analysis puts another number in the place of this one of the machine, so that it changes nothing: the
 /// parameter of a sweep, temperatures, the length or tension of a rope that is `given`. `place`: as of a Parameter.
 bool is_set_anew(const machine::Machine& machine, const std::vector<AnalysisRequest>& analyses,

@@ -14,6 +14,7 @@ TEST(Analyses, TheHighestTemperatureIsThatOfAllJudgedStates) {
   sweep.to = "-20 degC";
   all[2].installation.emplace().to = 503.15;
   EXPECT_DOUBLE_EQ(hottest_of(machine, all).value(), 503.15);
+  EXPECT_DOUBLE_EQ(coldest_of(machine, all).value(), 253.15);
   all[2].installation->judge = false;
   EXPECT_DOUBLE_EQ(hottest_of(machine, all).value(), 473.15);
   sweep.parameter = "loads[0].mass";
@@ -21,6 +22,8 @@ TEST(Analyses, TheHighestTemperatureIsThatOfAllJudgedStates) {
   machine.temperature = 423.15;
   EXPECT_DOUBLE_EQ(hottest_of(machine, all).value(), 423.15);
   EXPECT_DOUBLE_EQ(hottest_of(machine, {}).value(), 423.15);
+  EXPECT_DOUBLE_EQ(coldest_of(machine, {}).value(), 423.15);
+  EXPECT_FALSE(coldest_of({}, {}));
   EXPECT_FALSE(hottest_of({}, {}));
 }
 

@@ -97,7 +97,7 @@ machine::Model without_loads(const machine::Model& model) {
   return bare;
 }
 
-Outcome set_screws(machine::Model& model) {
+Outcome set_screws(machine::Model& model, std::vector<PutUpMoment>* moments) {
   if (model.screws.empty()) return {};
   const machine::Model bare = without_loads(model);
   const auto refused = [&](Status status, const std::string& why) {
@@ -114,6 +114,7 @@ Outcome set_screws(machine::Model& model) {
   options.band = options.beam_factors = false;
   const solve::EquilibriumResult found = solve::equilibrium(machine::with_guides_at_start(bare), options);
   if (!found.outcome.ok()) return refused(found.outcome.status, found.outcome.message);
+  if (moments != nullptr) moments->push_back({.model = bare, .state = found, .words = "as its screws are set"});
   for (const machine::Screw& screw : model.screws) {
     machine::Body& body = model.bodies[screw.body];
     body.position = found.state.bodies[screw.body].position;
@@ -124,7 +125,7 @@ Outcome set_screws(machine::Model& model) {
   return {};
 }
 
-Outcome install_guys(machine::Model& model) {
+Outcome install_guys(machine::Model& model, std::vector<PutUpMoment>* moments) {
   machine::Model bare;
   bare.gravity = model.gravity;
   bare.bodies = model.bodies;
@@ -142,6 +143,7 @@ Outcome install_guys(machine::Model& model) {
     return {.status = result.outcome.status,
             .message = fmt::format("the guys can't be put up: {}", result.outcome.message)};
   }
+  if (moments != nullptr) moments->push_back({.model = bare, .state = result, .words = "as the guys are put up"});
   const machine::Model done = solve::installed(bare, result);
   auto next = done.reevings.begin();
   for (machine::Reeving& rope : model.reevings) {

@@ -1,4 +1,5 @@
 #pragma once
+#include <string>
 #include <vector>
 
 #include "taut/base/array.hpp"
@@ -14,6 +15,13 @@ struct PutUpLine {
   Installation at;      ///< the state; not ok: why there is none
   double tension = 0;   ///< base tension, N
   bool at_end = false;  ///< at which end of its path
+};
+
+/// A moment while a machine is put up: what of it is there, and its equilibrium.
+struct PutUpMoment {
+  machine::Model model;
+  solve::EquilibriumResult state;
+  std::string words;
 };
 
 /// Puts up the ropes that are to be (machine::Reeving::put_up), in turn: each on the machine with the ropes before it
@@ -34,11 +42,12 @@ machine::Model without_loads(const machine::Model& model);
 
 /// Sets the screws of a machine whose ropes have their lengths: in the equilibrium at rest, without losses, of
 /// the unloaded machine they pull with their forces. Their bodies are fixed from there on: `model` has their places.
-Outcome set_screws(machine::Model& model);
+/// `moments`: gets the machine at that moment.
+Outcome set_screws(machine::Model& model, std::vector<PutUpMoment>* moments = nullptr);
 
 /// Puts up the guys that have a tension: on the machine with its bodies held and nothing but the guys; each of them
-/// then keeps its length.
-Outcome install_guys(machine::Model& model);
+/// then keeps its length. `moments`: gets the guys at that moment.
+Outcome install_guys(machine::Model& model, std::vector<PutUpMoment>* moments = nullptr);
 
 /// Gives the guys of a model the lengths that they have in another one of the same machine.
 void keep_guys(const machine::Machine& machine, const machine::Model& installed, machine::Model& model);

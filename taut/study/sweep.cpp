@@ -54,6 +54,19 @@ bool is_in_states(const Parameter& parameter) {
          std::any_of(given.begin(), given.end(), [&](const char* field) { return below.ends_with(field); });
 }
 
+/// Whether it is the free length of a rope, of which the rest is on its drum.
+bool hauls(const Parameter& parameter) {
+  const std::string below = below_machine(parameter.place);
+  return below.starts_with("reevings") && below.ends_with(".length");
+}
+
+/// Ropes on drums are as long, with what is on the drums, as those of the machine that is described.
+void keep_wholes(const machine::Model& described, machine::Model& model) {
+  for (std::size_t i = 0; i < model.reevings.size(); ++i) {
+    model.reevings[i].described_length = described.reevings[i].described_length;
+  }
+}
+
 /// With the carriage in its span.
 machine::Model placed(const machine::Model& model, const SweepRun& run) {
   if (!run.prescribed) return machine::with_guides_at_start(model);
@@ -90,6 +103,7 @@ tl::expected<machine::Model, Outcome> model_at(const SweepRun& run, const machin
   } else {
     keep_lines(installed, *model);
   }
+  if (hauls(*parameter)) keep_wholes(installed, *model);
   if (loads_alone(*parameter)) {
     keep_screws(installed, *model);
   } else if (const Outcome outcome = set_screws(*model); !outcome.ok()) {

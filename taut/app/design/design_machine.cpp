@@ -149,7 +149,7 @@ design::DesignLengths lengths_of(const MachineDeck& deck, const design::DesignSp
   design::DesignPlace place = design::first_place(space);
   place.values = values;
   const MachineDeck own = with_design(deck, space, place);
-  const auto model = machine::compile(own.machine);
+  const auto model = machine::compile(own.machine, machine::ModelFor::rest);
   if (!model) return lengths;
   const bool by_mass = deck.design->seek == design::Seek::lightest;
   set_rope_lengths(own, *model, space, by_mass, lengths);

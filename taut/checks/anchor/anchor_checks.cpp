@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -162,6 +163,14 @@ void check_fastening(const AnchorStates& s, Result& r) {
   // a line of unknown diameter counts as a thick one
   const bool thin = s.thickest_rope > 0 && s.thickest_rope <= inch * (1 + 1e-9);
   check(f.clips, "anchor_clips", thin ? "layout.anchor_clips.thin" : "layout.anchor_clips.thick");
+  std::vector<std::string> missing;
+  if (!f.wraps) missing.emplace_back("'wraps'");
+  if (!f.spikes && !f.staples) missing.emplace_back("'spikes' or 'staples'");
+  if (!f.clips) missing.emplace_back("'clips'");
+  if (missing.empty()) return;
+  r.unmade.push_back(fmt::format("{}: its fastening is not checked in full: it needs {} too", s.request->name,
+                                 fmt::join(missing, ", ")));
+  r.warnings.push_back(r.unmade.back());
 }
 
 }  // namespace

@@ -35,7 +35,9 @@ TEST(AnchorChecks, PullOfAllRopesThere) {
   EXPECT_FALSE(check_of(r, "a1.anchor_as_rope").passes);
   // the one that begins at its anchor pulls upwards too
   EXPECT_GT(cell(t, 1, "upwards"), 0);
-  EXPECT_NEAR(cell(t, 1, "force"), value_of(r, "g3.T_start"), 1e-6 * T);
+  // most where it was put up with 20 kN at its top, 12 m above
+  EXPECT_LT(value_of(r, "g3.T_start"), 10e3);
+  EXPECT_NEAR(cell(t, 1, "force"), 20e3 - 1.2 * 9.80665 * 12, 1);
 }
 
 // Wraps, spikes, staples and clips of WAC 296-54-569: 2 clips up to 1 in., 3 above.

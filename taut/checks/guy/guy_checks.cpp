@@ -185,6 +185,15 @@ void take(const CheckState& state, GuyStates& guy) {
   }
 }
 
+void take_put_up(const CheckState& state, const std::string& name, GuyStates& guy) {
+  const double factor = guy.request->dynamic_factor;
+  for (const CheckBranch& b : state.branches) {
+    if (state.model->reevings[b.reeving].name != name || b.T * factor <= guy.T_max) continue;
+    guy.T_max = b.T * factor;
+    guy.where_max = with_factor(state.words, factor);
+  }
+}
+
 void take_motion(const CheckState& begins, const solve::TransientResult& motion, const std::string& words, bool slowly,
                  GuyStates& guy) {
   const solve::RopeExtreme& rope = motion.ropes[guy.reeving];

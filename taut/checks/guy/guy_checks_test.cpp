@@ -165,4 +165,35 @@ TEST(GuyChecks, MistakesHaveTheirPlace) {
   expect_mistake(run_text(guyed("  guys: {g1: {rule: layout.tail_tree_angle}}\n")), "no safety factor");
 }
 
+/// A mast on a hinge between four equal guys, put up with 101 kN; in use it is pressed down a little.
+Result put_up_at_its_strength(const std::string& checks) {
+  return run_text(R"(taut: 1
+machine:
+  ropes: {guy: {mass: 1 kg/m, stiffness: 12 MN, breaking_force: 100 kN, diameter: 16 mm}}
+  points: {e: [9 m, 0 m, 0 m], n: [0 m, 9 m, 0 m], w: [-9 m, 0 m, 0 m], s: [0 m, -9 m, 0 m]}
+  bodies: {head: {mass: 10 kg, at: [0 m, 0 m, 12 m], free: [x, y]}}
+  guys:
+    g1: {rope: guy, from: head, to: e, install: {tension: 101 kN, at: top}}
+    g2: {rope: guy, from: head, to: n, install: {tension: 101 kN, at: top}}
+    g3: {rope: guy, from: head, to: w, install: {tension: 101 kN, at: top}}
+    g4: {rope: guy, from: head, to: s, install: {tension: 101 kN, at: top}}
+  temperature: 20 degC
+analyses: [{sweep: {parameter: temperature, from: 60 degC, to: 80 degC, steps: 1}}]
+checks: {)" + checks +
+                  "}\n");
+}
+
+// The state in which guys are put up is one of theirs: by any check, or none.
+TEST(GuyChecks, GuysBreakWhereTheyArePutUp) {
+  const Result by_guys = put_up_at_its_strength("guys: {guy: {safety_factor: 1, check_pretension: false}}");
+  ASSERT_EQ(by_guys.status, Status::ok) << by_guys.message << to_text(by_guys.errors);
+  EXPECT_NEAR(check_of(by_guys, "g1.guy_safety").value, 100.0 / 101, 1e-9);
+  EXPECT_NE(check_of(by_guys, "g1.guy_safety").rule.find("as the guys are put up"), std::string::npos);
+  const Result by_ropes = put_up_at_its_strength("ropes: {guy: {safety_factor: 1}}");
+  EXPECT_NEAR(check_of(by_ropes, "g1.safety_factor").value, 100.0 / 101, 1e-9);
+  const Result by_nobody = put_up_at_its_strength("anchors: {e: {strength: 100 kN}}");
+  EXPECT_FALSE(check_of(by_nobody, "g1.T_max").passes);
+  EXPECT_NEAR(check_of(by_nobody, "e.anchor_strength").value, 1, 0.01);
+}
+
 }  // namespace taut::checks::guy_checks_test

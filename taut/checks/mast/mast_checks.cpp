@@ -341,6 +341,10 @@ void add_mast_report(const MastCheckRequest& request, const MastReport& report, 
   for (const std::string& analysis : report.left_out) {
     r.unjudged.push_back(fmt::format("{} in '{}', which none of its combinations names", report.name, analysis));
   }
+  if (!report.apart.empty()) {
+    r.unmade.push_back(fmt::format("{}: {}", report.name, report.apart));
+    r.warnings.push_back(r.unmade.back());
+  }
   if (!report.relieved.empty()) r.warnings.push_back(fmt::format("{}: {}", report.name, report.relieved));
   warn_of_small_factors(request, report, r);
   if (!report.short_length.empty()) warn_unsafe(r, fmt::format("{}: {}", report.name, report.short_length));

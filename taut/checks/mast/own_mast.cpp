@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -299,6 +300,27 @@ void complain_of_own_mast(const MastCheckRequest& request, const std::string& pa
   refuse_both_factors(request, path, complaints);
 }
 
+namespace {
+
+/// What of the loads is not checked, or not together.
+void add_cases(const MastCheckRequest& request, const std::vector<MastLoadRequest>& loads, MastReport& report) {
+  const std::vector<std::string> cases = cases_of(loads);
+  for (const std::string& name : cases) {
+    const auto has = [&](const MastCombinationRequest& c) {
+      return std::any_of(c.terms.begin(), c.terms.end(), [&](const MastTerm& t) { return t.name == name; });
+    };
+    const auto& all = request.combinations;
+    if (!all.empty() && std::none_of(all.begin(), all.end(), has)) report.left_out.insert(name);
+  }
+  const std::vector<std::string> own = cases_of(request.loads);
+  if (!request.combinations.empty() || own.size() < 2) return;
+  report.apart =
+      fmt::format("its load cases {} are checked one at a time: say under 'combinations' which of them act together",
+                  fmt::join(own, ", "));
+}
+
+}  // namespace
+
 void refuse_both_factors(const MastCheckRequest& request, const std::string& path, std::vector<Complaint>& complaints) {
   if (request.combinations.empty() || request.load_factor == 1) return;
   complaints.push_back(
@@ -326,10 +348,19 @@ MastReport own_mast(const MastCheckRequest& request, const std::vector<MastLoadR
     column.pieces.push_back(std::move(found.piece));
   }
   report.relieved = relieved(column);
+  add_cases(request, loads, report);
   ColumnMast shown = column;
   shown.combinations = deciding(request, column);
   structure::ColumnMastResult solved = column_mast(shown);
   report.refused = solved.refused;
+  constexpr double small = 0.1;  // rad; a column of small rotations is then wrong by 0.5 %
+  if (report.refused.empty() && !column.clamped_base && solved.top_displacement > small * height_of(request)) {
+    report.refused = fmt::format(
+        "it is not checked: on its hinge it turns so far that its top moves by {:.4g} m, which is beyond small "
+        "rotations; hold its top more stiffly",
+        solved.top_displacement);
+    report.unseen = true;
+  }
   report.loaded = loaded_of(request, solved);
   constexpr double no_way = 1e-9;  // m: what rounding leaves of a top that is held
   const double top = std::abs(solved.top_displacement) < no_way ? 0 : solved.top_displacement;

@@ -75,4 +75,24 @@ TEST(OwnMast, AnUpliftBelowDropsNoSway) {
   EXPECT_TRUE(says(pulled.assumptions, "as built leaning by 0.08"));
 }
 
+// Cases that nobody put together, and cases that nobody named.
+TEST(OwnMast, LoadCasesThatAreNotCheckedTogether) {
+  const std::string two = "{case: g, down: 10 kN}, {case: wind, across: 5 kN}";
+  const std::string one_at_a_time = "are checked one at a time";
+  EXPECT_TRUE(says(weighed("load_factor: 1.35", two).unmade, one_at_a_time));
+  EXPECT_FALSE(says(weighed("combinations: {a: {g: 1.35, wind: 1.5}}", two).unmade, one_at_a_time));
+  EXPECT_TRUE(says(weighed("combinations: {a: {g: 1.35}}", two).unjudged, "m in 'wind'"));
+  EXPECT_TRUE(weighed("combinations: {a: {g: 1.35}, b: {wind: 1.5}}", two).unjudged.empty());
+}
+
+// On a hinge a weak spring lets the top go as far as it is pushed: 1000 kN over 400 kN/m are 2.5 m of 20 m.
+TEST(OwnMast, AMastThatLeansFarIsNotJudged) {
+  const auto leans = [](const char* across) {
+    return weighed("base: hinge, top_stiffness: 400 kN/m, load_factor: 1.5",
+                   std::string("{case: g, down: 10 kN, across: ") + across + "}");
+  };
+  EXPECT_FALSE(says(leans("20 kN").unmade, "beyond small rotations"));
+  EXPECT_TRUE(says(leans("1000 kN").unmade, "beyond small rotations"));
+}
+
 }  // namespace taut::checks::own_mast_test

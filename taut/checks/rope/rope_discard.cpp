@@ -56,13 +56,27 @@ bool is_thick_wired(const catalogue::Construction& rope) {
   return rope.wires <= 19 && (rope.lay == "s" || rope.lay == "ks" || (rope.lay.empty() && rope.wires > 9));
 }
 
+constexpr int many_strands = 10;  ///< from here on they lie in several layers
+
+/// Ropes of 3 or 4 strands stand with those of several layers (ISO 4309, RCN 21 and 22).
+bool resists_turning(const catalogue::Construction& rope) { return rope.strands >= many_strands || rope.strands <= 4; }
+
+/// Above 300 wires the standard gives shares of their number (RCN 13), low on 6 d, high on 30 d.
+RuleRow beyond_table(RuleRow last, int wires) {
+  const double high = (last.id.starts_with("discard.lang") ? 0.04 : 0.08) * wires;
+  last.low = std::floor(high / 2);
+  last.high = std::floor(high);
+  return last;
+}
+
 /// The row for so many wires in the outer strands that bear, or one that stands higher in the table.
 std::optional<RuleRow> row_for(const std::string& topic, int wires, std::size_t higher) {
   std::vector<RuleRow> rows = catalogue::rules_of(topic);
   for (std::size_t i = 0; i < rows.size(); ++i) {
     if (rows[i].up_to && wires <= *rows[i].up_to) return std::move(rows[i - std::min(i, higher)]);
   }
-  return std::nullopt;
+  if (rows.empty()) return std::nullopt;
+  return beyond_table(std::move(rows.back()), wires);
 }
 
 /// Broken wires that one sees, on 6 and on 30 diameters.
@@ -71,7 +85,7 @@ void add_wires(const RopeCheckRequest& request, const rope::RopeUse& use, std::v
   if (!construction) return;
   const bool layered = std::any_of(use.drums.begin(), use.drums.end(), [](const auto& d) { return d.layers > 1; });
   // strands that do not turn the rope have their outer wires in another layer
-  const bool turns = construction->strands >= 10;
+  const bool turns = resists_turning(*construction);
   const int fill = turns ? 0 : fillers(*construction);
   const bool thick = !turns && is_thick_wired(*construction);
   const int wires = construction->strands * (construction->wires - fill);
@@ -99,7 +113,7 @@ void add_wires(const RopeCheckRequest& request, const rope::RopeUse& use, std::v
 
 void add_diameter(const rope::RopeUse& use, std::vector<DiscardRow>& rows) {
   const auto construction = catalogue::parse_construction(use.rope.construction);
-  const bool turns = construction && construction->strands >= 10;
+  const bool turns = construction && construction->strands >= many_strands;
   const std::string core = turns ? "WSC" : use.rope.core;
   // of a core that nobody knows the one that allows least
   const auto row = catalogue::find_rule("discard.diameter." + (core.empty() ? std::string("IWRC") : core));
@@ -130,10 +144,10 @@ void add_discard(const RopeCheckRequest& request, const rope::RopeUse& use, Resu
     if (row.low) continue;  // reported above
     rows.push_back({.criterion = row.item, .limit = row.text, .trust = catalogue::trust_words(row)});
   }
-  if (use.rope.construction.empty() || !(use.rope.diameter > 0)) {
+  if (!catalogue::parse_construction(use.rope.construction) || !(use.rope.diameter > 0)) {
     r.warnings.push_back(fmt::format(
-        "{}: broken wires and lost diameter are reported in numbers where 'construction' and 'diameter' are known",
-        use.name));
+        "{}: broken wires and lost diameter are reported in numbers where 'construction' and 'diameter' are known{}",
+        use.name, use.rope.construction.empty() ? "" : fmt::format("; construction '{}'", use.rope.construction)));
   }
   r.tables.push_back(
       make_table("discard_" + use.name,

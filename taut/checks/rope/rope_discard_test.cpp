@@ -89,4 +89,15 @@ TEST(RopeDiscard, an_unknown_rope_is_told) {
   EXPECT_EQ(r.tables.at(0).rows.size(), 6U);  // what needs no number, and the diameter's share
 }
 
+// As recalled: RCN 13 gives 0.04 n and 0.08 n above 300 wires, half of it in lang lay; RCN 21 and 22 are of 4 strands.
+TEST(RopeDiscard, many_wires_and_few_strands) {
+  const Table many = discard("8x41WS", "IWRC", "M1");
+  const double most[] = {13, 26, 6, 13};
+  for (std::size_t i = 0; i < 4; ++i) EXPECT_EQ(cell(many, i, "broken_wires"), most[i]) << i;
+  const Table few = discard("4x36WS", "FC", "M1");
+  EXPECT_EQ(cell(few, 0, "broken_wires"), 2);
+  EXPECT_EQ(cell(few, 1, "broken_wires"), 4);
+  EXPECT_THAT(text_cell(few, 0, "criterion"), HasSubstr("rotation-resistant"));
+}
+
 }  // namespace taut::checks::rope_discard_test

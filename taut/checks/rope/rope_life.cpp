@@ -49,6 +49,25 @@ std::vector<rope::LifeConstants> constants_of(const LifeRequest& life) {
   return all;
 }
 
+/// f_C of core and strands; of a core without a row the least.
+void set_core_factor(const std::string& core, int strands, rope::LifeRules& rules) {
+  const std::string ending = fmt::format(".{}", strands);
+  std::optional<catalogue::RuleRow> least;
+  for (const catalogue::RuleRow& row : catalogue::rules_of("life.core")) {
+    if (!row.low || !row.id.ends_with(ending)) continue;
+    if (!core.empty() && row.id == fmt::format("life.core.{}{}", core, ending)) {
+      rules.core_factor = *row.low;
+      rules.core_words = fmt::format("f_C of {} ({})", row.group, row.source);
+      return;
+    }
+    if (!least || *row.low < *least->low) least = row;
+  }
+  if (!least) return;
+  rules.core_factor = *least->low;
+  rules.core_words = fmt::format("f_C of {} ({}), the least: {}", least->group, least->source,
+                                 core.empty() ? "the core is not known" : fmt::format("there is none of {}", core));
+}
+
 rope::LifeRules rules_of(const RopeCheckRequest& request, const rope::RopeUse& use, const rope::RopeRules& rules) {
   const LifeRequest life = request.life.value_or(LifeRequest{});
   rope::LifeRules all;
@@ -61,12 +80,9 @@ rope::LifeRules rules_of(const RopeCheckRequest& request, const rope::RopeUse& u
     all.core_factor = *life.core_factor;
     all.core_words = "f_C of the deck";
   } else if (construction) {
-    const int strands = construction->strands == 6 ? 6 : 8;
-    const auto row = catalogue::find_rule(fmt::format("life.core.{}.{}", use.rope.core, strands));
-    if (row && row->low) {
-      all.core_factor = *row->low;
-      all.core_words = fmt::format("f_C of {} ({})", row->group, row->source);
-    }
+    set_core_factor(use.rope.core, construction->strands == 6 ? 6 : 8, all);
+  } else {
+    set_core_factor("", 6, all);  // which has less than 8
   }
   const auto weight = catalogue::find_rule("life.reverse_weight");
   all.reverse_weight = life.reverse_weight.value_or(weight ? *weight->low : 1);
@@ -125,8 +141,7 @@ void add_life_check(const rope::Life& life, const rope::LifeRules& rules, const 
                  {.sense = Sense::at_most,
                   .limit = 1,
                   .rule = fmt::format("Palmgren-Miner, sum of n/N over all duties and rounds; N by Feyrer, {}: {}; {}",
-                                      life.constants->count, life.constants->words,
-                                      rules.core_words.empty() ? "f_C not known, 1 taken" : rules.core_words),
+                                      life.constants->count, life.constants->words, rules.core_words),
                   .trust = rope::trust_with_rope(trust, use.rope)});
   c.part = use.name;
   r.checks.push_back(std::move(c));

@@ -7,7 +7,10 @@ const Description& DutyRequest::describe() {
       Describe<DutyRequest>()
           .field(&DutyRequest::name, "name", "name of the duty")
           .required()
-          .field(&DutyRequest::cycles, "cycles", "n", si::one, "working cycles in the life required")
+          .field(
+              &DutyRequest::cycles, "cycles", "n", si::one,
+              "working cycles in the life required: one bends the rope once on each round and half on a drum; lifting "
+              "and lowering are two")
           .above(0)
           .at_most(1e12)
           .required()

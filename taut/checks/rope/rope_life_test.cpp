@@ -189,4 +189,28 @@ checks: {ropes: {first: {safety_factor: 2, duty: [{name: lifts, cycles: 20000)" 
   expect_mistake(run_text(deck("", ", over: [lone]")), "the rope runs over no 'lone' with a diameter");
 }
 
+// Of a core that nobody knows, or of which there is no row, the least f_C counts: 0.81 of 6 strands.
+TEST(RopeLife, AnUnknownCoreHasTheLeastFactor) {
+  const auto damage = [](const std::string& construction) {
+    const Result r = run_text(R"(taut: 1
+machine:
+  ropes: {hoist: {mass: 1 kg/m, stiffness: 13 MN, diameter: 16 mm, breaking_force: 200 kN}}
+  bodies: {load: {mass: 3 t, at: [0.2 m, 0 m, 5 m], free: [z]}}
+  sheaves: {head: {at: [0 m, 0 m, 20 m], diameter: 400 mm}}
+  drums: {winch: {at: [-8 m, 0 m, 2 m], core_diameter: 384 mm}}
+  reevings: [{rope: hoist, path: [{drum: winch}, {over: head}, {anchor: load}], length: 35 m}]
+checks:
+  ropes: {hoist: {safety_factor: 3, construction: )" +
+                              construction +
+                              R"(, grade: 1960 MPa, duty: [{name: w, cycles: 4e5}],
+                  life: {constants: [{count: discard_10, a: [1.278, 0.029, 6.241, -1.613]}]}}}
+)");
+    return taut_test::check_of(r, "hoist.life").value;
+  };
+  const double known = damage("6x36-IWRC");
+  EXPECT_DOUBLE_EQ(damage("6x36"), known);
+  EXPECT_DOUBLE_EQ(damage("6x36-WSC"), known);
+  EXPECT_LT(damage("6x36-FC"), known);
+}
+
 }  // namespace taut::checks::rope_life_test

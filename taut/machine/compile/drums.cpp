@@ -13,8 +13,8 @@ namespace {
 
 class Checker {
  public:
-  Checker(const description::Drum& drum, double thickest, std::vector<Complaint>& complaints)
-      : drum_(drum), thickest_(thickest), path_("drums." + drum.name), complaints_(complaints) {}
+  Checker(const description::Drum& drum, double thickest, ModelFor use, std::vector<Complaint>& complaints)
+      : drum_(drum), thickest_(thickest), use_(use), path_("drums." + drum.name), complaints_(complaints) {}
 
   void check() {
     if (drum_.layers) {
@@ -26,12 +26,16 @@ class Checker {
     if (drum_.pitch && !drum_.face_width) {
       complain(".pitch", "gives the turns of a layer and needs the 'face_width' between the flanges");
     }
+    if (drum_.face_width && *drum_.face_width < thickest_) {
+      complain(".face_width",
+               fmt::format("a rope of {:.4g} mm has no room on {:.4g} mm", 1e3 * thickest_, 1e3 * *drum_.face_width));
+    }
     check_pitch();
     if (drum_.flange_diameter && *drum_.flange_diameter <= drum_.core_diameter) {
       complain(".flange_diameter", "is not larger than the core");
     }
-    need(!drum_.brake_torque || drum_.inertia > 0,
-         "a brake with a 'brake_torque' needs the 'inertia' of what it stops");
+    need(!drum_.brake_torque || drum_.inertia > 0 || use_ == ModelFor::rest,
+         "in a motion a brake with a 'brake_torque' needs the 'inertia' of what it stops");
     need(drum_.brake_torque || (drum_.brake_delay == 0 && drum_.brake_rise == 0),
          "'brake_delay' and 'brake_rise' belong to a 'brake_torque'");
     need(drum_.drag == 0 || drum_.inertia > 0, "a drum with a 'drag' needs its 'inertia'");
@@ -61,6 +65,7 @@ class Checker {
 
   const description::Drum& drum_;
   double thickest_;  ///< of the ropes on it, m; 0: not known
+  ModelFor use_;
   std::string path_;
   std::vector<Complaint>& complaints_;
 };
@@ -80,8 +85,9 @@ double thickest_on(const Machine& machine, const description::Drum& drum) {
 
 }  // namespace
 
-void check_drums(const Machine& machine, std::vector<Complaint>& complaints) {
-  for (const description::Drum& drum : machine.drums) Checker(drum, thickest_on(machine, drum), complaints).check();
+void check_drums(const Machine& machine, ModelFor use, std::vector<Complaint>& complaints) {
+  for (const description::Drum& drum : machine.drums)
+    Checker(drum, thickest_on(machine, drum), use, complaints).check();
 }
 
 rope::DrumLayers measures_of(const Drum& drum, double rope_diameter) {

@@ -4,6 +4,7 @@
 
 #include "taut/base/array.hpp"
 #include "taut/calc/field.hpp"
+#include "taut/machine/compile.hpp"
 #include "taut/machine/description/machine.hpp"
 #include "taut/machine/links/rope_of.hpp"
 #include "taut/machine/model.hpp"
@@ -12,7 +13,7 @@
 namespace taut::machine {
 
 /// Complains of drums whose keys do not fit together, by the description alone.
-void check_drums(const Machine& machine, std::vector<Complaint>& complaints);
+void check_drums(const Machine& machine, ModelFor use, std::vector<Complaint>& complaints);
 
 /// The drum with a rope of this diameter on it; width 0 where nothing can be said of layers: the deck does not say it,
 /// or nobody knows the rope's diameter.

@@ -196,6 +196,7 @@ void set_given(const Machine& machine, const Model& model, const DescribedReevin
   if (!said.empty()) {
     reeving.given = said[0].what;
     reeving.value = said[0].value;
+    if (reeving.given == Given::length) reeving.described_length = reeving.value;
   }
   if (takes_two && said.size() == 2) reeving.also = std::pair(said[1].what, said[1].value);
   if (!given.path.empty()) set_haul(machine, given, motor != nullptr, reeving);

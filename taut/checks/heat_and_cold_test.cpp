@@ -7,7 +7,7 @@
 #include "taut/calc/verdict.hpp"
 #include "test/support/machine_decks.hpp"
 
-namespace taut::checks::heat_test {
+namespace taut::checks::heat_and_cold_test {
 
 using taut_test::run_text;
 using testing::AnyOf;
@@ -67,4 +67,21 @@ checks: {{masts: {{mast: {{load_factor: 1.35}}}}}}
   EXPECT_THAT(mast("390 degC").unmade, Contains(HasSubstr("mast: its steel is weaker and softer at 390 degC")));
 }
 
-}  // namespace taut::checks::heat_test
+// A mast that the checks describe, with a load of its own, is no beam of the machine.
+TEST(Heat, HotMastsOfTheirOwnAreNotJudged) {
+  const char* const mast =
+      "  masts: {pole: {height: 8 m, section: CHS 219.1x8, steel: S355, loads: [{at: 8 m, down: 20 kN}]}}\n";
+  const Result cold = guyed("20 degC", mast);
+  ASSERT_EQ(cold.status, Status::ok) << cold.message << to_text(cold.errors);
+  EXPECT_THAT(cold.unmade, Not(Contains(HasSubstr("weaker and softer"))));
+  EXPECT_THAT(guyed("390 degC", mast).unmade, Contains(HasSubstr("pole: its steel is weaker and softer at 390 degC")));
+}
+
+TEST(Cold, BelowMinus40IsTold) {
+  EXPECT_THAT(guyed("-40 degC").warnings, Not(Contains(HasSubstr("brittle"))));
+  EXPECT_THAT(guyed("-41 degC").warnings, Contains(HasSubstr("at -41 degC: ropes")));
+  const std::string own = "  ropes: {steel: {safety_factor: 3, core: IWRC, temperature: -55 degC}}\n";
+  EXPECT_THAT(guyed("20 degC", own).warnings, Contains(HasSubstr("at -55 degC: ropes")));
+}
+
+}  // namespace taut::checks::heat_and_cold_test
