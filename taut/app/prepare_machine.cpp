@@ -234,6 +234,8 @@ void warn_of_machine(const MachineDeck& deck, const results::MachineRun& run, Re
   for (std::string& text : results::held_tension_warnings(deck.machine, run.model))
     r.warnings.push_back(std::move(text));
   for (std::string& text : results::fixed_load_warnings(run.model)) warn_unsafe(r, std::move(text));
+  for (std::string& text : results::fixed_guy_warnings(run.model, deck.machine.reevings.size()))
+    warn_unsafe(r, std::move(text));
   for (std::string& text : results::rope_beside_beam_warnings(run.model)) warn_unsafe(r, std::move(text));
   if (!run.judges || !run.tells) return;
   add_pulls(deck, r);

@@ -82,6 +82,22 @@ std::vector<std::string> rope_beside_beam_warnings(const machine::Model& model) 
   return all;
 }
 
+std::vector<std::string> fixed_guy_warnings(const machine::Model& model, std::size_t first) {
+  const auto is_fixed = [&](const machine::Node& end) {
+    return end.at.body == machine::ground || machine::stands_fast(model.bodies[end.at.body]);
+  };
+  std::vector<std::string> all;
+  for (std::size_t i = first; i < model.reevings.size(); ++i) {
+    const machine::Reeving& guy = model.reevings[i];
+    if (!is_fixed(guy.nodes.front()) || !is_fixed(guy.nodes.back())) continue;
+    all.push_back(
+        fmt::format("guy '{}' ends at fixed points, '{}' and '{}': it feels no load of the machine; say what "
+                    "is 'free' of the body that it holds",
+                    guy.name, guy.nodes.front().name, guy.nodes.back().name));
+  }
+  return all;
+}
+
 std::vector<std::string> fixed_load_warnings(const machine::Model& model) {
   Array<Vector3> sums(model.bodies.size(), Vector3::Zero());
   for (const machine::Load& load : model.loads) sums[load.at.body] += load.force;

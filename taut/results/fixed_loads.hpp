@@ -16,4 +16,8 @@ std::vector<std::string> fixed_load_warnings(const machine::Model& model);
 /// while the beam feels nothing of them. One sentence for each place.
 std::vector<std::string> rope_beside_beam_warnings(const machine::Model& model);
 
+/// Guys with both ends at fixed points: whatever the machine bears, they keep their tension. `first`: the index of the
+/// first guy among the reevings; the others follow it.
+std::vector<std::string> fixed_guy_warnings(const machine::Model& model, std::size_t first);
+
 }  // namespace taut::results

@@ -158,10 +158,17 @@ class PathReader {
     for (Stop& stop : machine::stops_of(car, t->index, t->place, grips)) stops.push_back(std::move(stop));
   }
 
-  /// One motor per rope with ends.
-  void drive(const DeckPlace& at) {
-    const bool another = std::any_of(stops.begin(), stops.end(), [](const Stop& stop) { return stop.drives; });
-    if (another) complain({at, "over"}, "another sheave of this rope has a motor already");
+  /// One motor per rope with ends, and one pass over it.
+  void drive(const std::string& name, const DeckPlace& at) {
+    const auto other = std::find_if(stops.begin(), stops.end(), [](const Stop& stop) { return stop.drives; });
+    if (other == stops.end()) return;
+    complain({at, "over"},
+             other->node.name == name
+                 ? fmt::format("a rope with two ends passes the driven sheave '{}' once; its way is not computed with "
+                               "several turns there",
+                               name)
+                 : fmt::format("'{}' drives this rope already, and a rope with two ends has one driven sheave",
+                               other->node.name));
   }
 
   /// The other sheave of a tackle.
@@ -188,7 +195,7 @@ class PathReader {
     const Stop single = round_stop(machine_, *own, e.side);
     const Round& round = given_round(machine_, *own);
     if (e.parts == 1) {
-      if (single.drives) drive(at);
+      if (single.drives) drive(*e.over, at);
       stops.push_back(single);
       if (single.drives) stops.back().node.kind = NodeKind::drive;
       if (const auto carriage = ahead_of(machine_, round))
