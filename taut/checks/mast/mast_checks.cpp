@@ -281,6 +281,7 @@ namespace {
 std::string weight_words(const MastCheckRequest& request) {
   if (request.combinations.empty()) return fmt::format("own weight times {:.4g}", request.load_factor);
   std::vector<std::string> each;
+  each.reserve(request.combinations.size());
   for (const MastCombinationRequest& c : request.combinations) {
     each.push_back(fmt::format("{:.4g} ({})", weight_factor(c.terms), c.name));
   }

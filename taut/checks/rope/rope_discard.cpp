@@ -79,35 +79,56 @@ std::optional<RuleRow> row_for(const std::string& topic, int wires, std::size_t 
   return beyond_table(std::move(rows.back()), wires);
 }
 
+/// The wires that are counted, and how the table is read for them.
+struct CountedWires {
+  bool turns = false;  ///< strands that do not turn the rope have their outer wires in another layer
+  int fill = 0;        ///< filler wires of a strand
+  bool thick = false;  ///< two rows higher
+  bool twice = false;  ///< by the class of the mechanism
+  int wires = 0;       ///< that bear
+  std::string why;     ///< class and lay, in words
+};
+
+CountedWires counted(const catalogue::Construction& rope, const RopeCheckRequest& request) {
+  CountedWires all;
+  all.turns = resists_turning(rope);
+  all.fill = all.turns ? 0 : fillers(rope);
+  all.thick = !all.turns && is_thick_wired(rope);
+  all.twice = class_number(request) >= (all.turns ? 3 : 5);
+  all.wires = rope.strands * (rope.wires - all.fill);
+  all.why = class_number(request) > 0 ? "class " + *request.group : std::string("class not known");
+  if (all.thick) all.why += rope.lay.empty() ? "; lay not known, Seale assumed: two rows up" : "; Seale: two rows up";
+  return all;
+}
+
+/// Those of one row of the table, on 6 and on 30 diameters. `layered`: it lies in layers on a drum.
+void add_counts(const RuleRow& row, const CountedWires& counted, double diameter, bool layered,
+                std::vector<DiscardRow>& rows) {
+  for (const auto& [length, count] : {std::pair{6, *row.low}, std::pair{30, *row.high}}) {
+    const double most = counted.twice ? 2 * count : count;
+    const std::string on_drum = layered && !counted.twice
+                                    ? fmt::format("; {:.0f} on the part that lies in layers on a drum", 2 * count)
+                                    : std::string();
+    rows.push_back({.criterion = row.item,
+                    .on_length = length * (diameter > 0 ? diameter : none),
+                    .broken_wires = most,
+                    .limit = fmt::format("{:.0f} or more on {} d: {} wires{}{}, {}{}", most, length, counted.wires,
+                                         counted.fill > 0 ? " that bear" : "",
+                                         counted.turns ? "" : " in the outer strands", counted.why, on_drum),
+                    .trust = catalogue::trust_words(row)});
+  }
+}
+
 /// Broken wires that one sees, on 6 and on 30 diameters.
 void add_wires(const RopeCheckRequest& request, const rope::RopeUse& use, std::vector<DiscardRow>& rows) {
   const auto construction = catalogue::parse_construction(use.rope.construction);
   if (!construction) return;
   const bool layered = std::any_of(use.drums.begin(), use.drums.end(), [](const auto& d) { return d.layers > 1; });
-  // strands that do not turn the rope have their outer wires in another layer
-  const bool turns = resists_turning(*construction);
-  const int fill = turns ? 0 : fillers(*construction);
-  const bool thick = !turns && is_thick_wired(*construction);
-  const int wires = construction->strands * (construction->wires - fill);
-  const int from_class = turns ? 3 : 5;
-  const bool twice = class_number(request) >= from_class;
+  const CountedWires wires = counted(*construction, request);
   for (const char* topic : {"discard.ordinary", "discard.lang", "discard.rotation_resistant"}) {
-    if (turns != (std::string_view(topic) == "discard.rotation_resistant")) continue;
-    const auto row = row_for(topic, wires, thick ? 2 : 0);
-    if (!row) continue;
-    for (const auto& [length, count] : {std::pair{6, *row->low}, std::pair{30, *row->high}}) {
-      const double most = twice ? 2 * count : count;
-      std::string why = class_number(request) > 0 ? "class " + *request.group : std::string("class not known");
-      if (thick)
-        why += construction->lay.empty() ? "; lay not known, Seale assumed: two rows up" : "; Seale: two rows up";
-      if (layered && !twice) why += fmt::format("; {:.0f} on the part that lies in layers on a drum", 2 * count);
-      rows.push_back({.criterion = row->item,
-                      .on_length = length * (use.rope.diameter > 0 ? use.rope.diameter : none),
-                      .broken_wires = most,
-                      .limit = fmt::format("{:.0f} or more on {} d: {} wires{}{}, {}", most, length, wires,
-                                           fill > 0 ? " that bear" : "", turns ? "" : " in the outer strands", why),
-                      .trust = catalogue::trust_words(*row)});
-    }
+    if (wires.turns != (std::string_view(topic) == "discard.rotation_resistant")) continue;
+    if (const auto row = row_for(topic, wires.wires, wires.thick ? 2 : 0))
+      add_counts(*row, wires, use.rope.diameter, layered, rows);
   }
 }
 
