@@ -10,7 +10,6 @@
 namespace taut::checks::heat_and_cold_test {
 
 using taut_test::run_text;
-using testing::AnyOf;
 using testing::Contains;
 using testing::HasSubstr;
 using testing::Not;

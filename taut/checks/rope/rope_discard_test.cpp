@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <string>
+#include <tuple>
 
 #include "taut/checks/rope/rope_life.hpp"
 #include "test/support/machine_decks.hpp"
@@ -53,14 +54,10 @@ TEST(RopeDiscard, broken_wires_by_length_lay_and_class) {
 
 // Filler wires do not count, and Seale strands of 19 wires stand two rows up: 8x19S with 152 wires in the row of 114.
 TEST(RopeDiscard, wires_that_bear_and_thick_ones) {
-  struct Counted {
-    const char* construction;
-    double on_6_d, on_30_d;
-  };
   for (const auto& [construction, on_6_d, on_30_d] :
-       {Counted{"6x25F", 5, 10}, Counted{"6x25", 5, 10}, Counted{"8x25F", 6, 13}, Counted{"6x29F", 6, 11},
-        Counted{"6x19S", 3, 6}, Counted{"6x19", 3, 6}, Counted{"6x19W", 5, 10}, Counted{"8x19S", 5, 10},
-        Counted{"6x7", 2, 4}, Counted{"6x36", 9, 18}}) {
+       {std::tuple{"6x25F", 5, 10}, std::tuple{"6x25", 5, 10}, std::tuple{"8x25F", 6, 13}, std::tuple{"6x29F", 6, 11},
+        std::tuple{"6x19S", 3, 6}, std::tuple{"6x19", 3, 6}, std::tuple{"6x19W", 5, 10}, std::tuple{"8x19S", 5, 10},
+        std::tuple{"6x7", 2, 4}, std::tuple{"6x36", 9, 18}}) {
     const Table t = discard(construction, "IWRC", "M1");
     EXPECT_EQ(cell(t, 0, "broken_wires"), on_6_d) << construction;
     EXPECT_EQ(cell(t, 1, "broken_wires"), on_30_d) << construction;
