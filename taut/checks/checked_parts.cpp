@@ -81,7 +81,8 @@ void CheckedParts::take_values(const machine::Model& model, const solve::Equilib
 void CheckedParts::take_empty(const machine::Model& model, const solve::EquilibriumResult& state,
                               const std::string& line, const std::string& words, bool put_up) {
   if (!judged) return;
-  if (!put_up) seen = true;  // of itself: the line is put up in whatever is asked of the deck
+  // the line is put up in whatever is asked of the deck
+  (put_up ? this->put_up : seen) = true;
   ropes.take_empty(model, state, words);
   payloads.take_ropes(model, state, words);
   show_empty(model, state, line, words, put_up);
@@ -116,6 +117,7 @@ void CheckedParts::show_empty(const machine::Model& model, const solve::Equilibr
 void CheckedParts::take_put_up(const machine::Model& model, const solve::EquilibriumResult& state,
                                const std::string& words) {
   if (!judged) return;
+  put_up = true;
   ropes.take_empty(model, state, words);
   payloads.take_ropes(model, state, words);
   judge.take_ropes(model, state, words);

@@ -63,7 +63,8 @@ struct CheckedParts {
   std::vector<double> T_in_moments;
   /// Peaks of motions that no moment has, where a check needed them: why it is not judged.
   std::vector<std::string> unseen;
-  bool seen = false;        ///< whether the checks have been shown anything
+  bool seen = false;        ///< whether the checks have been shown anything but such moments
+  bool put_up = false;      ///< whether a moment while the machine is put up was shown
   bool seen_apart = false;  ///< whether states were shown for their values alone
   bool judged = true;       ///< false: the analysis that runs says `judge: false`, and its states do not count
   Judge judge;

@@ -157,6 +157,10 @@ void add_checks(const CheckedDeck& deck, const machine::Model& model, const Chec
     add_unjudged_heat(deck, model, r);
     warn_of_cold(deck, r);
   }
+  if (seen.put_up && !seen.seen && !seen.seen_apart) {
+    r.unmade.emplace_back("no state of the machine in use is judged, but those alone in which it is put up");
+    r.warnings.push_back(r.unmade.back());
+  }
   for (const std::string& words : seen.ropes.growing()) warn_unsafe(r, words);
   r.warnings.insert(r.warnings.end(), seen.unseen.begin(), seen.unseen.end());
   r.unmade.insert(r.unmade.end(), seen.unseen.begin(), seen.unseen.end());

@@ -395,7 +395,7 @@ TEST(RopeCheck, each_drum_needs_its_data_and_bears_all_copies) {
   EXPECT_NE(all.left_out[0].find("'d2'"), std::string::npos) << all.left_out[0];
 }
 
-// Without a breaking force no limit of strength is checked, and each is told.
+// Of a rope without a breaking force the result names every limit of strength that it leaves out.
 TEST(RopeCheck, no_strength_is_told) {
   RopeRules rules;
   rules.dynamic_safety = Limit{.value = 4, .rule = "of the deck", .trust = "user"};

@@ -30,9 +30,9 @@ struct GuyStates {
 std::vector<GuyStates> guy_states(const std::vector<GuyCheckRequest>& guys, const CheckedDeck& deck,
                                   const machine::Model& model);
 void take(const CheckState& state, GuyStates& guy);
-/// Of a whole motion, at all its steps; `begins`: its first output step, a state at rest; `slowly`: all of them are.
 /// The guy of this name as it is put up: its largest tension alone.
 void take_put_up(const CheckState& state, const std::string& name, GuyStates& guy);
+/// Of a whole motion, at all its steps; `begins`: its first output step, a state at rest; `slowly`: all of them are.
 void take_motion(const CheckState& begins, const solve::TransientResult& motion, const std::string& words, bool slowly,
                  GuyStates& guy);
 

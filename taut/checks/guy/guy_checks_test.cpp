@@ -196,4 +196,25 @@ TEST(GuyChecks, GuysBreakWhereTheyArePutUp) {
   EXPECT_NEAR(check_of(by_nobody, "e.anchor_strength").value, 1, 0.01);
 }
 
+// The moment in which guys are put up shows nothing of the machine in use.
+TEST(GuyChecks, AMachineThatIsPutUpAloneIsNotJudged) {
+  const auto judged = [](const char* judge) {
+    return run_text(fmt::format(R"(taut: 1
+machine:
+  ropes: {{guy: {{mass: 1 kg/m, stiffness: 12 MN, breaking_force: 200 kN, diameter: 16 mm}}}}
+  points: {{e: [9 m, 0 m, 0 m], w: [-9 m, 0 m, 0 m]}}
+  bodies: {{head: {{mass: 10 kg, at: [0 m, 0 m, 12 m], free: [x]}}}}
+  guys:
+    g1: {{rope: guy, from: head, to: e, install: {{tension: 20 kN, at: top}}}}
+    g2: {{rope: guy, from: head, to: w, install: {{tension: 20 kN, at: top}}}}
+analyses: [{{equilibrium: {{judge: {}}}}}]
+checks: {{guys: {{guy: {{safety_factor: 3}}}}, anchors: {{e: {{strength: 50 kN}}, w: {{strength: 50 kN}}}}}}
+)",
+                                judge));
+  };
+  EXPECT_THAT(judged("true").unmade, testing::IsEmpty());
+  EXPECT_THAT(judged("false").unmade,
+              testing::Contains(testing::HasSubstr("no state of the machine in use is judged")));
+}
+
 }  // namespace taut::checks::guy_checks_test

@@ -41,7 +41,7 @@ class RopeUses {
   /// As in the model. Each round and end has no less than a tension of its rope that lasts in a motion.
   std::vector<rope::RopeUse> all() const;
   /// Of one rope, without its bends.
-  const rope::RopeUse& of(std::size_t reeving) const { return uses_[static_cast<std::ptrdiff_t>(reeving)]; }
+  const rope::RopeUse& of(std::size_t reeving) const { return uses_[reeving]; }
 
  private:
   struct Met {
