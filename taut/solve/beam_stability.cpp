@@ -8,7 +8,6 @@
 #include <limits>
 #include <numeric>
 #include <optional>
-#include <set>
 #include <utility>
 #include <vector>
 
@@ -16,6 +15,7 @@
 #include "taut/math/index.hpp"
 #include "taut/mechanics/beam_piece.hpp"
 #include "taut/solve/definite.hpp"
+#include "taut/solve/places_stiffness.hpp"
 #include "taut/solve/stability.hpp"
 
 namespace taut::solve {
@@ -377,89 +377,24 @@ double critical_factor(const StiffnessAssembly& machine, std::optional<int> beam
   return (low + high) / 2;
 }
 
-/// The machine without its beams, and without what prescribes a place: its ropes as long as they are. `kept`: the
-/// freedom along which a force held a carriage.
-mechanics::Layout without_beams(const mechanics::Layout& layout, std::optional<int>& kept) {
-  mechanics::Layout bare = layout;
-  bare.pieces.clear();
-  if (!layout.pieces.empty()) bare.size = layout.pieces.front().unknown;
-  for (mechanics::Layout::Branch& laid : bare.branches) laid.force.reset();  // these unknowns stand behind the beams'
-  kept.reset();
-  if (bare.hold) {
-    --bare.size;  // the last one before the beams
-    double most = 0;
-    for (int i = bare.first_dof[bare.coordinate_body]; i < bare.first_dof[as_size(bare.coordinate_body) + 1]; ++i) {
-      const double along = std::abs(bare.dofs[i].way.along.dot(bare.coordinate_along));
-      if (along > most) most = along, kept = i;
-    }
-  }
-  bare.hold.reset();
-  bare.coordinate_row.reset();
-  bare.height_row.reset();
-  return bare;
-}
-
-/// Of the freedoms `left`, those of what moves with beams: nothing else is coupled to one of theirs.
-Array<int> with_beams(const mechanics::System& s, const Eigen::MatrixXd& stiffness, const Array<int>& left) {
-  std::set<int> bodies;
-  for (const machine::Beam& beam : s.model.beams) {
-    for (const machine::BeamPiece& piece : beam.pieces) bodies.insert({piece.start.body, piece.end.body});
-  }
-  Array<int> found;
-  Array<char> known(left.size(), 0);
-  const auto take = [&](int i) {
-    if (known[i] != 0) return;
-    known[i] = 1;
-    found.push_back(i);
-  };
-  for (int i = 0; i < static_cast<int>(left.size()); ++i) {
-    if (bodies.contains(s.layout.dofs[left[i]].body)) take(i);
-  }
-  for (std::size_t next = 0; next < found.size(); ++next) {
-    for (int j = 0; j < static_cast<int>(left.size()); ++j) {
-      if (stiffness(found[next], j) != 0 || stiffness(j, found[next]) != 0) take(j);
-    }
-  }
-  return found;
-}
-
 }  // namespace
 
 std::optional<BeamStability> beam_stability(const mechanics::System& s, const mechanics::Configuration& c,
                                             bool factors) {
-  std::optional<int> kept;
-  const mechanics::Layout bare = without_beams(s.layout, kept);
-  const mechanics::System rest{.model = s.model, .layout = bare, .coordinate = s.coordinate, .losses = s.losses};
-  mechanics::Configuration now = c;
   mechanics::Evaluation e;
-  if (mechanics::evaluate(rest, now, e)) return std::nullopt;
-  Entries J;
-  Array<mechanics::BranchColumns> columns;
-  mechanics::jacobian(rest, now, e, J, columns);
+  std::optional<PlacesStiffness> all = places_stiffness(s, c, e);
+  if (!all) return std::nullopt;
+  // with forces along ropes stability() judges the rest, as in a machine without beams
+  if (has_rope_loads(s)) {
+    const Array<int> kept = rows_with_beams(s, *all);
+    Array<int> freedoms;
+    for (const int row : kept) freedoms.push_back(all->freedoms[row]);
+    const std::vector<int> rows(kept.begin(), kept.end());
+    all = PlacesStiffness{.freedoms = freedoms, .matrix = Eigen::MatrixXd(all->matrix(rows, rows))};
+  }
   Array<std::optional<int>> coordinates(s.layout.dofs.size());
-  Array<int> order, left;
-  for (int i = 0; i < bare.size; ++i) {
-    if (i >= static_cast<int>(coordinates.size())) {
-      order.push_back(i);
-    } else if (i != kept) {
-      coordinates[i] = static_cast<int>(left.size());
-      left.push_back(i);
-    }
-  }
-  const auto eliminated = static_cast<int>(order.size());
-  order.insert(order.end(), left.begin(), left.end());
-  const std::optional<Eigen::MatrixXd> condensed = condense(J.dense(), order, eliminated);
-  if (!condensed) return std::nullopt;
-  Eigen::MatrixXd stiffness = -*condensed;
-  // forces along ropes have no potential: the parts that no beam holds are not tested, as in a machine without beams
-  if (has_followers(s)) {
-    const Array<int> kept_rows = with_beams(s, stiffness, left);
-    std::fill(coordinates.begin(), coordinates.end(), std::nullopt);
-    for (std::size_t i = 0; i < kept_rows.size(); ++i) coordinates[left[kept_rows[i]]] = static_cast<int>(i);
-    const std::vector<int> rows(kept_rows.begin(), kept_rows.end());
-    stiffness = Eigen::MatrixXd(stiffness(rows, rows));
-  }
-  const StiffnessAssembly machine(s, c, e, stiffness, coordinates);
+  for (std::size_t i = 0; i < all->freedoms.size(); ++i) coordinates[all->freedoms[i]] = static_cast<int>(i);
+  const StiffnessAssembly machine(s, c, e, all->matrix, coordinates);
   BeamStability result;
   result.stable = machine.definite(every, 1);
   if (!factors) return result;

@@ -13,6 +13,7 @@
 #include "taut/math/index.hpp"
 #include "taut/mechanics/branch_force.hpp"
 #include "taut/solve/beam_tables.hpp"
+#include "taut/solve/places_stiffness.hpp"
 #include "taut/solve/rest/fed_rope.hpp"
 
 namespace taut::solve {
@@ -24,13 +25,6 @@ constexpr double matrix_rounding = 1e-7;  ///< of the scaled matrix
 constexpr double weight_of_bodies = 100;
 constexpr double pushed = 0.01;  ///< of the longest span
 
-bool loses(const mechanics::System& s) {
-  return std::any_of(s.layout.turns.begin(), s.layout.turns.end(), [&](const mechanics::Layout::Turn& t) {
-    const machine::ContactLaw& law = mechanics::node_of(s, t).law;
-    return s.losses > 0 && t.flow != 0 && law.efficiency < 1 && law.friction > 0;
-  });
-}
-
 /// Rows of the residual and columns of rope fed in that belong to the coordinates.
 struct Coordinates {
   Array<EnergyCurvature::Row> rows;
@@ -38,6 +32,24 @@ struct Coordinates {
   Array<double> factor;                               ///< of the residual's row
   Array<std::pair<int, std::optional<int>>> unknown;  ///< + the first, - the second
 };
+
+/// The law of the tensions beside a turn that rope passes; `sign` times its residual grows with the one behind it.
+struct PassedRow {
+  int row = 0;
+  int sign = 1;
+};
+
+/// Empty where no rope passes: a clamp, a drive that takes what comes.
+std::optional<PassedRow> passed_row(const mechanics::System& s, const mechanics::Layout::Turn& turn,
+                                    const mechanics::Layout::Rope& rope) {
+  const machine::Reeving& reeving = s.model.reevings[turn.reeving];
+  const machine::Node& node = reeving.nodes[turn.node];
+  if (node.kind == machine::NodeKind::contact) return PassedRow{.row = *turn.row, .sign = node.tension_drop ? -1 : 1};
+  if (node.kind != machine::NodeKind::drive) return std::nullopt;
+  if (reeving.given == machine::Given::torque) return PassedRow{.row = rope.row, .sign = -1};
+  const bool by_torque = turn.row && (!reeving.also || reeving.also->first == machine::Given::torque);
+  return by_torque ? std::optional(PassedRow{.row = *turn.row, .sign = -1}) : std::nullopt;
+}
 
 void add_rope(const mechanics::System& s, const mechanics::Evaluation& e, const Array<FedEnd>& fed, int r,
               Coordinates& all) {
@@ -49,10 +61,11 @@ void add_rope(const mechanics::System& s, const mechanics::Evaluation& e, const 
   }
   for (int t = rope.first_turn; t < rope.first_turn + rope.turn_count; ++t) {
     const mechanics::Layout::Turn& turn = s.layout.turns[t];
-    if (reeving.nodes[turn.node].kind != machine::NodeKind::contact) continue;
+    const std::optional<PassedRow> law = passed_row(s, turn, rope);
+    if (!law) continue;
     all.rows.push_back({EnergyCurvature::Of::contact, t});
-    all.residual.push_back(*turn.row);
-    all.factor.push_back(stretch(e.branches[turn.after].T_from));
+    all.residual.push_back(law->row);
+    all.factor.push_back(law->sign * stretch(e.branches[turn.after].T_from));
     all.unknown.emplace_back(s.layout.branches[turn.after].unknown, s.layout.branches[turn.before].unknown);
   }
   for (int i = 0; i < static_cast<int>(fed.size()); ++i) {
@@ -237,19 +250,16 @@ std::string words(const mechanics::System& s, const EnergyCurvature::Row& row) {
 
 }  // namespace
 
-bool has_followers(const mechanics::System& s) {
+bool has_rope_loads(const mechanics::System& s) {
   return std::any_of(s.layout.turns.begin(), s.layout.turns.end(), [&](const mechanics::Layout::Turn& t) {
-    const machine::Node& node = s.model.reevings[t.reeving].nodes[t.node];
-    if (node.kind == machine::NodeKind::contact && node.tension_drop) return true;
-    if (node.kind == machine::NodeKind::load || (node.kind == machine::NodeKind::drive && t.row)) return true;
-    return node.kind == machine::NodeKind::drive && s.model.reevings[t.reeving].given == machine::Given::torque;
+    return mechanics::node_of(s, t).kind == machine::NodeKind::load;
   });
 }
 
 std::optional<EnergyCurvature> energy_curvature(const mechanics::System& s, const mechanics::Configuration& c,
                                                 const mechanics::Evaluation& e) {
   const Array<FedEnd> fed = s.lengths_kept ? Array<FedEnd>() : fed_ends(s);
-  if (!s.layout.pieces.empty() || has_followers(s) || (loses(s) && fed.empty())) return std::nullopt;
+  if (!s.layout.pieces.empty() || has_rope_loads(s)) return std::nullopt;
   Entries J;
   Array<mechanics::BranchColumns> columns;
   mechanics::jacobian(s, c, e, J, columns);
@@ -347,6 +357,32 @@ std::optional<Eigen::VectorXd> negative_direction(const SparseRows& matrix) {
 
 namespace {
 
+/// Of the bodies that no beam holds, in a machine with forces along its ropes, which have no potential.
+std::optional<EnergyCurvature> curvature_of_places(const mechanics::System& s, const mechanics::Configuration& c) {
+  mechanics::Evaluation e;
+  const std::optional<PlacesStiffness> all = places_stiffness(s, c, e);
+  if (!all) return std::nullopt;
+  Array<bool> with_beams(all->freedoms.size(), false);
+  for (const int row : rows_with_beams(s, *all)) with_beams[row] = true;
+  Array<int> left;
+  for (int i = 0; i < static_cast<int>(all->freedoms.size()); ++i) {
+    if (!with_beams[i]) left.push_back(i);
+  }
+  EnergyCurvature found;
+  Triplets stiffness, units;
+  for (int i = 0; i < static_cast<int>(left.size()); ++i) {
+    found.rows.push_back({EnergyCurvature::Of::freedom, all->freedoms[left[i]]});
+    units.emplace_back(all->freedoms[left[i]], i, 1);
+    for (int j = 0; j < static_cast<int>(left.size()); ++j) {
+      const double value = all->matrix(left[i], left[j]);
+      if (value != 0) stiffness.emplace_back(i, j, value);
+    }
+  }
+  found.matrix = {static_cast<int>(left.size()), stiffness};
+  found.unknowns = {s.layout.size, units};
+  return found;
+}
+
 /// The ropes whose tension is held, in words; empty without one.
 std::string of_given_tension(const mechanics::System& s) {
   std::string names;
@@ -380,9 +416,9 @@ Stability stability(const mechanics::System& s, const mechanics::Configuration& 
   if (!s.layout.pieces.empty()) {
     result.outcome = beams_stay(s, c);
     result.beam = !result.outcome.ok();
-    return result;
+    if (result.beam) return result;
   }
-  const auto curvature = energy_curvature(s, c, e);
+  const auto curvature = has_rope_loads(s) ? curvature_of_places(s, c) : energy_curvature(s, c, e);
   if (!curvature) return result;
   const auto direction = negative_direction(curvature->matrix);
   if (!direction) return result;

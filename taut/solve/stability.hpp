@@ -27,10 +27,9 @@ struct EnergyCurvature {
   SparseRows unknowns;  ///< of the machine, by these coordinates
 };
 
-/// Empty where it has none: beams (see beam_stability.hpp), forces along ropes, torques of drives, and losses of a
-/// machine without fed ropes. Ropes that carry nothing are left out. The length
-/// of a mainline and the place of a clamp that follow from a prescribed x are kept as found; so is that x where a force
-/// holds the carriage.
+/// Empty where it has none: beams (see beam_stability.hpp), forces along ropes (see places_stiffness.hpp). Ropes that
+/// carry nothing are left out. The length of a mainline and the place of a clamp that follow from a prescribed x are
+/// kept as found; so is that x where a force holds the carriage.
 std::optional<EnergyCurvature> energy_curvature(const mechanics::System& system, const mechanics::Configuration& c,
                                                 const mechanics::Evaluation& e);
 
@@ -39,8 +38,8 @@ std::optional<EnergyCurvature> energy_curvature(const mechanics::System& system,
 /// against it while those before it follow freely, right also where they are stiff and not quite symmetric.
 std::optional<Eigen::VectorXd> negative_direction(const SparseRows& matrix);
 
-/// Whether forces act along ropes, or torques of drives: these follow their rope, and have no potential.
-bool has_followers(const mechanics::System& system);
+/// Whether forces act along ropes: these follow their rope, and have no potential.
+bool has_rope_loads(const mechanics::System& system);
 
 struct Stability {
   Outcome outcome;       ///< not ok: at the least push the machine moves away; the message names what moves most
@@ -49,7 +48,8 @@ struct Stability {
   Eigen::VectorXd push;  ///< of the unknowns, in that direction; a hundredth of the longest span
 };
 
-/// Whether an equilibrium is one to stay in. Ok also where energy does not tell, if no fed rope is a deep loop.
+/// Whether an equilibrium is one to stay in. With losses: whether the machine stays as it runs, each loss as large as
+/// its rope's tension makes it.
 Stability stability(const mechanics::System& system, const mechanics::Configuration& c, const mechanics::Evaluation& e);
 
 }  // namespace taut::solve

@@ -151,4 +151,55 @@ TEST(Stability, ASlackRopeRunsOverItsSupportIntoOneSpan) {
   EXPECT_NEAR(taut.branches[0].unstretched, taut.branches[1].unstretched, 1e-6);
 }
 
+/// A pole that leans by 3 m at its top of 10 m, held by a weight whose rope runs over `bend`.
+machine::Model leaning(machine::Node bend, double weight) {
+  machine::Model m;
+  m.bodies.push_back(body("pole", origin, 0, "Y"));
+  m.bodies.push_back(body("weight", {-10, 0, -7}, weight / m.gravity, "z"));
+  m.loads.push_back({{.body = 0, .at = {3, 0, 10}}, {0, 0, -10e3}});
+  bend.at.at = {-10, 0, 10};
+  m.reevings.push_back(
+      reeve("line", {anchor_on("top", 0, {3, 0, 10}), std::move(bend), anchor_on("weight", 1)}, 30, 0, 1e7));
+  return m;
+}
+
+/// Whether the pole does not stay: refused, or found where it hangs from its hinge.
+bool falls(const machine::Model& m, Motion motion = Motion::at_rest) {
+  EquilibriumOptions options;
+  options.motion = motion;
+  const EquilibriumResult r = equilibrium(m, options);
+  if (r.outcome.ok()) return (r.state.bodies[0].orientation * Vector3(3, 0, 10)).z() < -9;
+  return r.outcome.message.find("body 'pole' turns over about y") != std::string::npos;
+}
+
+TEST(Stability, ALossDoesNotKeepALeaningPoleUp) {
+  for (const double efficiency : {1.0, 0.95}) {
+    machine::Node bend = over("bend", origin);
+    bend.law.efficiency = efficiency;
+    EXPECT_TRUE(falls(leaning(bend, 3000 * efficiency), Motion::in)) << efficiency;
+    EXPECT_TRUE(falls(leaning(bend, 3000 / efficiency), Motion::out)) << efficiency;
+  }
+}
+
+TEST(Stability, ATorqueDoesNotKeepALeaningPoleUp) {
+  machine::Node drive = over("drive", origin);
+  drive.kind = machine::NodeKind::drive;
+  drive.radius = 0.2;
+  drive.side = -1;
+  drive.tension_drop = 1000;
+  EXPECT_TRUE(falls(leaning(drive, 2000)));
+}
+
+TEST(Stability, AForceAlongTheRopeDoesNotKeepALeaningPoleUp) {
+  machine::Model m = leaning(over("bend", origin), 2000);
+  m.bodies.push_back(body("cut", {-3.5, 0, 10}, 0, "xyz"));
+  machine::Node cut = anchor_on("cut", 2);
+  cut.kind = machine::NodeKind::load;
+  cut.load.share = 0.5;
+  cut.load.force = 1000;
+  cut.load.sense = 1;
+  m.reevings[0].nodes.insert(m.reevings[0].nodes.begin() + 1, cut);
+  EXPECT_TRUE(falls(m));
+}
+
 }  // namespace
