@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "taut/calc/verdict.hpp"
 #include "test/support/machine_decks.hpp"
 
 /// Brakes of drums that hang 1 t: what a drum does once its brake opens, and what its turning brings when it is set.
@@ -51,6 +52,30 @@ TEST(BrakesInMotion, ANewDriveLeavesASetBrakeAsItIs) {
   EXPECT_NEAR(value_of(held, "hook.z_end"), -10.01961, 1e-4);
   const Result opened = hung(drum, signal, ", length: 10 m", driven + ", {at: 3 s, brake: w, mode: open}", "4 s");
   EXPECT_NEAR(value_of(opened, "hook.z_end"), -10.01961 + 0.475, 1e-2);
+}
+
+// A drum of no diameter is a point: no rope slips in its brake, and there is no D/d.
+TEST(BrakesInMotion, ADrumWithoutADiameterIsAPoint) {
+  const auto drum = [](const std::string& checks) {
+    return run_text(R"(taut: 1
+machine:
+  signals: {v: {sequence: [{at: 0.2 s, to: 0.3 m/s, over: 0.5 s}]}}
+  ropes: {h: {mass: 0 kg/m, stiffness: 6 MN, breaking_force: 300 kN, damping_ratio: 0.1, diameter: 20 mm}}
+  bodies: {L: {mass: 1 t, at: [0 m, 0 m, 5 m], free: [z]}}
+  drums: {w: {at: [0 m, 0 m, 20 m], drive: {speed: v}}}
+  reevings: [{rope: h, path: [{drum: w}, {anchor: L}], length: 15 m}]
+analyses: [{transient: {duration: 2 s, tolerance: 1e-3}}]
+checks: {ropes: {h: {dynamic_safety_factor: 4)" +
+                    checks + "}}}\n");
+  };
+  const Result plain = drum("");
+  EXPECT_TRUE(plain.unsafe.empty()) << plain.unsafe.front();
+  ASSERT_TRUE(verdict_of(plain)) << to_text(plain.errors);
+  EXPECT_EQ(verdict_of(plain)->kind, VerdictKind::passes) << verdict_of(plain)->reason;
+  const Result ratio = drum(", diameter_ratio: 15");
+  EXPECT_EQ(verdict_of(ratio)->kind, VerdictKind::not_judged) << verdict_of(ratio)->reason;
+  EXPECT_NE(verdict_of(ratio)->reason.find("D/d is not checked: no diameter is known of 'w'"), std::string::npos)
+      << verdict_of(ratio)->reason;
 }
 
 }  // namespace taut::app::brakes_motion_test

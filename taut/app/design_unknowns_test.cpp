@@ -96,6 +96,19 @@ TEST(DesignUnknowns, rope_and_weight_together) {
   EXPECT_NEAR(value_of(r, "design_cost"), weight + 18.2 * taut_test::cell(chosen, 0, "mass_per_metre"), 3);
 }
 
+// Four digits were rounded to the side that fails for about every second weight.
+TEST(DesignUnknowns, the_weight_to_build_passes_as_it_is_printed) {
+  for (const char* rate : {"0.8 kN/m", "0.85 kN/m", "0.95 kN/m", "1 kN/m", "1.05 kN/m", "1.1 kN/m"}) {
+    const std::string cut = std::string("machine.rope_loads.cut.rate=") + rate;
+    const Result r = run_text(saw(saw_rope, "1 t", fmt::format("design: {{seek: lightest, {}}}", free_weight)), {cut});
+    ASSERT_TRUE(passes(r)) << r.message << to_text(r.errors);
+    const std::string& text = r.answers.front().text;
+    const std::string weight = text.substr(text.find("weight = ") + 9);
+    EXPECT_LT(weight.size(), 12U) << "no more digits than are needed";
+    EXPECT_TRUE(passes(run_text(saw(saw_rope, weight, ""), {cut}))) << weight;
+  }
+}
+
 /// A guyed mast that holds a line with a load.
 std::string tower(double height, double pretension, double sag, const std::string& more) {
   return fmt::format(R"(taut: 1

@@ -311,6 +311,62 @@ analyses: [load_path: {carriage: car, from: 120 m, to: 220 m, steps: 4}]
   const Check* left = check_named(r, "winch.length_on_drum");
   ASSERT_NE(left, nullptr) << "110 m of rope do not reach so far";
   EXPECT_FALSE(left->passes);
+  // the same mainline drawn by the tension that it has as described
+  std::string pulled = deck;
+  const std::string length = "{drum: winch}, {anchor: car}], length: 80 m";
+  pulled.replace(pulled.find(length), length.size(), "{drum: winch}, {anchor: car}]");
+  pulled.replace(pulled.find("flange_diameter: 600 mm"), 23, "flange_diameter: 600 mm, drive: {pull: 5 kN}");
+  const std::string at_rest = "analyses: [equilibrium: {}, load_path";
+  pulled.replace(pulled.find("analyses: [load_path"), 20, at_rest);
+  const Result fed = run_text(pulled);
+  ASSERT_EQ(fed.status, Status::ok) << fed.message << to_text(fed.errors);
+  const double described = cell(fed, "ropes", "unstretched", 1);
+  for (std::size_t i = 0; i < 5; ++i) {
+    EXPECT_NEAR(cell(fed, "load_path", "winch.length", i),
+                30 + described - cell(fed, "load_path", "mainline.unstretched", i), 1e-6);
+  }
+}
+
+TEST(MachineDrives, ALineThatIsPutUpLeavesItsRestOnTheDrum) {
+  const char* deck = R"(taut: 1
+machine:
+  points: {tail: [0 m, 0 m, 60 m], head: [300 m, 0 m, 18 m]}
+  ropes: {skyline: {mass: 1.7 kg/m, stiffness: 26 MN, diameter: 20 mm}}
+  drums:
+    winch: {at: [304 m, 0 m, 2 m], core_diameter: 400 mm, layers: auto, length_on_drum: 150 m, face_width: 400 mm, flange_diameter: 900 mm}
+  sheaves: {tower: {at: [300 m, 0 m, 18 m], diameter: 400 mm}}
+  reevings:
+    - {rope: skyline, path: [{anchor: tail}, {over: tower}, {drum: winch}], install: {tension: 40 kN, at: start}}
+analyses: [equilibrium: {}]
+)";
+  const Result r = run_text(deck);
+  ASSERT_EQ(r.status, Status::ok) << r.message << to_text(r.errors);
+  EXPECT_NEAR(cell(r, "drums", "length"), 150, 1e-6);
+}
+
+TEST(MachineDrives, WholeTurnsOnACapstanGripAsTheirAngleSays) {
+  const auto end_tension = [](const std::string& element) {
+    const Result r = run_text(R"(taut: 1
+machine:
+  points: {hand: [6 m, 0 m, 0 m]}
+  ropes: {line: {mass: 0 kg/m, stiffness: 10 MN, diameter: 16 mm}}
+  bodies: {load: {mass: 2 t, at: [-0.2 m, 0 m, -8 m], free: [z]}}
+  supports: {bollard: {at: [0 m, 0 m, 0 m], diameter: 400 mm, friction: 0.2}}
+  reevings: [{rope: line, path: [{anchor: load}, )" +
+                              element +
+                              R"(, {anchor: hand}], length: 18 m}]
+analyses: [equilibrium: {motion: out}]
+)");
+    EXPECT_EQ(r.status, Status::ok) << r.message << to_text(r.errors);
+    return std::pair{cell(r, "spans", "T_from", 1), cell(r, "sheaves", "wrap")};
+  };
+  const auto [once, wrap] = end_tension("{over: bollard}");
+  EXPECT_NEAR(once, 2000 * 9.80665 * std::exp(0.2 * wrap), 1e-6 * once);
+  for (const int turns : {1, 3}) {
+    const auto [T, angle] = end_tension(fmt::format("{{over: bollard, turns: {}}}", turns));
+    EXPECT_NEAR(angle, wrap + 2 * M_PI * turns, 0.02) << "the load hangs a little elsewhere";
+    EXPECT_NEAR(T, 2000 * 9.80665 * std::exp(0.2 * angle), 1e-6 * T);
+  }
 }
 
 }  // namespace machine_drives_test

@@ -19,6 +19,8 @@ struct MethodDesign {
   /// Puts a rope in by its name; `modulus`: Pa, on its area.
   std::function<void(MethodInput&, const std::string& name, const catalogue::RopeRow& row, double modulus)> put_rope =
       {};
+  /// Pa, that a deck without a stiffness takes for a rope, infinite where it does not stretch; else 100 GPa.
+  std::function<double(const MethodInput&, const std::string& name, const catalogue::RopeRow& row)> modulus = {};
   /// m; 1 where the input does not tell.
   std::function<double(const MethodInput&, const std::string& rope)> rope_length = {};
   std::function<void(MethodInput&, const std::string& section)> put_section = {};  ///< of its one mast, `mast`

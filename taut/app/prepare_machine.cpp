@@ -224,7 +224,7 @@ Result described(const MachineDeck& deck, const machine::Model& model, bool repo
     if (!car.from_library.empty()) r.assumptions.push_back(car.from_library);
   }
   results::add_rope_stiffness(deck.machine, r);
-  results::warn_of_rope_values(deck.machine, r);
+  results::warn_of_rope_values(deck.machine, deck.chosen, r);
   if (auto text = survey_warning(model)) warn_unsafe(r, *std::move(text));
   return r;
 }
@@ -278,7 +278,7 @@ Result compute(const MachineDeck& deck, machine::Model model, study::AskedAll as
   }
   if (run.judges && run.tells) run.checked->judge.add_values(r);
   results::add_values(run, r);
-  results::warn_of_strain(deck.machine, run.model, r);
+  results::warn_of_strain(deck.machine, deck.chosen, run.model, r);
   if (run.judges) run.checked->drives.add_checks(r);
   results::warn_of_friction(run.model, r);
   results::add_put_up(run.model, lines, r);

@@ -56,6 +56,18 @@ TEST(UnstableMotion, WhereItSettlesOrBeginsItIsUnsafe) {
   }
 }
 
+// All guys meet its axis: it may turn about that as rounding will, and rests all the same.
+TEST(UnstableMotion, AMastThatTurnsFreelyAboutItsAxisComesToRest) {
+  std::string deck = mast("", across + "  loads: [{at: top, force: [2 kN, 0.7 kN, 0 kN]}]\n");
+  const Result r = run_text(deck);
+  ASSERT_EQ(r.status, Status::ok) << r.message << to_text(r.errors);
+  const std::string motion = "transient: {duration: 2 s}";
+  const Result at_rest = run_text(deck.replace(deck.find(motion), motion.size(), "equilibrium: {}"));
+  for (const char* rope : {"gl.T_max", "gr.T_max", "gf.T_max", "gb.T_max"}) {
+    EXPECT_NEAR(taut_test::value_of(r, rope), taut_test::value_of(at_rest, rope), 1) << rope;
+  }
+}
+
 /// A strut between two guys under a load that grows; on a foot that is `aside`.
 std::string strut(const std::string& motion, const std::string& aside, const std::string& load) {
   return R"(taut: 1

@@ -139,7 +139,11 @@ Verdict judged(const Result& r) {
   if (!failed.empty()) return failing(r, std::move(failed));
   if (r.status != Status::ok && !r.interrupted)
     return {.kind = VerdictKind::no_answer, .verdict_class = {}, .reason = r.message};
-  if (r.interrupted) return {.kind = VerdictKind::not_judged, .verdict_class = "unmade", .reason = r.message};
+  if (r.interrupted) {
+    // what was left unmade is told where the work ends without a message
+    const bool told = !r.message.empty() || r.unmade.empty();
+    return {.kind = VerdictKind::not_judged, .verdict_class = "unmade", .reason = told ? r.message : r.unmade.front()};
+  }
   if (auto open = not_judged(r)) return *std::move(open);
   const std::string best = r.headline.empty() ? governing(r) : r.headline;
   const std::vector<std::string> unsafe = unsafe_of(r);

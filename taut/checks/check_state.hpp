@@ -62,9 +62,10 @@ struct CheckState {
   bool moves = false;                              ///< a moment of a motion that is not at rest there
   std::optional<double> t;                         ///< of a motion, s
   std::vector<FreeRope> ropes;                     ///< of a motion over terrain, where they are asked for
-  std::vector<int> slack;  ///< of a motion: reevings with a branch whose rope hangs nobody knows how
-  std::string words;       ///< "envelope, in, x = 40 m", "transient, drop, t = 1.2 s"
-  std::string analysis;    ///< its name in the deck, or its kind
+  std::vector<int> slack;   ///< of a motion: reevings with a branch whose rope hangs nobody knows how
+  std::vector<int> broken;  ///< of a motion: reevings that the deck has broken; they are judged up to then
+  std::string words;        ///< "envelope, in, x = 40 m", "transient, drop, t = 1.2 s"
+  std::string analysis;     ///< its name in the deck, or its kind
 };
 
 CheckState state_of(const machine::Model& model, const solve::EquilibriumResult& state, std::string words,

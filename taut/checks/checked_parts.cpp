@@ -158,6 +158,9 @@ void CheckedParts::take_moment(const machine::Model& model, const solve::Transie
   CheckState seen = state_of(model, so_far, moment, fmt::format("{}, t = {:.4g} s", words, moment.t), analysis);
   seen.ropes = std::move(free);
   seen.moves = !at_rest;
+  for (std::size_t i = 0; i < model.reevings.size(); ++i) {
+    if (judge.broken().contains(model.reevings[i].name)) seen.broken.push_back(static_cast<int>(i));
+  }
   show(seen);
 }
 

@@ -428,4 +428,27 @@ checks: {ropes: {r: {safety_factor: 1.5}}}
   EXPECT_EQ(check_of(r, "r.safety_factor").value, factor);
 }
 
+// Two ropes pull an anchor to both sides; one lets go for 60 ms, between two output steps.
+TEST(CheckedParts, a_rope_that_lets_go_for_a_moment_leaves_the_pull_of_the_other_one) {
+  const auto anchor = [](const std::string& output) {
+    return run_text(R"(taut: 1
+machine:
+  signals: {s: {table: {t: [5.005 s, 5.035 s, 5.065 s], value: [50 kN, 7 kN, 50 kN]}}}
+  points: {P: [0 m, 0 m, 10 m]}
+  ropes: {r: {mass: 0 kg/m, stiffness: 20 MN, breaking_force: 1000 kN, damping_ratio: 1}}
+  bodies: {A: {mass: 20 kg, at: [5 m, 0 m, 10 m], guide: [1, 0, 0]}, B: {mass: 20 kg, at: [-5 m, 0 m, 10 m], guide: [1, 0, 0]}}
+  loads: [{at: A, force: [50 kN, 0 kN, 0 kN]}, {at: B, force: [-50 kN, 0 kN, 0 kN], signal: s}]
+  reevings:
+    - {name: ra, rope: r, path: [{anchor: P}, {anchor: A}], length: 5 m}
+    - {name: rb, rope: r, path: [{anchor: P}, {anchor: B}], length: 5 m}
+analyses: [{transient: {duration: 100 s, tolerance: 1e-5, output_step: )" +
+                    output + "}}]\nchecks: {anchors: {P: {strength: 40 kN}}, ropes: {ra: {dynamic_safety_factor: 2}, " +
+                    "rb: {dynamic_safety_factor: 2}}}\n");
+  };
+  const Result fine = anchor("10 ms"), coarse = anchor("0.1 s");
+  const double reserve = check_of(fine, "P.anchor_strength").value;
+  EXPECT_NEAR(reserve, 40.0 / 43, 0.02);
+  EXPECT_NEAR(check_of(coarse, "P.anchor_strength").value, reserve, 0.01);
+}
+
 }  // namespace taut::checks::checked_parts_test

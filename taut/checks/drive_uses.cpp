@@ -391,12 +391,13 @@ void DriveUses::take_slips(const machine::Model& m, const solve::TransientFrame&
   }
 }
 
-/// A drum by a torque whose load turns it back, until the motion ends, by more than the swing of a load that it bears.
-/// Where other drives give the work they draw the rope out: a haulback that is kept tight.
+/// A drum by a torque, or by none, whose load turns it back, until the motion ends, by more than the swing of a load
+/// that it bears. Where other drives give the work they draw the rope out: a haulback that is kept tight.
 void DriveUses::take_dragged(const machine::Model& m, const solve::TransientFrame& frame, double time,
                              const std::string& words) {
   const auto gives_way = [](const solve::TransientFrame::Drum& is) {
-    return is.by_torque && !is.braked && is.power < 0;
+    const bool runs_free = is.torque == 0 && is.speed < 0 && is.T > 0;
+    return is.by_torque && !is.braked && (is.power < 0 || runs_free);
   };
   const bool any = std::any_of(frame.drums.begin(), frame.drums.end(), gives_way);
   const std::vector<bool> drawn = any ? drawn_out(m, frame) : std::vector<bool>(frame.drums.size(), false);
@@ -408,9 +409,11 @@ void DriveUses::take_dragged(const machine::Model& m, const solve::TransientFram
     }
     Slip& back = dragged_[m.drums[d].name];
     back.slipped += std::abs(is.speed) * std::max(time, 0.0);
-    back.words =
-        fmt::format("{}: at its end, t = {:.4g} s, the load drags '{}' at {:.3g} m/s against its torque of {:.4g} kN m",
-                    words, frame.t, m.drums[d].name, std::abs(is.speed), std::abs(is.torque) / 1e3);
+    const std::string against = is.torque == 0
+                                    ? std::string(", which turns freely: set its brake, or give a drive")
+                                    : fmt::format(" against its torque of {:.4g} kN m", std::abs(is.torque) / 1e3);
+    back.words = fmt::format("{}: at its end, t = {:.4g} s, the load drags '{}' at {:.3g} m/s{}", words, frame.t,
+                             m.drums[d].name, std::abs(is.speed), against);
   }
 }
 
@@ -467,7 +470,7 @@ void DriveUses::take_brakes(const machine::Model& m, const solve::TransientResul
               "rope runs at {:.3g} m/s then; it does not hold, or is set for too short a time",
               words, *slips.let_go, m.drums[d].name, slips.speed));
     }
-    if (slips.way < least_slip * 2 * std::numbers::pi * m.drums[d].core_radius) continue;
+    if (slips.way <= least_slip * 2 * std::numbers::pi * m.drums[d].core_radius) continue;
     unbraked_.try_emplace(m.drums[d].name,
                           fmt::format("{}, t = {:.4g} s: '{}' slips in its brake, which is set and had stopped it, by "
                                       "{:.3g} m of rope: it does not hold",

@@ -84,6 +84,30 @@ bool told_as_dragged(const Result& r) {
   });
 }
 
+// Its brake is opened, and no drive holds it.
+TEST(DriveSlips, ALoadThatFallsOnAnOpenDrumIsUnsafe) {
+  const auto lift = [](const std::string& drum, const std::string& then) {
+    return run_text(R"(taut: 1
+machine:
+  ropes: {r: {mass: 0 kg/m, stiffness: 12 MN, breaking_force: 200 kN, damping_ratio: 0.1}}
+  bodies: {car: {mass: 1500 kg, at: [3 m, 0 m, -20 m], free: [z]}}
+  sheaves: {s: {at: [2.7 m, 0 m, 5 m], diameter: 600 mm}}
+  drums: {winch: {at: [0 m, 0 m, 0 m], core_diameter: 584 mm, inertia: 50 kg m^2, length_on_drum: 300 m, )" +
+                    drum + R"(}}
+  events: [{at: 0.5 s, brake: winch, mode: open})" +
+                    then + R"(]
+  reevings: [{rope: r, path: [{drum: winch}, {over: s}, {anchor: car}], length: 31 m, may_slack: true}]
+analyses: [{transient: {duration: 5 s, output_step: 20 ms, tolerance: 1e-4}}]
+checks: {ropes: {r: {dynamic_safety_factor: 1.1}}}
+)");
+  };
+  for (const char* drum : {"drive: {brake: set}, brake_torque: 10 kN m", "drive: {brake: set}", "drag: 20 N m s"}) {
+    const Result falls = lift(drum, "");
+    EXPECT_TRUE(told_as_dragged(falls)) << drum << falls.message << to_text(falls.errors);
+  }
+  EXPECT_FALSE(told_as_dragged(lift("drive: {brake: set}, brake_torque: 10 kN m", ", {at: 0.7 s, brake: winch}")));
+}
+
 /// The hoist with 5 kN m for its 6.08, and a second one beside it that lifts at a given speed.
 TEST(DriveSlips, AnotherHoistDoesNotDrawItsRopeOut) {
   const Result r = run_text(R"(taut: 1
@@ -118,7 +142,7 @@ machine:
   bodies: {{car: {{mass: 2 t, at: [40 m, 0 m, 20 m], guide: [2, 0, 1]}}}}
   drums:
     main: {{at: [0 m, 0 m, 0 m], core_diameter: 400 mm, drive: {{{1}}}, inertia: 50 kg m^2}}
-    winch: {{at: [80 m, 0 m, 40 m], core_diameter: 400 mm, drive: {{torque: {0}}}, inertia: 50 kg m^2}}
+    winch: {{at: [80 m, 0 m, 40 m], core_diameter: 400 mm, drive: {{{0}}}, inertia: 50 kg m^2}}
   reevings:
     - {{name: pull, rope: line, path: [{{drum: main}}, {{anchor: car}}], tension_at_start: 12 kN}}
     - {{name: back, rope: line, path: [{{anchor: car}}, {{drum: winch}}], tension_at_end: 20 kN}}
@@ -127,11 +151,16 @@ checks: {{ropes: {{pull: {{safety_factor: 2}}, back: {{safety_factor: 2}}}}}}
 )",
                                 torque, mainline));
   };
-  const Result drawn = yard("4.3 kN m", "speed: 1 m/s");
+  const Result drawn = yard("torque: 4.3 kN m", "speed: 1 m/s");
   ASSERT_EQ(drawn.status, Status::ok) << drawn.message << to_text(drawn.errors);
   EXPECT_FALSE(told_as_dragged(drawn));
+  // without any torque the carriage runs ahead of its mainline; uphill an open drum below it lets its rope go
+  EXPECT_TRUE(told_as_dragged(yard("brake: open", "speed: 1 m/s")));
+  const Result uphill = yard("speed: 1 m/s", "brake: open");
+  ASSERT_EQ(uphill.status, Status::ok) << uphill.message << to_text(uphill.errors);
+  for (const std::string& words : uphill.unsafe) EXPECT_EQ(words.find("the load drags"), std::string::npos) << words;
   // the mainline too gives way by a torque: its 0.1 kN m are less than what the carriage does
-  const Result runs = yard("0.5 kN m", "torque: 0.1 kN m");
+  const Result runs = yard("torque: 0.5 kN m", "torque: 0.1 kN m");
   ASSERT_EQ(runs.status, Status::ok) << runs.message << to_text(runs.errors);
   EXPECT_TRUE(told_as_dragged(runs));
 }

@@ -91,6 +91,8 @@ class Judge {
   void take(const machine::Model& model, const solve::TransientResult& motion, const std::string& words);
 
   const std::vector<BeamWorst>& beams() const { return beams_; }
+  /// Ropes that the deck has broken so far in the motion that is shown now.
+  const std::set<std::string>& broken() const { return broken_; }
   /// Ropes that a state was shown of, in the order of the model.
   std::vector<RopeSeen> ropes() const;
 

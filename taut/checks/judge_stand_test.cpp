@@ -98,4 +98,32 @@ checks: {{ropes: {{r: {{safety_factor: 2.5}}}}}}
   EXPECT_TRUE(r.unsafe.empty()) << r.unsafe.front();
 }
 
+// A blow of 80 ms at its tip, between two output steps; its rope hardly feels it.
+TEST(JudgeStand, AFootThatLiftsForAMomentIsTold) {
+  const Result r = run_text(R"(taut: 1
+machine:
+  signals: {p: {table: {t: [5.005 s, 5.045 s, 5.085 s], value: [0.01 kN, 70 kN, 0.01 kN]}}}
+  points:
+    tip: {body: crane, at: [3 m, 0 m, 6 m]}
+    f1: {body: crane, at: [-2 m, 0 m, 0 m]}
+    f2: {body: crane, at: [2 m, 0 m, 0 m]}
+  ropes: {h: {mass: 0 kg/m, stiffness: 8 MN, breaking_force: 200 kN, damping_ratio: 0.1}}
+  bodies:
+    crane: {mass: 12 t, at: [0 m, 0 m, 0 m], centre: [-0.5 m, 0 m, 1.5 m], inertia: 30000 kg m^2, free: [x, z, ry]}
+    load: {mass: 1 t, at: [3 m, 0 m, 2 m], free: [x, z]}
+  faces: {gr: {from: [-6 m, 0 m, 0 m], to: [6 m, 0 m, 0 m], normal: [0, 0, 1]}}
+  contacts:
+    - {point: f1, face: gr, stiffness: 40 MN/m, damping: 400 kN s/m, static_friction: 0.6}
+    - {point: f2, face: gr, stiffness: 40 MN/m, damping: 400 kN s/m, static_friction: 0.6}
+  drums: {w: {body: crane, at: [0 m, 0 m, 1 m], core_diameter: 300 mm, inertia: 5 kg m^2, length_on_drum: 20 m}}
+  sheaves: {head: {body: crane, at: [2.85 m, 0 m, 6 m], diameter: 300 mm}}
+  loads: [{at: tip, force: [0.01 kN, 0 kN, 0 kN], signal: p}]
+  reevings: [{rope: h, path: [{drum: w}, {over: head}, {anchor: load}], length: 9.8 m}]
+analyses: [{transient: {duration: 100 s, output_step: 0.1 s, tolerance: 1e-5}}]
+checks: {ropes: {h: {dynamic_safety_factor: 4}}}
+)");
+  ASSERT_FALSE(r.unsafe.empty()) << r.message << to_text(r.errors);
+  EXPECT_NE(r.unsafe[0].find("'crane' lifts 'f1'"), std::string::npos) << r.unsafe[0];
+}
+
 }  // namespace taut::judge_stand_test

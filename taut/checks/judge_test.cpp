@@ -314,6 +314,23 @@ analyses: [{transient: {duration: 3 s, tolerance: 1e-3}}]
   EXPECT_EQ(verdict_of(r)->kind, VerdictKind::fails) << r.message;
 }
 
+// For 80 ms four times the load, between two output steps: the rope does not see the top of it.
+TEST(Judge, ACarriageBearsTheTopOfAPulse) {
+  const Result r = run_text(R"(taut: 1
+machine:
+  signals: {p: {table: {t: [5.005 s, 5.045 s, 5.085 s], value: [10 kN, 40 kN, 10 kN]}}}
+  points: {a: [0 m, 0 m, 30 m], b: [100 m, 0 m, 30 m]}
+  ropes: {sk: {mass: 0 kg/m, stiffness: 26 MN, breaking_force: 900 kN, damping_ratio: 0.3}}
+  carriages: {car: {mass: 300 kg, rides: sk, hold: clamped, length_before: 52 m, at: [50 m, 0 m, 18 m],
+    rated_payload: 1500 kg}}
+  reevings: [{rope: sk, path: [{anchor: a}, {through: car}, {anchor: b}], length: 104 m}]
+  loads: [{at: car, force: [0 kN, 0 kN, -10 kN], signal: p}]
+checks: {ropes: {sk: {dynamic_safety_factor: 2}}}
+analyses: [{transient: {duration: 100 s, output_step: 0.1 s, tolerance: 1e-4}}]
+)");
+  EXPECT_NEAR(check_of(r, "car.payload").value, 40e3 / 9.80665, 1);
+}
+
 // A rope that a guard holds down may press on it.
 TEST(Judge, AnUpliftThatIsHeldIsNoNews) { EXPECT_THAT(run_text(raised(", uplift: hold", "8 m")).unsafe, IsEmpty()); }
 

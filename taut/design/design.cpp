@@ -4,7 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "taut/calc/answers.hpp"
 #include "taut/catalogue/rope_words.hpp"
@@ -12,23 +15,60 @@
 #include "taut/design/design_search.hpp"
 #include "taut/design/design_tables.hpp"
 #include "taut/units/display.hpp"
+#include "taut/units/parse.hpp"
 
 namespace taut::design {
 namespace {
 
-/// "pull = 60 kN" of each unknown.
-std::string values_in_words(const DesignSpace& space, const std::vector<double>& values, const Display& display) {
-  std::string all;
+/// "60 kN" for each unknown; without `digits` as brief as results are.
+std::vector<std::string> values_as_text(const DesignSpace& space, const std::vector<double>& values,
+                                        const Display& display, std::optional<int> digits = {}) {
+  std::vector<std::string> all;
+  all.reserve(values.size());
   for (std::size_t k = 0; k < values.size(); ++k) {
-    const UnknownValues& one = space.unknowns[k];
-    all += fmt::format("{}{} = {}", k == 0 ? "" : ", ", one.name, display.brief(values[k], one.unit));
+    const Unit& unit = space.unknowns[k].unit;
+    if (!digits) {
+      all.push_back(display.brief(values[k], unit));
+      continue;
+    }
+    const std::string number = short_number(display.from_si(values[k], unit), *digits), shown = display.unit(unit);
+    all.push_back(shown.empty() ? number : fmt::format("{} {}", number, shown));
   }
   return all;
 }
 
+/// "pull = 60 kN" of each unknown.
+std::string values_in_words(const DesignSpace& space, const std::vector<std::string>& texts) {
+  std::string all;
+  for (std::size_t k = 0; k < texts.size(); ++k) {
+    all += fmt::format("{}{} = {}", k == 0 ? "" : ", ", space.unknowns[k].name, texts[k]);
+  }
+  return all;
+}
+
+/// Whether a deck with these values in place of the found ones passes too; so it does with those that no deck can say.
+bool passes_with(const DesignTask& task, const DesignPlace& found, const std::vector<std::string>& texts) {
+  DesignPlace place = found;
+  for (std::size_t k = 0; k < texts.size(); ++k) {
+    const auto value = parse_quantity(texts[k], task.space.unknowns[k].unit);
+    if (value) place.values[k] = *value;
+  }
+  return place.values == found.values || trial_of(task.run(place, Depth::checks, {}).result, task.list_of).passes;
+}
+
+/// The values that are found, as brief as a deck with them passes: the limit that holds them is near on one side.
+std::vector<std::string> values_to_build(const DesignTask& task, const DesignPlace& best) {
+  constexpr int most_digits = 15;  // of a double that all decimals of that length survive
+  std::vector<std::string> texts = values_as_text(task.space, best.values, task.display);
+  for (int digits = 5; digits <= most_digits && !passes_with(task, best, texts); ++digits) {
+    texts = values_as_text(task.space, best.values, task.display, digits);
+  }
+  return texts;
+}
+
 std::string place_in_words(const DesignSpace& space, const DesignPlace& place, const Display& display) {
   const std::string choice = names_of(space, place.choice);
-  const std::string values = values_in_words(space, place.values, display);
+  const std::string values = values_in_words(space, values_as_text(space, place.values, display));
   return choice + (choice.empty() || values.empty() ? "" : " with ") + values;
 }
 
@@ -115,7 +155,7 @@ void mark_chosen(const DesignTask& task, const DesignPlace& best, std::vector<Gi
 }
 
 /// What was chosen, where the calculation itself does not say it: ropes, sections, values.
-void add_chosen(const DesignTask& task, const DesignPlace& best, Result& r) {
+void add_chosen(const DesignTask& task, const DesignPlace& best, bool ended, Result& r) {
   const bool said =
       std::any_of(r.answers.begin(), r.answers.end(), [](const Answer& a) { return a.label == build_label; });
   const std::size_t ropes = task.space.ropes.size();
@@ -132,7 +172,8 @@ void add_chosen(const DesignTask& task, const DesignPlace& best, Result& r) {
     });
     if (!named) parts.push_back(fmt::format("{} {} ({})", one.name, row.name, row.standard));
   }
-  const std::string values = values_in_words(task.space, best.values, task.display);
+  const std::string values = values_in_words(
+      task.space, ended ? values_as_text(task.space, best.values, task.display) : values_to_build(task, best));
   if (!values.empty()) parts.push_back(values);
   add_answer_line(r, build_label, parts);
 }
@@ -147,7 +188,7 @@ Result run_design(const DesignTask& task) {
   Result r = task.run(best, Depth::report, {}).result;
   add_design(task, found, r);
   mark_chosen(task, best, r.given);
-  add_chosen(task, best, r);
+  add_chosen(task, best, found.ended, r);
   add_warnings(task, found, r);
   if (found.ended) {
     r.interrupted = true;

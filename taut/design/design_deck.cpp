@@ -26,7 +26,7 @@ const Description& DesignRopeRequest::describe() {
           .field(
               &R::modulus, "modulus", "E", si::Pa.in("GPa"),
               "modulus on the metallic area: the stiffness is E A; default: by its construction, as of a rope of the "
-              "catalogue; in a method 100 GPa")
+              "catalogue; in a method 100 GPa, in a closed loop what its input takes without a stiffness")
           .above(1e9)
           .at_most(2.2e11);
   return d;

@@ -61,6 +61,7 @@ class Searching {
     over_the_grid();
     if (task_.request.refine && !task_.space.unknowns.empty() && !found_.ended) move_on();
     find_unanswered();
+    if (!found_.feasible && found_.unanswered.empty() && task_.space.cases.size() > 1) look_at_nearest();
     return std::move(found_);
   }
 
@@ -211,6 +212,29 @@ class Searching {
     if (nearest == nullptr) return;
     found_.nearest = nearest->first;
     found_.nearest_values = nearest->second;
+  }
+
+  /// A quick look ends at a load case that fails, so that a choice may fail by more than was seen. The nearest is the
+  /// one that fails by least in all cases.
+  void look_at_nearest() {
+    std::vector<const std::pair<SizingCandidate, std::vector<double>>*> seen;
+    for (const auto& [choice, one] : tried_) seen.push_back(&one);
+    std::stable_sort(seen.begin(), seen.end(), [](auto* a, auto* b) { return better(a->first, b->first); });
+    std::optional<SizingCandidate> nearest;
+    std::vector<double> values;
+    for (const auto* one : seen) {
+      if ((nearest && !better(one->first, *nearest)) || !go_on()) break;
+      SizingCandidate whole = one->first;
+      whole.trial = trial_of(run({.choice = whole.choice, .values = one->second}, Depth::checks).result, task_.list_of);
+      // one without an answer in some case is told by find_unanswered
+      if (found_.ended || std::isnan(whole.trial.utilisation)) continue;
+      if (nearest && !better(whole, *nearest)) continue;
+      nearest = std::move(whole);
+      values = one->second;
+    }
+    if (!nearest) return;
+    found_.nearest = *std::move(nearest);
+    found_.nearest_values = std::move(values);
   }
 
   /// Which unknowns change what is sought of a choice.

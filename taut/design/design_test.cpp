@@ -156,6 +156,23 @@ TEST(Design, no_rope_is_strong_enough) {
   EXPECT_THAT(r.message, HasSubstr("no choice passes all checks; the nearest, skyline: "));
 }
 
+// A thin rope fails the light case by little; the heavy one, which a quick look leaves out then, by far.
+TEST(Design, the_nearest_is_that_of_all_load_cases) {
+  const auto with = [](const std::string& design) {
+    return run_text(line_deck(300, 2000, 15, "{}",
+                              "design:\n  ropes: {skyline: {construction: 6x36, core: IWRC, grade: 1960 MPa, "
+                              "least_diameter: 12 mm, most_diameter: 26 mm}}\n" +
+                                  design));
+  };
+  const Result light = with("");
+  ASSERT_EQ(exit_code(light), 0) << light.message << to_text(light.errors);
+  EXPECT_GT(table_of(light, "design_runner_ups").rows.size(), 1U) << "some fail the light case";
+  const Result r = with("  cases: {light: {'loads[0].mass': 2 t}, heavy: {'loads[0].mass': 60 t}}\n");
+  EXPECT_EQ(exit_code(r), 3) << r.message << to_text(r.errors);
+  EXPECT_THAT(r.message, HasSubstr("the nearest, skyline: EN 12385-4|6x36-IWRC|26|1960, fails by "));
+  EXPECT_THAT(r.message, HasSubstr("[heavy]"));
+}
+
 // A case that no choice has an answer in is named, not the choice that another check fails by least.
 TEST(Design, a_case_without_any_answer_is_the_obstacle) {
   const auto with = [](const std::string& far, const std::string& heavy) {

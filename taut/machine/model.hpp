@@ -159,13 +159,6 @@ struct Guides {
   Vector3 away = Vector3::UnitX();  ///< horizontal unit vector from what the rope comes from along the line
 };
 
-/// Who says which way a rope runs while the machine hauls in (docs/theory/senses.md).
-enum class HauledBy {
-  deck,   ///< the deck (or a machine built without one) says `haul`: all of its contacts run so
-  winch,  ///< a drum or a given tension: its contacts run to it, those of a carriage on it as that carriage moves
-  nobody  ///< its ends lie still: a carriage runs on it, and over its other contacts it creeps
-};
-
 /// One rope along its path; "in" and "out" follow the order of the path. Parallel parts are written out: a tackle of n
 /// falls is n branches with a contact at each turn.
 struct Reeving {
@@ -176,8 +169,9 @@ struct Reeving {
   Given given = Given::length;  ///< a closed rope: length or torque
   double value = 0;
   int equal_to = -1;  ///< of Given::equal: a reeving
-  /// Unstretched free length beside which its drums hold their `length_on_drum`, m; none: that is `value`, where it is
-  /// a length. An analysis that changes `value` leaves it, so that the rest of the rope is on the drums.
+  /// Unstretched free length beside which its drums hold their `length_on_drum`, m: as described, as put up, or as its
+  /// given tension leaves it in the machine as described; none: that is `value`, where it is a length. An analysis that
+  /// changes `value` leaves it, so that the rest of the rope is on the drums.
   std::optional<double> described_length = std::nullopt;
   /// Of an open rope over a drive without given torque: the second given quantity.
   std::optional<std::pair<Given, double>> also;
@@ -194,7 +188,8 @@ struct Reeving {
   double mass = 0;      ///< per unstretched length, kg/m
   double diameter = 0;  ///< m; 0: not known
   int haul = -1;        ///< direction of flow when the motion is hoist or in: +1 along the path, -1 against it
-  HauledBy hauled_by = HauledBy::deck;
+  bool haul_is_told =
+      true;  ///< by the deck, or by who built the machine: no carriage has a say (docs/theory/senses.md)
   /// Set until the rope has been put up. `value` is then only the straight length of its path, and no analysis may use
   /// it.
   std::optional<PutUp> put_up = std::nullopt;

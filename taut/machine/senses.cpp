@@ -44,6 +44,15 @@ int drawn_by(const Model& model, const Carriage& car, const CarriageSpan& span, 
   return (own.drum ? -1 : 1) * runs_off * sign_of(span.along.dot(place_at_start(model, beside)) - span.x);
 }
 
+/// Whether a rope that ends at the carriage is drawn off its winch while the mainline hauls.
+bool follows(const Model& model, const Carriage& car, const CarriageSpan& span, const Reeving& rope) {
+  const bool ends_there = rope.nodes.front().at.body == car.body || rope.nodes.back().at.body == car.body;
+  if (!car.mainline || !ends_there || rope.closed || rope.haul_is_told) return false;
+  const Reeving& mainline = model.reevings[*car.mainline];
+  if (&rope == &mainline) return false;
+  return drawn_by(model, car, span, mainline) * drawn_by(model, car, span, rope) < 0;
+}
+
 /// Which way along the span the carriage moves while the machine hauls in; 0: nothing says it.
 int moves(const Model& model, const Carriage& car, const CarriageSpan& span) {
   if (const auto pulls = car.mainline ? car.mainline : car.haulback) {
@@ -56,11 +65,10 @@ int moves(const Model& model, const Carriage& car, const CarriageSpan& span) {
   return rope.haul * sign_of(span.along.dot(place(car.grip->node + 1) - place(car.grip->node - 1)));
 }
 
-/// Whether the rope on which a carriage rolls runs as that carriage moves: not where the deck says how, nor where it
-/// runs round, nor where it pulls that carriage itself.
+/// Whether an open rope on which a carriage rolls runs as that carriage moves: not where the deck says how, nor where
+/// it pulls that carriage itself.
 bool rolls_on(const Reeving& rope, const Carriage& car) {
-  return rope.hauled_by != HauledBy::deck && !rope.closed && rope.nodes.front().at.body != car.body &&
-         rope.nodes.back().at.body != car.body;
+  return !rope.haul_is_told && rope.nodes.front().at.body != car.body && rope.nodes.back().at.body != car.body;
 }
 
 bool loses(const Node& node) {
@@ -74,20 +82,23 @@ Senses hauling_in(const Model& model, const std::optional<Prescribed>& prescribe
   for (const Reeving& rope : model.reevings) {
     all.flow.emplace_back(rope.nodes.size(), rope.haul);
     all.creep.emplace_back(rope.nodes.size(), 0);
+    all.follows.push_back(false);
   }
   for (int i = 0; i < static_cast<int>(model.carriages.size()); ++i) {
     const Carriage& car = model.carriages[i];
     const Reeving& rope = model.reevings[car.reeving];
-    if (!rolls_on(rope, car)) continue;
+    if (rope.closed) continue;
     const CarriageSpan span = carriage_span(model, i, prescribed);
+    for (const auto& tied : {std::optional(car.reeving), car.haulback}) {
+      if (tied && follows(model, car, span, model.reevings[*tied])) all.follows[*tied] = true;
+    }
+    if (!rolls_on(rope, car)) continue;
     const int sense = span.path * moves(model, car, span);
-    if (sense == 0) continue;
     Array<int>&flow = all.flow[car.reeving], &creep = all.creep[car.reeving];
     for (int n = span.before + 1; n < span.after; ++n) {
-      flow[n] = -sense;
+      if (sense != 0) flow[n] = -sense;
       creep[n] = 0;
     }
-    if (rope.hauled_by != HauledBy::nobody) continue;
     for (int n = 1; n + 1 < static_cast<int>(rope.nodes.size()); ++n) {
       if (!loses(rope.nodes[n]) || (n > span.before && n < span.after)) continue;
       creep[n] = n <= span.before ? 1 : -1;

@@ -13,6 +13,9 @@ struct Senses {
   /// Of a contact with losses over which a rope creeps: its flow when the rope is drawn to its carriage; else 0.
   /// Whether it is drawn there or let out, the word of the motion does not say; its `flow` is one of the two.
   Array<Array<int>> creep;
+  /// Whether a rope, [reeving], that ends at a carriage is drawn off its winch by the carriage's mainline: while the
+  /// machine hauls in as a whole it runs against its `flow`.
+  Array<bool> follows;
 };
 
 /// While the machine hauls in. A rope runs as its `haul` says. A carriage moves to where its mainline (without one its

@@ -113,13 +113,42 @@ TEST(Senses, WhatTheDeckOrAWinchSaysGoesFirst) {
   held.reevings[0].tension_at_end = 5e4;
   const Senses in = hauling_in(compiled(held));
   EXPECT_EQ(in.flow[0], (Flow{1, 1, -1, 1, 1})) << "it runs to its tension, and the carriage on it as it moves";
-  EXPECT_EQ(in.creep[0], (Flow{0, 0, 0, 0, 0}));
+  EXPECT_EQ(in.creep[0], (Flow{0, 1, 0, -1, 0})) << "and gives rope to the carriage's span, or takes it";
   Machine free = line({});
   free.carriages[0].mainline.reset();
   EXPECT_EQ(hauling_in(compiled(free)).flow[0], (Flow{-1, -1, -1, -1, -1})) << "nothing says how it moves";
+  EXPECT_EQ(hauling_in(compiled(free)).creep[0], (Flow{0, 1, 0, -1, 0})) << "its weight draws rope all the same";
   Machine back = line({});
   back.carriages[0].haulback = std::exchange(back.carriages[0].mainline, std::nullopt);
   EXPECT_EQ(hauling_in(compiled(back)).flow[0][2], -1) << "a haulback alone is what hauls";
+}
+
+TEST(Senses, TheMainlineDrawsTheHaulbackOffItsWinch) {
+  const auto with_haulback = [](bool turned, const char* winch) {
+    Machine m = line({});
+    auto& haulback = m.reevings.emplace_back();
+    haulback.name = "haulback";
+    haulback.rope = "wire";
+    haulback.path = {element(winch), PathElement{}};
+    haulback.path[1].anchor = "car";
+    haulback.tension_at_start = 5e3;
+    if (turned) {
+      std::reverse(haulback.path.begin(), haulback.path.end());
+      haulback.tension_at_end = std::exchange(haulback.tension_at_start, std::nullopt);
+    }
+    m.carriages[0].haulback = "haulback";
+    return m;
+  };
+  for (const bool turned : {false, true}) {
+    const Senses in = hauling_in(compiled(with_haulback(turned, "low")));
+    EXPECT_EQ(in.follows, (Array<bool>{false, false, true}));
+    EXPECT_EQ(in.flow[2], turned ? (Flow{1, 1}) : (Flow{-1, -1})) << "by itself it runs to its winch";
+  }
+  EXPECT_EQ(hauling_in(compiled(with_haulback(false, "high"))).follows, (Array<bool>{false, false, false}))
+      << "both pull the same way";
+  Machine told = with_haulback(false, "low");
+  told.reevings[2].haul = description::Haul::to_start;
+  EXPECT_EQ(hauling_in(compiled(told)).follows, (Array<bool>{false, false, false}));
 }
 
 }  // namespace senses_test

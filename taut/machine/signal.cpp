@@ -77,6 +77,42 @@ SignalValue value_of(const TimeFormula& law, double t) {
   return {.value = jet.value, .rate = jet.first, .acceleration = jet.second};
 }
 
+/// Of the cubics of a smooth curve, whose tops need not lie at its points.
+Array<double> extremes_of(const Curve& law, double from, double to) {
+  Array<double> times;
+  for (std::size_t i = 0; i < law.slopes.size() && i + 1 < law.t.size(); ++i) {
+    const double h = law.t[i + 1] - law.t[i], d = (law.value[i + 1] - law.value[i]) / h;
+    const double a = law.slopes[i] - d, b = law.slopes[i + 1] - d;
+    // the rate (hermite): 3 (a + b) s^2 - 2 (2 a + b) s + a + d
+    const double half = 2 * a + b, inside = half * half - 3 * (a + b) * (a + d);
+    if (inside < 0) continue;
+    const double q = half + std::copysign(std::sqrt(inside), half);
+    std::array<double, 2> roots = {(a + d) / q, q / (3 * (a + b))};
+    std::sort(roots.begin(), roots.end());
+    for (const double s : roots) {
+      const double t = law.t[i] + s * h;
+      if (s > 0 && s < 1 && t > from && t < to) times.push_back(t);
+    }
+  }
+  return times;
+}
+
+/// Beyond `most_extremes` only every n-th, n odd: a highest and a lowest one in turn.
+Array<double> extremes_of(const Sine& law, double from, double to) {
+  constexpr double most_extremes = 1e5;
+  Array<double> times;
+  if (law.amplitude == 0 || law.omega == 0) return times;
+  const double omega = std::abs(law.omega), phase = std::copysign(1.0, law.omega) * law.phase;
+  const auto number = [&](double t) { return (omega * t + phase) / std::numbers::pi - 0.5; };
+  const double first = std::ceil(number(from)), more = std::floor(number(to)) - first;
+  const double every = 2 * std::ceil(std::max(more / most_extremes - 1, 0.0) / 2) + 1;
+  for (double k = 0; k <= more; k += every) {
+    const double t = ((first + k + 0.5) * std::numbers::pi - phase) / omega;
+    if (t > from && t < to) times.push_back(t);
+  }
+  return times;
+}
+
 /// The half cosine in which `signal` is at the time t; none otherwise.
 const Move* half_cosine_at(const Signal& signal, double t) {
   const auto* law = std::get_if<Moves>(&signal.law);
@@ -156,7 +192,12 @@ std::optional<SignalRange> range_of(const Signal& signal) {
   const double first = at(signal, 0).value;
   SignalRange range{.least = first, .most = first, .kept = std::abs(first)};
   double largest = range.kept;
-  for (const double t : breakpoints(signal)) {
+  Array<double> times = breakpoints(signal);
+  if (const auto* curve = std::get_if<Curve>(&signal.law)) {
+    for (const double t : extremes_of(*curve, curve->t.front(), curve->t.back())) times.push_back(t);
+    std::sort(times.begin(), times.end());
+  }
+  for (const double t : times) {
     const double value = at(signal, t).value, size = std::abs(value);
     range.least = std::min(range.least, value);
     range.most = std::max(range.most, value);
@@ -214,6 +255,8 @@ Array<double> breakpoints(const Signal& signal, double from, double to) {
 }
 
 Array<double> extremes(const Signal& signal, double from, double to) {
+  if (const auto* curve = std::get_if<Curve>(&signal.law)) return extremes_of(*curve, from, to);
+  if (const auto* sine = std::get_if<Sine>(&signal.law)) return extremes_of(*sine, from, to);
   Array<double> times;
   if (const auto* formula = std::get_if<TimeFormula>(&signal.law)) {
     for (const Turn& turn : turns(**formula, from, to)) {

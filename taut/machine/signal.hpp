@@ -71,8 +71,8 @@ struct Signal {
 /// Value and derivatives at t. At a jump: those after the jump.
 SignalValue at(const Signal& signal, double t);
 
-/// The least and the largest value at the start and at the breakpoints. None of a sine or a formula, which swing
-/// between them, and of a constant that is not known (NaN).
+/// The least and the largest value from the start on. None of a sine or a formula, which swing without end, and of a
+/// constant that is not known (NaN).
 struct SignalRange {
   double least = 0, most = 0;
   double kept = 0;  ///< the least size from the time of the largest size on: the end of a ramp, up or down
@@ -90,8 +90,8 @@ Array<double> breakpoints(const Signal& signal);
 /// there.
 Array<double> breakpoints(const Signal& signal, double from, double to);
 
-/// The times between `from` and `to` at which a formula may have an extreme: between these and its breakpoints it only
-/// rises or only falls. An integrator that steps over one may not see that anything has changed. None of other laws.
+/// The times between `from` and `to` at which a signal may have an extreme: between these and its breakpoints it only
+/// rises or only falls; of a sine 1e5 at most. An integrator that steps over one may not see that anything has changed.
 Array<double> extremes(const Signal& signal, double from, double to);
 
 /// The cubic spline through the points with a continuous second derivative and slope zero at both ends (clamped

@@ -207,4 +207,32 @@ TEST(Signal, AFormulaTellsItsKinksAndExtremes) {
   EXPECT_NEAR(integral(peak, 0, 100), 1e-3 * (std::atan(29.7e3) + std::atan(70.3e3)), 1e-10);
 }
 
+TEST(Signal, ASineTellsItsExtremes) {
+  const Signal s = {.name = "s", .unit = si::N, .law = Sine{.mean = 3, .amplitude = 2, .omega = 1.7, .phase = 0.4}};
+  const Array<double> found = extremes(s, 0, 10);
+  ASSERT_EQ(found.size(), 5U);
+  for (const double t : found) EXPECT_NEAR(at(s, t).rate, 0, 1e-13);
+  EXPECT_EQ(extremes(s, found[1], found[3]), (Array<double>{found[2]})) << "the same from any start";
+  EXPECT_TRUE(extremes({.name = "s", .unit = si::N, .law = Sine{.mean = 3}}, 0, 10).empty());
+}
+
+TEST(Signal, ASineOfVeryManySwingsTellsSomeOfItsHighestAndLowestValues) {
+  const Signal s = {.name = "s", .unit = si::N, .law = Sine{.amplitude = 1, .omega = 2 * M_PI * 50}};
+  const Array<double> found = extremes(s, 0, 1e7);
+  ASSERT_GT(found.size(), 5e4);
+  ASSERT_LE(found.size(), 1e5 + 1);
+  for (std::size_t i = 0; i < 100; ++i) EXPECT_NEAR(at(s, found[i]).value, i % 2 == 0 ? 1 : -1, 1e-6);
+}
+
+TEST(Signal, ASmoothTableTellsItsExtremesBetweenItsPoints) {
+  const Signal s = {.name = "s", .unit = si::N, .law = smooth_curve({0, 2, 22, 24}, {10, 14, 14, 10})};
+  const Array<double> found = extremes(s, 0, 100);
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_NEAR(found[0], 12, 1e-12);
+  EXPECT_GT(at(s, 12).value, 25);
+  EXPECT_EQ(range_of(s)->most, at(s, found[0]).value);
+  EXPECT_EQ(range_of(s)->kept, 10);
+  EXPECT_TRUE(extremes(s, 13, 100).empty());
+}
+
 }  // namespace taut::machine::signal_test

@@ -25,6 +25,23 @@ bool is_used(const machine::Machine& machine, const std::string& rope) {
          std::any_of(machine.guys.begin(), machine.guys.end(), runs);
 }
 
+/// What a rope is of the catalogue, by its deck or by the choice of a design.
+struct OfCatalogue {
+  catalogue::RopeRow row;
+  std::string id;    ///< as the deck has it
+  std::string mend;  ///< what to do about a value that no such rope has
+};
+
+std::optional<OfCatalogue> of_catalogue(const machine::description::Rope& rope, const ChosenRopes& chosen) {
+  if (const auto own = chosen.find(rope.name); own != chosen.end()) {
+    return OfCatalogue{.row = own->second, .id = own->second.id, .mend = "look at the unit"};
+  }
+  if (!rope.rope) return std::nullopt;
+  const auto row = catalogue::find_rope(*rope.rope);
+  if (!row) return std::nullopt;
+  return OfCatalogue{.row = *row, .id = *rope.rope, .mend = "look at the unit, or leave 'rope' out"};
+}
+
 /// One value of the deck against that of the row.
 struct Overridden {
   const char* key;
@@ -35,28 +52,27 @@ struct Overridden {
   std::string words(double value) const { return fmt::format("{:.4g} {}", value / unit, symbol); }
 };
 
-void warn_of_value(const machine::description::Rope& rope, const Overridden& one, Result& r) {
+void warn_of_value(const std::string& rope, const OfCatalogue& known, const Overridden& one, Result& r) {
   if (!(one.given > 0) || !(one.row > 0)) return;
   const bool above = one.given > most_apart * one.row, below = one.given * most_apart < one.row;
   if (!above && !below) return;
-  std::string words = fmt::format(
-      "rope '{}' has the {} {}; its row of the catalogue, '{}', has {}: look at the unit, or leave 'rope' out",
-      rope.name, one.key, one.words(one.given), *rope.rope, one.words(one.row));
+  std::string words = fmt::format("rope '{}' has the {} {}; its row of the catalogue, '{}', has {}: {}", rope, one.key,
+                                  one.words(one.given), known.id, one.words(one.row), known.mend);
   if (above || !one.safe_below) return warn_unsafe(r, std::move(words));
   r.warnings.push_back(std::move(words));
 }
 
 /// A new rope is softer than the bedded-in one of the tables; none is stiffer than its wires.
-void warn_of_stiffness(const machine::description::Rope& rope, const catalogue::RopeRow& row, Result& r) {
-  const auto s = catalogue::stiffness_of(row);
+void warn_of_stiffness(const machine::description::Rope& rope, const OfCatalogue& known, Result& r) {
+  const auto s = catalogue::stiffness_of(known.row);
   const auto first = catalogue::find_rule("modulus.first_loading");
   if (!s || !first || !first->low || !rope.stiffness || std::isinf(*rope.stiffness)) return;
   const double least = *first->low * s->low * s->area, most = wire_modulus * s->area;
   if (*rope.stiffness >= least && *rope.stiffness <= most) return;
   warn_unsafe(r,
               fmt::format("rope '{}' has the stiffness {:.4g} MN; a rope of its row of the catalogue, '{}', has {:.4g} "
-                          "MN when new to {:.4g} MN, that of its wires: look at the unit, or leave 'rope' out",
-                          rope.name, *rope.stiffness / 1e6, *rope.rope, least / 1e6, most / 1e6));
+                          "MN when new to {:.4g} MN, that of its wires: {}",
+                          rope.name, *rope.stiffness / 1e6, known.id, least / 1e6, most / 1e6, known.mend));
 }
 
 const machine::description::Rope* described_rope(const machine::Machine& machine, const std::string& name) {
@@ -96,11 +112,11 @@ void add_rope_stiffness(const machine::Machine& machine, Result& r) {
   }
 }
 
-void warn_of_rope_values(const machine::Machine& machine, Result& r) {
+void warn_of_rope_values(const machine::Machine& machine, const ChosenRopes& chosen, Result& r) {
   for (const auto& rope : machine.ropes) {
-    if (!rope.rope || !is_used(machine, rope.name)) continue;
-    const auto row = catalogue::find_rope(*rope.rope);
-    if (!row) continue;
+    const auto known = of_catalogue(rope, chosen);
+    if (!known || !is_used(machine, rope.name)) continue;
+    const catalogue::RopeRow* row = &known->row;
     for (const Overridden& one :
          {Overridden{
               .key = "mass", .given = rope.mass.value_or(0), .row = row->mass_per_length, .unit = 1, .symbol = "kg/m"},
@@ -115,13 +131,14 @@ void warn_of_rope_values(const machine::Machine& machine, Result& r) {
           .unit = 1e3,
           .symbol = "kN",
           .safe_below = true}}) {
-      warn_of_value(rope, one, r);
+      warn_of_value(rope.name, *known, one, r);
     }
-    warn_of_stiffness(rope, *row, r);
+    warn_of_stiffness(rope, *known, r);
   }
 }
 
-void warn_of_strain(const machine::Machine& machine, const machine::Model& model, Result& r) {
+void warn_of_strain(const machine::Machine& machine, const ChosenRopes& chosen, const machine::Model& model,
+                    Result& r) {
   for (const machine::Reeving& one : model.reevings) {
     const Value* T = r.find_value(one.name + ".T_max");
     const auto* rope = rope_of(machine, one.name);
@@ -130,7 +147,7 @@ void warn_of_strain(const machine::Machine& machine, const machine::Model& model
         "rope '{}': its largest tension, {:.4g} kN, strains it by {:.3g} % at a stiffness of {:.4g} MN: no steel rope "
         "bears that; look at the unit of its 'stiffness'",
         one.name, T->value / 1e3, 100 * T->value / one.stiffness, one.stiffness / 1e6);
-    rope->rope ? warn_unsafe(r, std::move(words)) : r.warnings.push_back(std::move(words));
+    of_catalogue(*rope, chosen) ? warn_unsafe(r, std::move(words)) : r.warnings.push_back(std::move(words));
   }
 }
 

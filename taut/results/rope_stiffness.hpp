@@ -1,4 +1,5 @@
 #pragma once
+#include <map>
 #include <optional>
 #include <string>
 
@@ -9,6 +10,9 @@
 
 namespace taut::results {
 
+/// The rows that a design has put in, by the names of ropes.
+using ChosenRopes = std::map<std::string, catalogue::RopeRow>;
+
 /// What the stiffness of a rope of the machine rests on that its deck leaves to the catalogue; nothing where the deck
 /// gives it, and for names that are no rope.
 std::optional<catalogue::RopeStiffness> assumed_stiffness(const machine::Machine& machine, const std::string& rope);
@@ -17,14 +21,15 @@ std::optional<catalogue::RopeStiffness> assumed_stiffness(const machine::Machine
 /// and a warning where it rests on unverified numbers.
 void add_rope_stiffness(const machine::Machine& machine, Result& r);
 
-/// Values of the deck in place of those of a rope's row of the catalogue that no rope of that row has: a slip of a unit
-/// (kN, MN). The mass per metre, the diameter and the breaking force are compared with those of the row, the stiffness
-/// with its metallic area times the least modulus of a new rope and that of the wire. Unsafe warnings; a breaking force
-/// that is far below that of the row is a plain one. No weight (0 kg/m) and no stretch (.inf) are ways to calculate.
-void warn_of_rope_values(const machine::Machine& machine, Result& r);
+/// Values of the deck, or by the modulus of a design, in place of those of a rope's row of the catalogue that no rope
+/// of that row has: a slip of a unit (kN, MN). The mass per metre, the diameter and the breaking force are compared
+/// with those of the row, the stiffness with its metallic area times the least modulus of a new rope and that of the
+/// wire. Unsafe warnings; a breaking force that is far below that of the row is a plain one. No weight (0 kg/m) and no
+/// stretch (.inf) are ways to calculate.
+void warn_of_rope_values(const machine::Machine& machine, const ChosenRopes& chosen, Result& r);
 
 /// Ropes that their largest tension, ROPE.T_max of `r`, strains by more than a steel rope bears: unsafe for a rope of
 /// the catalogue, else a plain warning.
-void warn_of_strain(const machine::Machine& machine, const machine::Model& model, Result& r);
+void warn_of_strain(const machine::Machine& machine, const ChosenRopes& chosen, const machine::Model& model, Result& r);
 
 }  // namespace taut::results

@@ -80,6 +80,30 @@ TEST(RopeStiffness, AValueThatNoRopeOfItsRowHasIsUnsafe) {
   }
 }
 
+// A modulus of 10 GPa in a design is that slip too.
+TEST(RopeStiffness, AModulusThatNoChosenRopeHasIsUnsafe) {
+  const auto unsafe_of = [](const std::string& rope, const std::string& modulus) {
+    const Result r = run_text(fmt::format(R"(taut: 1
+machine:
+  points: {{a: [0 m, 0 m, 0 m], b: [10 m, 0 m, 0 m]}}
+  ropes: {{line: {{{}}}}}
+  reevings: [{{rope: line, path: [{{anchor: a}}, {{anchor: b}}], tension_at_start: 30 kN}}]
+checks: {{ropes: {{line: {{safety_factor: 3}}}}}}
+design: {{ropes: {{line: {{construction: 6x36, core: IWRC, grade: 1960 MPa{}}}}}}}
+)",
+                                          rope, modulus));
+    EXPECT_EQ(r.status, Status::ok) << r.message << to_text(r.errors);
+    for (const std::string& one : r.unsafe) {
+      if (one.find("rope 'line' has the stiffness") != std::string::npos) return one;
+    }
+    return std::string{};
+  };
+  EXPECT_NE(unsafe_of("", ", modulus: 10 GPa").find("its row of the catalogue, 'EN 12385-4|6x36-IWRC|"),
+            std::string::npos);
+  EXPECT_NE(unsafe_of("stiffness: 1 MN", ""), "");
+  EXPECT_EQ(unsafe_of("", ""), "");
+}
+
 // 30 kN strain 1 MN by 3 %.
 TEST(RopeStiffness, AStrainThatNoSteelRopeBearsIsToldOf) {
   const auto deck = [](const char* rope) {

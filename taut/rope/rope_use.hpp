@@ -53,7 +53,7 @@ struct RopeUse {
   std::string mean_where;
   double last = 0;  ///< on average at the end of calculated motions, the largest, N: what may go on from there; 0: none
   std::vector<Bend> bends;              ///< along its path
-  std::vector<std::string> unmeasured;  ///< sheaves that it runs over, of no known diameter, in words
+  std::vector<std::string> unmeasured;  ///< sheaves and drums that it bends on, of no known diameter
   std::vector<RopeEnd> ends;
   std::vector<DrumEnd> drums;
   int copies = 1;       ///< equal ropes side by side; all tensions are of one of them

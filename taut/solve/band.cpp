@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "taut/base/array.hpp"
+#include "taut/machine/senses.hpp"
 #include "taut/solve/running.hpp"
 
 namespace taut::solve {
@@ -94,9 +95,15 @@ void add_band(const machine::Model& model, const EquilibriumOptions& options, Eq
     moving.held = true;  // its friction holds it at rest
     moving.creep.clear();
     for (const machine::Reeving& rope : model.reevings) moving.creep.emplace_back(rope.nodes.size(), 0);
-    for (const Motion motion : {Motion::in, Motion::out}) {
-      moving.motion = motion;
-      take(held, moving);
+    const Array<bool> follows = machine::hauling_in(model, options.prescribed).follows;
+    const bool alone = std::any_of(follows.begin(), follows.end(), [](bool one) { return one; });
+    for (const bool each_to_its_winch : {false, true}) {
+      if (each_to_its_winch && !alone) break;
+      moving.each_to_its_winch = each_to_its_winch;
+      for (const Motion motion : {Motion::in, Motion::out}) {
+        moving.motion = motion;
+        take(held, moving);
+      }
     }
     return;
   }

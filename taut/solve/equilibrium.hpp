@@ -25,6 +25,8 @@ struct EquilibriumOptions {
   /// Contacts over which a rope creeps, [reeving][node]: its flow when it is drawn to its carriage, else 0. The band
   /// has both directions. Empty: none where `flow` is given, else by `motion`.
   Array<Array<int>> creep;
+  /// While `motion` hauls, a rope runs to its own winch also where the mainline of its carriage draws it off.
+  bool each_to_its_winch = false;
   bool creep_without_loss = false;  ///< the answer has no loss where a rope creeps
   /// Also solve both directions of what is at rest, for the bands of the tensions: of all ropes at rest, of those that
   /// creep in motion.

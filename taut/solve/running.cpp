@@ -17,10 +17,11 @@ int sign_of(Motion motion) {
 Array<Array<int>> flow_of(const machine::Model& model, const EquilibriumOptions& options) {
   Array<Array<int>> flow = options.flow;
   if (flow.empty()) {
-    flow = machine::hauling_in(model, options.prescribed).flow;
-    const int sense = sign_of(options.motion);
-    for (Array<int>& rope : flow) {
-      for (int& node : rope) node *= sense;
+    const machine::Senses in = machine::hauling_in(model, options.prescribed);
+    flow = in.flow;
+    for (std::size_t r = 0; r < flow.size(); ++r) {
+      const int sense = in.follows[r] && !options.each_to_its_winch ? -1 : 1;
+      for (int& node : flow[r]) node *= sense * sign_of(options.motion);
     }
   }
   if (!options.creep_without_loss) return flow;

@@ -54,17 +54,18 @@ void add_supports(const machine::Model& model, const PayloadLimits& limits, cons
     // a carriage bends its rope by carrying; what stands on the ground or on a mast is a support
     const bool holds = node.support == Vector3::Zero();
     if (machine::rides(model, node) || (holds && !machine::is_saddle(node))) continue;
-    const auto add = [&](LimitKind kind, double limit, double margin) {
-      all.push_back({kind, c.reeving, c.node, c.wrap, limit, margin});
+    const auto add = [&](LimitKind kind, double angle, double limit, double margin) {
+      all.push_back({kind, c.reeving, c.node, angle, limit, margin});
     };
     if (std::isfinite(limits.break_angle)) {
-      add(LimitKind::break_angle, limits.break_angle, limits.break_angle - c.wrap);
+      const double angle = c.wrap > 0 ? c.turning : c.wrap;
+      add(LimitKind::break_angle, angle, limits.break_angle, limits.break_angle - angle);
     }
     if (holds) continue;
     if (std::isfinite(limits.least_break_angle)) {
-      add(LimitKind::least_break_angle, limits.least_break_angle, c.wrap - limits.least_break_angle);
+      add(LimitKind::least_break_angle, c.wrap, limits.least_break_angle, c.wrap - limits.least_break_angle);
     }
-    if (limits.lift_off) add(LimitKind::lift_off, 0, c.state == solve::ContactState::lifted ? -1 : c.wrap);
+    if (limits.lift_off) add(LimitKind::lift_off, c.wrap, 0, c.state == solve::ContactState::lifted ? -1 : c.wrap);
   }
 }
 

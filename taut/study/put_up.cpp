@@ -44,6 +44,7 @@ Array<PutUpLine> put_up(machine::Model& model) {
     }
     rope.given = machine::Given::length;
     rope.value = one.at.unstretched;
+    rope.described_length = rope.value;
   }
   return all;
 }
@@ -71,14 +72,44 @@ Outcome draw_equal(machine::Model& model) {
     if (!is_equal(rope)) continue;
     rope.given = machine::Given::length;
     rope.value = drawn.reevings[r].value;
+    rope.described_length = rope.value;
   }
   return {};
 }
 
+namespace {
+
+bool is_fed(const machine::Reeving& rope) {
+  return rope.given == machine::Given::tension_at_start || rope.given == machine::Given::tension_at_end;
+}
+
+/// How long the ropes of given tension are beside what is on their drums. Where the machine as described has no
+/// equilibrium, that is not known.
+void measure_fed_ropes(machine::Model& model) {
+  const auto asked = [&](const machine::Reeving& rope) {
+    const auto holds = [&](const machine::Node& end) {
+      return end.drum && model.drums[*end.drum].length_on_drum.has_value();
+    };
+    return is_fed(rope) && !rope.closed && (holds(rope.nodes.front()) || holds(rope.nodes.back()));
+  };
+  if (std::none_of(model.reevings.begin(), model.reevings.end(), asked)) return;
+  solve::EquilibriumOptions options;
+  options.band = options.beam_factors = false;
+  const solve::EquilibriumResult found = solve::equilibrium(model, options);
+  if (!found.outcome.ok()) return;
+  for (std::size_t r = 0; r < model.reevings.size(); ++r) {
+    if (asked(model.reevings[r])) model.reevings[r].described_length = found.ropes[r].unstretched;
+  }
+}
+
+}  // namespace
+
 Outcome put_up_lines(machine::Model& model, std::vector<PutUpLine>& lines) {
   lines = put_up(model);
   if (!lines.empty() && !lines.back().at.outcome.ok()) return lines.back().at.outcome;
-  return draw_equal(model);
+  if (Outcome outcome = draw_equal(model); !outcome.ok()) return outcome;
+  measure_fed_ropes(model);
+  return {};
 }
 
 machine::Model without_loads(const machine::Model& model) {
@@ -163,7 +194,9 @@ void keep_guys(const machine::Machine& machine, const machine::Model& installed,
 void keep_lines(const machine::Model& installed, machine::Model& model) {
   for (std::size_t i = 0; i < model.reevings.size(); ++i) {
     machine::Reeving& rope = model.reevings[i];
-    if (!rope.put_up && rope.given != machine::Given::equal) continue;
+    const bool is_put_up = rope.put_up || rope.given == machine::Given::equal;
+    if (is_put_up || is_fed(rope)) rope.described_length = installed.reevings[i].described_length;
+    if (!is_put_up) continue;
     rope.given = installed.reevings[i].given;
     rope.value = installed.reevings[i].value;
   }

@@ -276,7 +276,8 @@ const Description& TransientRequest::describe() {
                  "energy exchanged; default 1e-5, with the reference 1e-6, with verlet or a given step 1e-3")
           .at_least(1e-12)
           .at_most(0.1)
-          .field(&TransientRequest::step, "step", "dt", si::s, "fixed step, without error control")
+          .field(&TransientRequest::step, "step", "dt", si::s,
+                 "fixed step, without error control; a warning tells an error of the tensions above the tolerance")
           .above(0)
           .choice(&TransientRequest::method, "method",
                   {{"implicit", Method::implicit}, {"verlet", Method::verlet}, {"reference", Method::reference}},
@@ -467,7 +468,8 @@ const Quantities<DynamicRow>& dynamic_quantities() {
       {"t_max", "t", si::s, "when that is", [=](const Row& r) { return of(r).T.t_max; }},
       {"where", "", si::one, "branch where that is, by the nodes at its ends",
        [=](const Row& r) { return branch_words(r.run.model.reevings[r.reeving], of(r).branch); }},
-      {"T_min", "T_min", si::N, "least tension over the motion", [=](const Row& r) { return of(r).T.min; }},
+      {"T_min", "T_min", si::N, "least tension over the motion; of a rope that breaks up to then",
+       [=](const Row& r) { return of(r).T.min; }},
       {"dynamic_factor", "phi", si::one, "peak over static tension",
        [=](const Row& r) { return of(r).T_static > 0 ? of(r).T.max / of(r).T_static : std::nan(""); }}};
   return all;

@@ -68,6 +68,8 @@ struct CaseModel {
   std::vector<CaseOutput> outputs;
   /// What the deck takes out of the verdict of each case: parts by `exempt`, analyses by `judge: false`.
   std::vector<std::string> exempt = {}, left_out = {};
+  /// Parts whose strength no limit of the deck judges, found by a run of the whole deck as it is; none: no such parts.
+  std::function<std::vector<std::string>()> unasked = {};
   /// One number (SI) for each input. A pure function: the same numbers give the same bits, whatever was asked before
   /// and from whichever thread. Every case begins from the equilibrium of the deck as it is, and where it does not come
   /// from there to an answer, as the machine of its numbers alone would.

@@ -72,8 +72,8 @@ void add_outputs(const Result& r, const std::vector<WantedValue>& wanted, CaseMo
 /// The values of a result, each at its output. Not ok where the result has no answer, or one of them has no number.
 Outcome take_values(const Result& r, const std::vector<WantedValue>& wanted, std::vector<double>& outputs);
 
-/// What keeps a result from passing (verdict.hpp), but for parts without a limit: a study has limits of its own. With
-/// the words in these units.
+/// What keeps a result from passing (verdict.hpp), but for parts without a limit: a study has limits of its own, and
+/// tells of parts that have neither (CaseModel::unasked). With the words in these units.
 std::vector<CaseFlaw> flaws_of(const Result& r, const Display& display);
 
 }  // namespace taut::app

@@ -433,6 +433,12 @@ MadeCases machine_cases(const ReadMachine& read, const CaseQuestion& question,
     add_new(r.left_out, made.left_out);
     part.judges = part.tells || needs(part, judged);
   }
+  // a design takes no choice that has one
+  if (!model->base.deck.design) {
+    made.unasked = [model = std::shared_ptr<const MachineModel>(model)] {
+      return run_machine(model->base.deck, RunDepth::checks).unjudged;
+    };
+  }
   model->plain = std::all_of(model->inputs.begin(), model->inputs.end(),
                              [&](const CaseInput& input) { return is_plain(input, model->base.deck); });
   made.answer = [model = std::shared_ptr<const MachineModel>(model),

@@ -49,38 +49,78 @@ DesignParts parts_of(MachineDeck& deck) {
   }
   if (deck.checks) add_masts(deck.checks->masts, parts.sections);
   parts.parameter = parameters_of(deck);
-  parts.modulus = [](const RopeRow& row) -> std::optional<double> {
+  parts.modulus = [&deck](const std::string& name, const RopeRow& row) -> std::optional<double> {
+    for (const auto& rope : deck.machine.ropes) {
+      if (rope.name == name && rope.stiffness) return *rope.stiffness / row.area;
+    }
     const auto stiffness = catalogue::stiffness_of(row);
     return stiffness ? std::optional(stiffness->modulus) : std::nullopt;
   };
   return parts;
 }
 
-/// Where in the deck the temperature of the machine is free, or another one in a load case.
-std::vector<std::string> temperatures_of(const design::DesignSpace& space, const FindParameter& find) {
-  std::vector<std::string> places;
-  const auto is_temperature = [&](const std::string& path) {
-    const auto found = find(path);
-    return found && found->place == "temperature";
-  };
+/// A number that an unknown or a load case changes.
+struct Change {
+  std::string at;    ///< where the deck says so: "design.cases.full.loads.car.mass"
+  std::string path;  ///< of the number
+};
+
+std::vector<Change> changes_of(const design::DesignSpace& space) {
+  std::vector<Change> all;
   for (const design::UnknownValues& one : space.unknowns) {
-    if (is_temperature(one.parameter)) places.push_back(fmt::format("design.unknowns.{}.parameter", one.name));
+    all.push_back({fmt::format("design.unknowns.{}.parameter", one.name), one.parameter});
+    for (std::size_t i = 0; i < one.along_with.size(); ++i) {
+      all.push_back({fmt::format("design.unknowns.{}.along_with[{}]", one.name, i), one.along_with[i]});
+    }
   }
   for (const design::DesignCase& one : space.cases) {
     for (const auto& [path, value] : one.settings) {
-      if (is_temperature(path)) places.push_back(fmt::format("design.cases.{}.{}", one.name, path));
+      all.push_back({fmt::format("design.cases.{}.{}", one.name, path), path});
     }
+  }
+  return all;
+}
+
+/// Where in the deck the temperature of the machine is free, or another one in a load case.
+std::vector<std::string> temperatures_of(const design::DesignSpace& space, const FindParameter& find) {
+  std::vector<std::string> places;
+  for (const Change& one : changes_of(space)) {
+    const auto found = find(one.path);
+    if (found && found->place == "temperature") places.push_back(one.at);
   }
   return places;
 }
 
-/// Ropes whose figures say nothing yet are compiled with those of their first candidate.
+/// Ropes whose figures say nothing yet are compiled with those of their first candidate. A mass or stiffness of the
+/// deck goes before that of the row, as it does beside a `rope` of the deck.
 void put_rope(const RopeRow& row, double modulus, machine::description::Rope& rope) {
   rope.rope.reset();
-  rope.mass = row.mass_per_length;
+  rope.mass = rope.mass.value_or(row.mass_per_length);
   rope.breaking_force = row.breaking_force;
   rope.diameter = row.diameter;
-  rope.stiffness = modulus * row.area;
+  rope.stiffness = rope.stiffness.value_or(modulus * row.area);
+}
+
+/// What the deck says of a rope that is chosen and no candidate could have.
+void complain_of_ropes(const design::DesignRequest& design, const machine::Machine& machine,
+                       std::vector<Complaint>& complaints) {
+  for (const design::DesignRopeRequest& one : design.ropes) {
+    const auto rope =
+        std::find_if(machine.ropes.begin(), machine.ropes.end(), [&](const auto& own) { return own.name == one.name; });
+    if (rope == machine.ropes.end()) continue;
+    const auto fixed = [&](const std::optional<double>& value, const char* key) {
+      if (!value) return;
+      complaints.push_back({fmt::format("machine.ropes.{}.{}", one.name, key),
+                            fmt::format("'design' chooses this rope, and each candidate has its own {}: leave it out, "
+                                        "or give the rope by figures and leave 'design.ropes.{}' out",
+                                        key, one.name)});
+    };
+    fixed(rope->breaking_force, "breaking_force");
+    fixed(rope->diameter, "diameter");
+    if (!rope->stiffness || !one.modulus) continue;
+    complaints.push_back({fmt::format("design.ropes.{}.modulus", one.name),
+                          "is given beside the 'stiffness' of the rope: give one of the two"});
+  }
 }
 
 /// Straight length of a reeving, all copies, m.
@@ -262,8 +302,16 @@ design::DesignCase built_by(const design::DesignCase& load_case, const FindParam
   return built;
 }
 
-/// Load cases that would not be what they say: their number is set anew by all analyses; or it is a temperature, and
-/// all analyses find the length of a rope anew, which is cut once.
+/// Numbers that all analyses set anew.
+void complain_of_set_anew(const design::DesignSpace& space, MachineDeck& deck, std::vector<Complaint>& complaints) {
+  for (const Change& one : changes_of(space)) {
+    const auto found = parameters_of(deck)(one.path);
+    if (!found || !study::is_set_anew(deck.machine, deck.analyses, found->place)) continue;
+    complaints.push_back({one.at, "every analysis sets this number anew: it would change nothing"});
+  }
+}
+
+/// Load cases of another temperature, where analyses find the length of a rope anew, which is cut once.
 void complain_of_cases(const design::DesignSpace& space, MachineDeck& deck, std::vector<Complaint>& complaints) {
   const auto given = std::find_if(deck.analyses.begin(), deck.analyses.end(), [](const study::AnalysisRequest& one) {
     return (one.equilibrium && one.equilibrium->given) || (one.load_path && one.load_path->given);
@@ -273,15 +321,55 @@ void complain_of_cases(const design::DesignSpace& space, MachineDeck& deck, std:
       const auto found = parameters_of(deck)(path);
       const std::string place = fmt::format("design.cases.{}.{}", one.name, path);
       if (!found) continue;
-      if (study::is_set_anew(deck.machine, deck.analyses, found->place)) {
-        complaints.push_back({place, "every analysis sets this number anew: the case would change nothing"});
-      } else if (found->place == "temperature" && found->value != value && given != deck.analyses.end()) {
+      if (found->place == "temperature" && found->value != value && given != deck.analyses.end()) {
         complaints.push_back(
             {place,
              "at each temperature 'given' would find another length of its rope, which is cut once: give "
              "the rope its 'length' or 'install'"});
       }
     }
+  }
+}
+
+/// The checks take the strength and the diameter of a chosen rope from its row: another one would count in part.
+void complain_of_strength(const design::DesignSpace& space, MachineDeck& deck, std::vector<Complaint>& complaints) {
+  std::vector<std::string> of_row;  // places of numbers
+  for (const design::RopeCandidates& rope : space.ropes) {
+    for (const char* key : {"breaking_force", "diameter"}) of_row.push_back(fmt::format("ropes.{}.{}", rope.name, key));
+  }
+  for (const Change& one : changes_of(space)) {
+    const auto found = parameters_of(deck)(one.path);
+    if (!found || std::find(of_row.begin(), of_row.end(), study::below_machine(found->place)) == of_row.end()) continue;
+    complaints.push_back({one.at,
+                          "'design' chooses this rope, and each candidate has its own: ask a larger 'safety_factor' "
+                          "of a worn rope"});
+  }
+}
+
+/// A rope or section all of whose parts the deck exempts has no limit: the first candidate would do.
+void complain_of_exempt(const design::DesignSpace& space, const MachineDeck& deck, std::vector<Complaint>& complaints) {
+  if (!deck.checks) return;
+  const std::vector<std::string>& exempt = deck.checks->exempt;
+  const auto is_exempt = [&](const std::string& part) {
+    return std::find(exempt.begin(), exempt.end(), part) != exempt.end();
+  };
+  const auto complain = [&](const char* kind, const std::string& name) {
+    complaints.push_back({fmt::format("design.{}.{}", kind, name),
+                          "'checks.exempt' takes it out of the verdict, so that nothing limits the choice: leave it "
+                          "out there or here"});
+  };
+  for (const design::RopeCandidates& rope : space.ropes) {
+    std::vector<std::string> parts;
+    for (const auto& one : deck.machine.reevings) {
+      if (one.rope == rope.name) parts.push_back(name_of(one));
+    }
+    for (const auto& one : deck.machine.guys) {
+      if (one.rope == rope.name) parts.push_back(one.name);
+    }
+    if (!parts.empty() && std::all_of(parts.begin(), parts.end(), is_exempt)) complain("ropes", rope.name);
+  }
+  for (const design::SectionCandidates& one : space.sections) {
+    if (is_exempt(one.name)) complain("sections", one.name);
   }
 }
 
@@ -304,6 +392,10 @@ design::DesignSpace machine_space(const io::Node& input, const MachineDeck& deck
   for (const std::string& place : temperatures_of(space, parameters_of(own))) {
     study::require_references(own.machine, place, complaints);
   }
+  complain_of_ropes(*deck.design, own.machine, complaints);
+  complain_of_strength(space, own, complaints);
+  complain_of_exempt(space, own, complaints);
+  complain_of_set_anew(space, own, complaints);
   complain_of_cases(space, own, complaints);
   io::place(input, complaints, mistakes);
   return space;

@@ -49,6 +49,8 @@ std::string deck_with(const std::string& checks_and_design, const std::string& p
          checks_and_design;
 }
 
+std::string without(std::string text, const std::string& part) { return text.erase(text.find(part), part.size()); }
+
 const std::string checks = "checks: {ropes: {stay: {safety_factor: 3}}, guys: {line: {safety_factor: 3}}}\n";
 const std::string line = "line: {construction: 6x36, core: IWRC, grade: 1960 MPa, modulus: 90 GPa}";
 const std::string height = "unknowns: {height: {parameter: points.high.z, from: 40 m, to: 72 m}}";
@@ -135,6 +137,74 @@ TEST(DesignMachine, AChoiceStandsInTheDeckAndNotInTheOneItComesFrom) {
   EXPECT_EQ(own.deck->machine.guys.at(0).install->tension, 1e3);
 }
 
+// "a value of the deck replaces that of the catalogue": a rope with cutters is heavier than its row.
+TEST(DesignMachine, WhatTheDeckSaysOfAChosenRopeCounts) {
+  const std::string free = "line: {construction: 6x36, core: IWRC, grade: 1960 MPa}";
+  const auto text = [&](const std::string& rope, const std::string& choice) {
+    std::string deck = deck_with(checks + "design: {ropes: {" + choice + "}}\n");
+    return deck.replace(deck.find("line: {}"), 8, "line: {" + rope + "}");
+  };
+  const ReadMachine own = read(text("mass: 3 kg/m, stiffness: 4 MN", free));
+  const MachineDeck made = with_design(*own.deck, own.space, {.choice = {3}, .values = {}});
+  const auto& rope = made.machine.ropes.at(0);
+  EXPECT_EQ(rope.mass, 3);
+  EXPECT_EQ(rope.stiffness, 4e6);
+  const design::RopeCandidates& candidates = own.space.ropes.at(0);
+  EXPECT_EQ(rope.breaking_force, candidates.rows[3].breaking_force);
+  EXPECT_DOUBLE_EQ(candidates.moduli[3] * candidates.rows[3].area, 4e6) << "as it is printed";
+  const auto refused = [&](const std::string& place, const std::string& mistakes) {
+    EXPECT_THAT(mistakes, HasSubstr(place + ": "));
+  };
+  refused("machine.ropes.line.breaking_force", mistakes_of(text("breaking_force: 130 kN", free)));
+  refused("machine.ropes.line.diameter", mistakes_of(text("diameter: 14 mm", free)));
+  refused("design.ropes.line.modulus", mistakes_of(text("stiffness: 4 MN", line)));
+  EXPECT_THAT(mistakes_of(text("rope: \"EN 12385-4|6x36-IWRC|14|1960\"", free)), testing::IsEmpty());
+}
+
+// The checks take both from the row: the case, or the unknown, would count in part.
+TEST(DesignMachine, NothingChangesTheStrengthOfAChosenRope) {
+  const auto mistakes_with = [](const std::string& more) {
+    return mistakes_of(deck_with(checks + "design: {ropes: {" + line + "}, " + more + "}\n"));
+  };
+  const auto refused = [&](const std::string& place, const std::string& more) {
+    EXPECT_THAT(mistakes_with(more), HasSubstr(place + ": 'design' chooses this rope"));
+  };
+  refused("design.cases.worn.ropes.line.breaking_force", "cases: {worn: {ropes.line.breaking_force: 60 kN}}");
+  refused("design.cases.thin.machine.ropes.line.diameter", "cases: {thin: {machine.ropes.line.diameter: 10 mm}}");
+  refused("design.unknowns.m.parameter",
+          "unknowns: {m: {parameter: ropes.line.breaking_force, from: 10 kN, to: 2000 kN}}");
+  refused("design.unknowns.m.along_with[0]",
+          "unknowns: {m: {parameter: ropes.stay.breaking_force, along_with: [ropes.line.breaking_force], "
+          "from: 300 kN, to: 400 kN}}");
+  EXPECT_THAT(mistakes_with("cases: {worn: {ropes.stay.breaking_force: 200 kN}}"), testing::IsEmpty())
+      << "of a rope that is given";
+}
+
+// The search would report a number that no state has.
+TEST(DesignMachine, WhatEveryAnalysisSetsAnewIsNoUnknown) {
+  const std::string sweep = "analyses: [sweep: {parameter: points.high.z, from: 40 m, to: 50 m, steps: 2}]\n";
+  const auto mistakes_with = [&](const std::string& unknown) {
+    return mistakes_of(deck_with(sweep + checks + "design: {unknowns: {h: {" + unknown + "}}}\n"));
+  };
+  EXPECT_THAT(mistakes_with("parameter: machine.points.high.z, from: 40 m, to: 72 m"),
+              HasSubstr("design.unknowns.h.parameter: every analysis sets this number anew"));
+  EXPECT_THAT(mistakes_with("parameter: points.low.z, along_with: [\"points.high[2]\"], from: 0 m, to: 1 m"),
+              HasSubstr("design.unknowns.h.along_with[0]: every analysis sets this number anew"));
+  EXPECT_THAT(mistakes_with("parameter: points.low.z, from: 0 m, to: 1 m"),
+              testing::Not(HasSubstr("sets this number anew")));
+}
+
+// Nothing would limit the choice: the lightest rope was "built", and broke.
+TEST(DesignMachine, WhatIsExemptIsNotChosen) {
+  const auto mistakes_with = [](const std::string& exempt) {
+    const std::string own = "checks: {exempt: [" + exempt + "], ropes: {stay: {safety_factor: 3}}}\n";
+    return mistakes_of(deck_with(own + "design: {ropes: {" + line + "}, sections: {pole: {shape: chs}}}\n"));
+  };
+  EXPECT_THAT(mistakes_with("span, tie, pole"), HasSubstr("design.ropes.line: 'checks.exempt' takes it out"));
+  EXPECT_THAT(mistakes_with("span, tie, pole"), HasSubstr("design.sections.pole: 'checks.exempt' takes it out"));
+  EXPECT_THAT(mistakes_with("tie, stay"), testing::IsEmpty()) << "the span limits the same rope";
+}
+
 // The rows set mass and stiffness of a rope: a case, or an unknown, that sets them too comes after them.
 TEST(DesignMachine, ACaseSetsWhatTheChosenRopeHas) {
   const ReadMachine own =
@@ -171,8 +241,9 @@ TEST(DesignMachine, WhatIsPaidByLengthFollowsTheUnknowns) {
 }
 
 TEST(DesignMachine, AChecksPartNamesTheListThatItJudges) {
-  const auto task =
-      task_of(read(deck_with(checks + "design: {ropes: {" + line + ", stay: {}}, sections: {pole: {shape: chs}}}\n")));
+  const auto task = task_of(
+      read(without(deck_with(checks + "design: {ropes: {" + line + ", stay: {}}, sections: {pole: {shape: chs}}}\n"),
+                   ", breaking_force: 300 kN")));
   const std::map<std::string, std::size_t> expected = {{"line", 0}, {"span", 0}, {"tie", 0}, {"stay", 1}, {"pole", 2}};
   EXPECT_EQ(task.list_of, expected);
 }
@@ -196,12 +267,13 @@ TEST(DesignMachine, TheLeastTensionIsThatOfTheRopeInQuestion) {
 /// A line with a load path and one more analysis, whose mainline is free.
 ReadMachine skyline() {
   return read(
-      taut_test::skyline_deck("  - equilibrium: {motion: at_rest}\n"
-                              "  - load_path: {carriage: car, from: 135 m, to: 230 m, steps: 5}\n"
-                              "  - payload: {carriage: car, from: 135 m, to: 230 m, steps: 5, motion: in, "
-                              "limits: {skyline: {safety_factor: 3}}}\n"
-                              "checks: {ropes: {skyline: {safety_factor: 3}, mainline: {safety_factor: 3}}}\n"
-                              "design: {ropes: {mainline: {}}, disregard: [car.sway]}\n"));
+      without(taut_test::skyline_deck("  - equilibrium: {motion: at_rest}\n"
+                                      "  - load_path: {carriage: car, from: 135 m, to: 230 m, steps: 5}\n"
+                                      "  - payload: {carriage: car, from: 135 m, to: 230 m, steps: 5, motion: in, "
+                                      "limits: {skyline: {safety_factor: 3}}}\n"
+                                      "checks: {ropes: {skyline: {safety_factor: 3}, mainline: {safety_factor: 3}}}\n"
+                                      "design: {ropes: {mainline: {}}, disregard: [car.sway]}\n"),
+              "mass: 0.54 kg/m, stiffness: 7 MN, breaking_force: 110 kN"));
 }
 
 TEST(DesignMachine, AQuickLookBeginsWhereTheLastChoiceWasWorst) {

@@ -7,6 +7,7 @@
 #include <memory>
 #include <utility>
 
+#include "taut/app/design/method_parts.hpp"
 #include "taut/calc/answers.hpp"
 #include "taut/design/design_checks.hpp"
 #include "taut/io/deck/read.hpp"
@@ -15,7 +16,6 @@ namespace taut::app {
 namespace {
 
 constexpr const char* the_mast = "mast";  // of a method that has one section
-constexpr double method_modulus = 100e9;  // Pa, of steel ropes on the metallic area, as the methods take it themselves
 
 FindParameter parameters_of(MethodDeck& deck) {
   return [&deck](const std::string& path) { return deck.parameter(path); };
@@ -86,7 +86,10 @@ design::DesignSpace method_space(const io::Node& block, const MethodDeck& deck, 
   if (method.put_section) parts.sections.push_back({the_mast, {}, refused});
   if (deck.blocks.checks) add_masts(deck.blocks.checks->masts, parts.sections);
   parts.parameter = parameters_of(own);
-  parts.modulus = [](const catalogue::RopeRow&) -> std::optional<double> { return method_modulus; };
+  parts.modulus = [&deck](const std::string& name, const catalogue::RopeRow& row) -> std::optional<double> {
+    const auto& own = deck.method->design.modulus;
+    return own ? own(deck.input, name, row) : method_modulus;
+  };
   if (!design.ropes.empty() && !refused.empty())
     io::place(block, {{.path = "design.ropes", .message = refused}}, mistakes);
   return design_space(block, design, parts, mistakes);

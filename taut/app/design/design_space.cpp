@@ -198,7 +198,7 @@ design::RopeCandidates candidates_of_rope(const design::DesignRopeRequest& one, 
   own.moduli.reserve(own.rows.size());
   for (const RopeRow& row : own.rows) {
     own.costs.push_back(cost_of(seek, row));
-    const std::optional<double> modulus = one.modulus ? one.modulus : parts.modulus(row);
+    const std::optional<double> modulus = one.modulus ? one.modulus : parts.modulus(one.name, row);
     own.moduli.push_back(modulus.value_or(0));
     if (modulus) continue;
     complaints.push_back({path, fmt::format("no modulus is known for the construction of '{}': give 'modulus', or "

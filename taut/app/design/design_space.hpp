@@ -30,9 +30,9 @@ struct DesignParts {
   std::vector<std::string> tensions;  ///< names that least_tension may be `of`
   std::vector<DesignSection> sections;
   FindParameter parameter;
-  /// Pa, on the metallic area, that a deck without a stiffness takes for a rope of the catalogue; nothing: none is
+  /// Pa, on the metallic area, with which a deck calculates that has this row in place of its rope; nothing: none is
   /// known.
-  std::function<std::optional<double>(const catalogue::RopeRow&)> modulus;
+  std::function<std::optional<double>(const std::string& rope, const catalogue::RopeRow&)> modulus;
 };
 
 /// The candidates of a design, or what is wrong with it: mistakes of the catalogue's file and of the block `design`,

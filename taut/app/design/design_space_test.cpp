@@ -58,7 +58,7 @@ Made space_of(const std::string& block, const std::string& name = "deck.yaml") {
                           .tensions = {"skyline", "mainline"},
                           .sections = {},
                           .parameter = parameters_of(numbers),
-                          .modulus = [](const catalogue::RopeRow& row) -> std::optional<double> {
+                          .modulus = [](const std::string&, const catalogue::RopeRow& row) -> std::optional<double> {
                             return row.core == "IWRC" ? std::optional(107.5e9) : std::nullopt;
                           }};
   made.space = design_space(document->root, request, parts, mistakes);

@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "taut/base/gravity.hpp"
+#include "taut/catalogue/modulus.hpp"
 #include "taut/catalogue/rope_search.hpp"
 #include "taut/catalogue/rope_words.hpp"
 #include "taut/methods/boom_ropes/boom_ropes.hpp"
@@ -22,6 +24,20 @@ bool is_built_in(const catalogue::RopeRow& row) {
          known->breaking_force == row.breaking_force && known->area == row.area;
 }
 
+constexpr double inextensible = std::numeric_limits<double>::infinity();
+
+/// Whether the loop takes the stiffness of a rope of the catalogue where the deck has none.
+bool takes_stiffness(const closed_loop::Input& in) { return in.mode == closed_loop::Mode::loop_length; }
+
+/// At a given sag ropes without a stiffness do not stretch.
+double modulus_in_loop(const closed_loop::Input& in, const std::string& name, const catalogue::RopeRow& row) {
+  if (takes_stiffness(in)) {
+    const auto own = catalogue::stiffness_of(row);
+    return own ? own->modulus : method_modulus;
+  }
+  return std::isfinite(name == "return" ? in.return_stiffness : in.traction_stiffness) ? method_modulus : inextensible;
+}
+
 void put_in_loop(closed_loop::Input& in, const std::string& name, const catalogue::RopeRow& row, double modulus) {
   const bool is_return = name == "return";
   auto& rope = is_return ? in.return_rope : in.traction_rope;
@@ -29,12 +45,15 @@ void put_in_loop(closed_loop::Input& in, const std::string& name, const catalogu
   double& stiffness = is_return ? in.return_stiffness : in.traction_stiffness;
   rope.reset();
   weight.reset();
+  stiffness = modulus * row.area;
   if (is_built_in(row)) {
     rope = row.id;
+    const auto own = catalogue::stiffness_of(row);
+    // the method takes it itself, and says how far it may be trusted
+    if (takes_stiffness(in) && own && own->modulus == modulus) stiffness = inextensible;
   } else {
     weight = row.mass_per_length * standard_gravity;
   }
-  if (std::isfinite(stiffness)) stiffness = modulus * row.area;
 }
 
 /// The return rope runs to the tail and back, the traction rope to the tail.
@@ -56,7 +75,7 @@ void put_in_drive(friction_drive::Input& in, const std::string& /*name*/, const 
   in.rope.reset();
   if (is_built_in(row)) in.rope = row.id;
   in.rope_area = row.area;
-  if (in.rope_stiffness) in.rope_stiffness = modulus * row.area;
+  in.rope_stiffness = modulus * row.area;
 }
 
 double length_in_drive(const friction_drive::Input& in, const std::string& /*name*/) {
@@ -109,7 +128,10 @@ std::string refuse_in_mast(const mast_section::Input& in) {
 }  // namespace
 
 MethodDesign design_of_loop() {
-  return {.put_rope = on(put_in_loop), .rope_length = on(length_in_loop), .refuse = on(refuse_in_loop)};
+  return {.put_rope = on(put_in_loop),
+          .modulus = on(modulus_in_loop),
+          .rope_length = on(length_in_loop),
+          .refuse = on(refuse_in_loop)};
 }
 
 MethodDesign design_of_drive() {

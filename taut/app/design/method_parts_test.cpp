@@ -31,8 +31,11 @@ TEST(MethodParts, ARopeOfTheCatalogueGoesIntoALoopByItsIdAnotherByItsWeight) {
   const MethodDesign design = design_of_loop();
   auto in = MethodInput::of<closed_loop::Input>();
   in.as<closed_loop::Input>().traction_stiffness = 1e6;
-  design.put_rope(in, "return", built_in(), 100e9);
-  design.put_rope(in, "traction", own(), 100e9);
+  const auto put = [&](const std::string& name, const catalogue::RopeRow& row) {
+    design.put_rope(in, name, row, design.modulus(in, name, row));
+  };
+  put("return", built_in());
+  put("traction", own());
   const auto& loop = in.as<closed_loop::Input>();
   EXPECT_EQ(loop.return_rope, built_in().id);
   EXPECT_FALSE(loop.return_weight);
@@ -40,6 +43,28 @@ TEST(MethodParts, ARopeOfTheCatalogueGoesIntoALoopByItsIdAnotherByItsWeight) {
   EXPECT_FALSE(loop.traction_rope);
   EXPECT_EQ(loop.traction_weight, 1.25 * standard_gravity);
   EXPECT_EQ(loop.traction_stiffness, 100e9 * built_in().area);
+}
+
+// A loop of a given length stretches as a rope of the catalogue does, at a modulus that is given by that one; it did
+// not with a rope of one's own.
+TEST(MethodParts, ALoopCalculatesWithTheModulusThatIsPrinted) {
+  const MethodDesign design = design_of_loop();
+  auto in = MethodInput::of<closed_loop::Input>();
+  auto& loop = in.as<closed_loop::Input>();
+  design.put_rope(in, "return", built_in(), 200e9);
+  EXPECT_EQ(loop.return_stiffness, 200e9 * built_in().area) << "at a given sag too";
+  loop.mode = closed_loop::Mode::loop_length;
+  const double by_construction = design.modulus(in, "return", built_in());
+  EXPECT_EQ(by_construction, 107.5e9);
+  design.put_rope(in, "return", built_in(), by_construction);
+  EXPECT_TRUE(std::isinf(loop.return_stiffness)) << "the method takes it from the catalogue, with its trust";
+  design.put_rope(in, "traction", built_in(), 50e9);
+  EXPECT_EQ(loop.traction_stiffness, 50e9 * built_in().area);
+  design.put_rope(in, "traction", own(), design.modulus(in, "traction", own()));
+  EXPECT_EQ(loop.traction_stiffness, 107.5e9 * built_in().area);
+  catalogue::RopeRow unknown = own();
+  unknown.construction = "braided";
+  EXPECT_EQ(design.modulus(in, "traction", unknown), 100e9);
 }
 
 TEST(MethodParts, AReturnRopeRunsToTheTailAndBack) {
@@ -61,6 +86,9 @@ TEST(MethodParts, CuttersStayOnTheRopeThatIsChosen) {
   EXPECT_NEAR(drive.rope_mass, 1.55, 1e-12);
   EXPECT_FALSE(drive.rope);
   EXPECT_EQ(*drive.rope_stiffness, 80e9 * built_in().area);
+  drive.rope_stiffness.reset();
+  design_of_drive().put_rope(in, "rope", built_in(), 80e9);
+  EXPECT_EQ(drive.rope_stiffness, 80e9 * built_in().area) << "that the deck does not give";
 }
 
 TEST(MethodParts, ADriveIsOneLoopAndItsTakeUpIsBuiltToo) {

@@ -14,7 +14,7 @@ TEST(Keys, OfAMachineHavePathsUnitsDefaultsAndRanges) {
     EXPECT_TRUE(found.emplace(path, kind_text(f) + "; " + default_of(d, f) + "; " + full_words(f)).second) << path;
   });
   EXPECT_EQ(found["machine.reevings[].length"],
-            "m; -; unstretched length of the rope from end to end (above 0 m and at most 1000000 m)");
+            "m; -; unstretched length of the rope from end to end (above 0 m and at most 1e7 m)");
   EXPECT_EQ(found["machine.sheaves.NAME.efficiency"],
             "number; 1; T_small/T_large over the turning sheave (above 0 and at most 1)");
   EXPECT_EQ(found["analyses[].load_path.carriage"].substr(0, 16), "text; required; ");

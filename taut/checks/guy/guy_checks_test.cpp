@@ -159,6 +159,29 @@ checks:
   EXPECT_NEAR(check_of(rest, "g.guy_safety").value * 3 * W / 100e3, 1, 2e-2);  // 3 (W + weight of the rope)
 }
 
+// One of four guys is cut: it is not slack because of that. The one across from it is, as nothing pulls against it.
+TEST(GuyChecks, AGuyIsJudgedUpToItsBreak) {
+  const auto mast = [](const std::string& events) {
+    return run_text(R"(taut: 1
+machine:
+  ropes: {guy: {mass: 0.1 kg/m, stiffness: 5 MN, breaking_force: 200 kN, damping_ratio: 0.3}}
+  points: {top: {body: mast, at: [0 m, 0 m, 16 m]}, a: [-20 m, 0 m, 0 m], b: [20 m, 0 m, 0 m]}
+  bodies: {mast: {mass: 2 t, at: [0 m, 0 m, 0 m], centre: [0 m, 0 m, 8 m], inertia: 40000 kg m^2, free: [ry]}}
+  guys:
+    left: {rope: guy, from: top, to: a, install: {tension: 30 kN}}
+    right: {rope: guy, from: top, to: b, install: {tension: 30 kN}}
+  loads: [{at: top, force: [5 kN, 0 kN, 0 kN]}]
+)" + events + R"(analyses: [{transient: {duration: 1.2 s, output_step: 20 ms, tolerance: 1e-4}}]
+checks: {guys: {guy: {safety_factor: 3}}}
+)");
+  };
+  const Result whole = mast(""), broken = mast("  events: [{at: 1 s, break: left}]\n");
+  const double least = check_of(whole, "left.slackness").value;
+  EXPECT_GT(least, 1e3);
+  EXPECT_NEAR(check_of(broken, "left.slackness").value, least, 1e-3 * least);
+  EXPECT_FALSE(check_of(broken, "right.slackness").passes);
+}
+
 TEST(GuyChecks, MistakesHaveTheirPlace) {
   expect_mistake(run_text(guyed("  guys: {g9: {}}\n")), "no guy");
   expect_mistake(run_text(guyed("  guys: {g1: {pretension: [0.2, 0.1]}}\n")), "[0.08, 0.15]");

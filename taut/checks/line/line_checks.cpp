@@ -374,6 +374,7 @@ std::vector<LineStates> line_states(const std::vector<LineCheckRequest>& lines, 
 }
 
 void take(const CheckState& state, LineStates& line) {
+  if (std::find(state.broken.begin(), state.broken.end(), line.reeving) != state.broken.end()) return;
   if (line.request->tail_tree) take_tail(state, line);
   take_bends(state, line);
   if (line.request->clearance || line.request->least_clearance) take_clearance(state, line);

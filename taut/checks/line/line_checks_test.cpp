@@ -173,6 +173,31 @@ analyses: [{}]
   EXPECT_NEAR(clearance(99.9, motion("straight")), after, 0.02) << "of the same length";
 }
 
+// What the deck breaks hangs and whips as it likes afterwards.
+TEST(LineChecks, ALineIsJudgedUpToItsBreak) {
+  const auto line = [](const std::string& events) {
+    return run_text(R"(taut: 1
+machine:
+  ropes: {sk: {mass: 1.6 kg/m, stiffness: 25 MN, breaking_force: 330 kN, damping_ratio: 0.3}}
+  points: {yard: [0 m, 0 m, 1 m], tail: [160 m, 0 m, 0 m]}
+  supports:
+    head: {at: [10 m, 0 m, 14 m], diameter: 300 mm, friction: 0.1}
+    jack: {at: [90 m, 0 m, 12 m], diameter: 300 mm, friction: 0.1}
+  carriages: {car: {mass: 300 kg, rides: sk, hold: rolling, at: [50 m, 0 m, 8 m]}}
+  loads: [{at: car, force: [0 kN, 0 kN, -10 kN]}]
+  terrain: {x: [0 m, 160 m], z: [0 m, 0 m]}
+  reevings: [{rope: sk, path: [{anchor: yard}, {over: head}, {through: car}, {over: jack}, {anchor: tail}], length: 169.5 m}]
+)" + events + R"(analyses: [{transient: {duration: 4 s, output_step: 0.01 s, tolerance: 1e-4}}]
+checks: {lines: {sk: {break_angles: true, least_clearance: 1 m}}, ropes: {sk: {dynamic_safety_factor: 2}}}
+)");
+  };
+  const Result whole = line(""), broken = line("  events: [{at: 1 s, break: \"sk[4]\"}]\n");
+  for (const char* name : {"sk.clearance", "sk.jack.least_break_angle", "sk.jack.break_angle", "sk.head.break_angle"}) {
+    EXPECT_NEAR(check_of(broken, name).value, check_of(whole, name).value, 1e-3 + 0.01 * check_of(whole, name).value)
+        << name;
+  }
+}
+
 TEST(LineChecks, MistakesHaveTheirPlace) {
   expect_mistake(run_text(line_over_tree("  lines: {skyline: {tail_tree: jock}}\n")), "did you mean 'jack'");
   expect_mistake(run_text(line_over_tree("  lines: {skylin: {}}\n")), "did you mean 'skyline'");

@@ -173,14 +173,18 @@ void RopeUses::add_end(std::size_t reeving, const machine::Model& model, bool at
     uses_[reeving].ends.push_back({node.name, 0});
     return;
   }
-  bends_[reeving].try_emplace("drum " + node.name,
-                              Met{.bend = {.name = node.name,
-                                           .kind = rope::BendKind::drum,
-                                           .diameter = 2 * model.drums[*node.drum].core_radius + rope.diameter,
-                                           .tension = 0,
-                                           .wrap = whole_turn,
-                                           .about = node.side * axis_of(described_places(model), node)},
-                                  .order = at_end ? std::numeric_limits<int>::max() : -1});
+  if (const double radius = model.drums[*node.drum].core_radius; radius > 0) {
+    bends_[reeving].try_emplace("drum " + node.name,
+                                Met{.bend = {.name = node.name,
+                                             .kind = rope::BendKind::drum,
+                                             .diameter = 2 * radius + rope.diameter,
+                                             .tension = 0,
+                                             .wrap = whole_turn,
+                                             .about = node.side * axis_of(described_places(model), node)},
+                                    .order = at_end ? std::numeric_limits<int>::max() : -1});
+  } else {
+    uses_[reeving].unmeasured.push_back(fmt::format("'{}'", node.name));
+  }
   auto& drums = uses_[reeving].drums;
   const auto same = [&](const rope::DrumEnd& one) { return one.name == node.name; };
   if (std::any_of(drums.begin(), drums.end(), same)) return;
@@ -361,7 +365,9 @@ void RopeUses::raise_end(std::size_t reeving, const machine::Node& node, double 
   raise(uses_[reeving].ends);
   if (!node.drum) return;
   raise(uses_[reeving].drums);
-  rope::Bend& bend = bends_[reeving].at("drum " + node.name).bend;
+  const auto found = bends_[reeving].find("drum " + node.name);
+  if (found == bends_[reeving].end()) return;
+  rope::Bend& bend = found->second.bend;
   bend.tension = std::max(bend.tension, T);
 }
 

@@ -293,6 +293,19 @@ TEST_F(Include, AKeyWithAPlusAddsToTheListBelow) {
   EXPECT_EQ(run("include: d.yaml\ninput: {positions+: [6 m]}\n").sample.positions, (std::vector<double>{5, 6}));
 }
 
+TEST_F(Include, AKeyWithAPlusAddsToTheListBesideItInAnyOrder) {
+  write("a.yaml", "taut: 1\nmethod: closed_loop\ninput:\n  span: 1 m\n  positions: [1 m]\n  rope: {diameter: 4 mm}\n");
+  for (const char* keys : {"positions+: [3 m], positions: [2 m], cases+: [{name: two}], cases: [{name: one}]",
+                           "positions: [2 m], positions+: [3 m], cases: [{name: one}], cases+: [{name: two}]"}) {
+    const Reading t = run(std::string("include: a.yaml\ninput: {") + keys + "}\n");
+    ASSERT_EQ(t.mistakes, 0U) << t.text;
+    EXPECT_EQ(t.sample.positions, (std::vector<double>{2, 3})) << keys;
+    ASSERT_EQ(t.sample.cases.size(), 2U) << "that the deck below has not";
+    EXPECT_EQ(t.sample.cases[0].name, "one");
+    EXPECT_EQ(t.sample.cases[1].name, "two");
+  }
+}
+
 TEST_F(Include, ValuesKeepTheirOwnFileInMessages) {
   write("a.yaml", "taut: 1\ninput:\n  span: 1\n  spam: 2\n  spam: 3\n");
   const Reading t = run("include: a.yaml\nmethod: closed_loop\ninput: {rope: {diameter: 1}}\n");

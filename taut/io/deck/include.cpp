@@ -151,6 +151,10 @@ void append_to_list(Node& under, const Entry& more, std::unordered_map<std::stri
   }
 }
 
+bool adds_to_list(const Entry& e) {
+  return e.key.size() > 1 && e.key.back() == '+' && e.value.kind == Node::Kind::sequence;
+}
+
 }  // namespace
 
 Node merge(Node under, const Node& over) {
@@ -158,18 +162,20 @@ Node merge(Node under, const Node& over) {
   std::unordered_map<std::string, std::size_t> index;
   for (std::size_t i = 0; i < under.entries.size(); ++i) index.emplace(under.entries[i].key, i);
   for (const Entry& e : over.entries) {
-    if (e.key.size() > 1 && e.key.back() == '+' && e.value.kind == Node::Kind::sequence) {
-      append_to_list(under, e, index);
-      continue;
-    }
+    if (adds_to_list(e)) continue;
     const auto below = index.find(e.key);
     if (below == index.end()) {
+      index.emplace(e.key, under.entries.size());
       under.entries.push_back(e);
       continue;
     }
     Entry& mine = under.entries[below->second];
     mine.value = merge(std::move(mine.value), e.value);
     mine.key_spot = e.key_spot;
+  }
+  // behind all lists that are replaced, in whatever order the keys stand
+  for (const Entry& e : over.entries) {
+    if (adds_to_list(e)) append_to_list(under, e, index);
   }
   // what is missing in the whole is reported in the deck that the user runs
   under.spot = over.spot;

@@ -64,11 +64,10 @@ int off_its_carriage(const Machine& machine, const description::Reeving& given) 
   return 0;
 }
 
-void set_haul(const Machine& machine, const description::Reeving& given, bool motor, Reeving& reeving) {
-  reeving.hauled_by = HauledBy::deck;
+void set_haul(const Machine& machine, const description::Reeving& given, Reeving& reeving) {
   reeving.haul = given.haul == Haul::to_end ? 1 : -1;
-  if (given.haul != Haul::automatic) return;
-  reeving.hauled_by = HauledBy::winch;
+  reeving.haul_is_told = given.haul != Haul::automatic;
+  if (reeving.haul_is_told) return;
   const auto is_given = [&](Given tension) {
     return reeving.given == tension || (reeving.also && reeving.also->first == tension);
   };
@@ -81,8 +80,6 @@ void set_haul(const Machine& machine, const description::Reeving& given, bool mo
     reeving.haul = off;
   } else if (is_given(Given::tension_at_end)) {
     reeving.haul = 1;
-  } else if (!is_given(Given::tension_at_start) && !motor) {
-    reeving.hauled_by = HauledBy::nobody;
   }
 }
 
@@ -196,10 +193,10 @@ void set_given(const Machine& machine, const Model& model, const DescribedReevin
   if (!said.empty()) {
     reeving.given = said[0].what;
     reeving.value = said[0].value;
-    if (reeving.given == Given::length) reeving.described_length = reeving.value;
+    if (reeving.given == Given::length) reeving.described_length = given.length;  // none until the line is put up
   }
   if (takes_two && said.size() == 2) reeving.also = std::pair(said[1].what, said[1].value);
-  if (!given.path.empty()) set_haul(machine, given, motor != nullptr, reeving);
+  if (!given.path.empty()) set_haul(machine, given, reeving);
 }
 
 }  // namespace taut::machine

@@ -86,11 +86,13 @@ class PathReader {
     if (e.anchor || e.drum) complain(at, "an endless rope is fixed nowhere: 'over' and 'through' only");
     if (e.parts != 1 || !e.between.empty()) complain(at, "an endless rope has no tackle; write its sheaves one by one");
     if (e.grip && !e.through) complain({at, "grip"}, "belongs to an element with 'through'");
+    if (!e.over && e.turns != 0) complain({at, "turns"}, "belongs to an element with 'over'");
     if (e.through) carriage(*e.through, e.grip, {at, "through"});
     if (!e.over) return;
     const Target* own = links_.find(*e.over, {Thing::sheave}, {at, "over"}, complaints_);
     if (own == nullptr) return;
     stops.push_back(round_stop(machine_, *own, e.side));
+    wind(stops.back(), e.turns, at);
     if (given_round(machine_, *own).holds) {
       complain({at, "over"},
                fmt::format("'{}' holds a rope that ends at a carriage ('holds'); this one is endless", *e.over));
@@ -112,6 +114,7 @@ class PathReader {
     }
     if (e.grip && !e.through) complain({at, "grip"}, "belongs to an element with 'through'");
     if (!e.over && e.parts != 1) complain({at, "parts"}, "belongs to an element with 'over'");
+    if (!e.over && e.turns != 0) complain({at, "turns"}, "belongs to an element with 'over'");
     if (e.between.empty() || (e.over && e.parts > 1)) return;
     complain({at, "between"},
              e.over ? "belongs to a tackle of two 'parts' or more; one part is the rope to the next sheave"
@@ -158,14 +161,21 @@ class PathReader {
     for (Stop& stop : machine::stops_of(car, t->index, t->place, grips)) stops.push_back(std::move(stop));
   }
 
+  void wind(Stop& stop, int turns, const DeckPlace& at) {
+    if (turns == 0) return;
+    stop.node.turns = turns;
+    if (stop.node.radius > 0) return;
+    complain({at, "turns"}, fmt::format("'{}' has no 'diameter' round which the rope could turn", stop.node.name));
+  }
+
   /// One motor per rope with ends, and one pass over it.
   void drive(const std::string& name, const DeckPlace& at) {
     const auto other = std::find_if(stops.begin(), stops.end(), [](const Stop& stop) { return stop.drives; });
     if (other == stops.end()) return;
     complain({at, "over"},
              other->node.name == name
-                 ? fmt::format("a rope with two ends passes the driven sheave '{}' once; its way is not computed with "
-                               "several turns there",
+                 ? fmt::format("a rope with two ends passes the driven sheave '{}' once; whole turns round it are "
+                               "'turns: N' of this element",
                                name)
                  : fmt::format("'{}' drives this rope already, and a rope with two ends has one driven sheave",
                                other->node.name));
@@ -197,6 +207,7 @@ class PathReader {
     if (e.parts == 1) {
       if (single.drives) drive(*e.over, at);
       stops.push_back(single);
+      wind(stops.back(), e.turns, at);
       if (single.drives) stops.back().node.kind = NodeKind::drive;
       if (const auto carriage = ahead_of(machine_, round))
         stops.back().ahead_of = AheadOf{.carriage = *carriage, .path = DeckPlace(at, "over").text()};
@@ -205,6 +216,7 @@ class PathReader {
       }
       return;
     }
+    if (e.turns != 0) complain({at, "turns"}, "belongs to an element of one part; a tackle's sheaves have no more");
     if (round.holds) complain({at, "over"}, fmt::format("'{}' has 'holds'; a tackle's sheaves have not", *e.over));
     if (single.drives) complain({at, "over"}, fmt::format("'{}' has a motor; a tackle's sheaves have none", *e.over));
     const auto name = partner(path, i, at);

@@ -193,6 +193,11 @@ const Description& PathElement::describe() {
           .at_least(1)
           .at_most(64)
           .field(&PathElement::between, "between", "the two sheaves of the tackle, 'over' and another one")
+          .field(&PathElement::turns, "turns", "", si::one,
+                 "whole turns round the sheave or support, as on a capstan or a bollard, besides the wrap between its "
+                 "neighbours")
+          .at_least(0)
+          .at_most(20)
           .choice(&PathElement::side, "side", {{"left", Side::left}, {"right", Side::right}},
                   "side of the path on which the sheave or drum lies, looking along its axis; default: by the bend of "
                   "the rope in equilibrium")

@@ -171,6 +171,7 @@ struct PathElement {
   std::optional<std::string> drum;
   int parts = 1;
   std::vector<std::string> between;
+  int turns = 0;  ///< whole ones round a sheave or support, besides the wrap between its neighbours
   Side side = Side::automatic;
   bool grip = false;  ///< an endless rope that passes a carriage twice is fixed to it at this element
   static const Description& describe();

@@ -126,8 +126,10 @@ void warn_of_paper(const Case<T>& c, const Output& out, Sheet<T>& s) {
       return fmt::format(
           "The paper's formulas (P_b, T_b, T_n, T_up, T_lA_paper) are outside their range (sag/distance to the nearer "
           "support {:.2g}, limit 0.2; slope {:.3g} deg, limit 10 deg). Taking the roller force as vertical alone makes "
-          "T_lA_paper about P_b sin(alpha_s) = {} too {}. Build by the closed-form tier.",
-          local, value(c.alpha_s) / degree, kN(std::abs(excess)), excess < 0 ? "small, which is unsafe" : "large");
+          "T_lA_paper about P_b sin(alpha_s) = {} too {}. Build by {}.",
+          local, value(c.alpha_s) / degree, kN(std::abs(excess)), excess < 0 ? "small, which is unsafe" : "large",
+          local > local_slope_limit ? "the values that end in _exact: the closed-form tier is out of its range too"
+                                    : "the closed-form tier");
     });
   }
   if (!(out.P_b > 0)) {

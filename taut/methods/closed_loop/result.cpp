@@ -172,7 +172,8 @@ void add_words(const Input& in, const Solved& found, Result& r) {
   const std::vector<Row>& rows = found.rows;
   r.assumptions = {"Statics of one span; both branches hang parallel, with the same sag at the carriage.",
                    "Ropes are parabolas (small sag): the closed-form tier is within 2 % of catenaries for sags up to "
-                   "0.15 of the span.",
+                   "0.2 of the distance to the nearer support and ropes that weigh no more than the load; beyond, its "
+                   "tensions are mostly too small.",
                    "Not in these numbers: rolling resistance, bending of the ropes over sheaves and rollers, splices, "
                    "wear, shocks at "
                    "intermediate supports, wind, temperature."};

@@ -104,6 +104,11 @@ TEST(ClosedLoopResult, AListOfPositionsMakesATable) {
   EXPECT_EQ(r.find_value("x")->value, 100);
   EXPECT_TRUE(warns(r, "1 of 3 positions"));
   EXPECT_TRUE(warns(r, "outside their range"));
+  EXPECT_TRUE(warns(r, "Build by the closed-form tier"));
+  // near a support that is too small as well
+  in.slope = 15 * degree;
+  in.position = {180};
+  EXPECT_TRUE(warns(run(in), "Build by the values that end in _exact"));
 }
 
 TEST(ClosedLoopResult, NothingFeasibleKeepsTheStepsReached) {

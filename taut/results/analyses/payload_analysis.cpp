@@ -174,6 +174,49 @@ Plot used_plot(const machine::Model& model, const study::PayloadRun& run) {
   return p;
 }
 
+/// The payload is put on the carriage. What hangs on it by a rope of its own does not carry it there.
+void add_hung(const machine::Model& model, const study::PayloadRun& run, Result& r) {
+  const machine::Carriage& car = model.carriages[run.way.carriage];
+  for (std::size_t i = 0; i < model.reevings.size(); ++i) {
+    const auto& nodes = model.reevings[i].nodes;
+    const auto last = static_cast<int>(nodes.size()) - 1;
+    for (int n = 0; n < last; ++n) {
+      const auto hung = study::hung_on(model, car, static_cast<int>(i), n, n + 1);
+      if (!hung) continue;
+      r.unmade.push_back(fmt::format(
+          "payload{}: it is put on '{}', and '{}' that hangs '{}' there does not carry it: its strength is not judged "
+          "with it; put the load on '{}' in an equilibrium or an envelope, or leave the rope out",
+          run.ending, car.name, model.reevings[i].name, model.bodies[*hung].name, model.bodies[*hung].name));
+      r.warnings.push_back(r.unmade.back());
+      break;
+    }
+  }
+}
+
+/// Sheaves hold their rope; a limit of the angle counts at supports that it could leave.
+void add_bends_on_sheaves(const MachineRun& machine, const study::PayloadRun& run, Result& r) {
+  if (!std::isfinite(run.limits.break_angle)) return;
+  std::map<std::string, double> most;
+  const int rope = machine.model.carriages[run.way.carriage].reeving;
+  for (const study::PayloadPosition& one : run.positions) {
+    if (!one.answered()) continue;
+    for (const solve::ContactResult& c : one.point.payload.at.contacts) {
+      const machine::Node& node = one.model->reevings[c.reeving].nodes[c.node];
+      const bool counts = node.support != Vector3::Zero() || machine::is_saddle(node);
+      if (c.reeving != rope || counts || machine::rides(*one.model, node)) continue;
+      double& angle = most[node.name];
+      angle = std::max(angle, c.turning);
+    }
+  }
+  for (const auto& [name, angle] : most) {
+    if (angle <= run.limits.break_angle) continue;
+    warn_unsafe(r,
+                fmt::format("payload{}: 'break_angle' does not count at sheave '{}', over which the rope bends by up "
+                            "to {}: give it 'uplift: report' to count it",
+                            run.ending, name, machine.display.brief(angle, si::rad)));
+  }
+}
+
 /// Where a rope has to be clear of the ground and hangs slack, without mass.
 void add_slack(const machine::Model& model, const study::PayloadRun& run, Result& r) {
   std::set<int> told;
@@ -315,6 +358,8 @@ void add_results(MachineRun& machine, const study::PayloadRun& run, Result& r) {
   r.tables.push_back(payload_table(machine.model, run));
   if (judged) add_gaps(machine.model, run, r);
   if (judged) add_slack(machine.model, run, r);
+  if (judged) add_hung(machine.model, run, r);
+  if (judged) add_bends_on_sheaves(machine, run, r);
   if (run.positions.size() > 1) {
     Profile profile = payload_profile(machine, run, *least.of_all);
     machine.key_figure.offer(Pictured::payload, profile.name, judged);

@@ -144,8 +144,10 @@ void warn_of_errors(const study::TransientRun& run, bool judged, Result& r) {
          result.spent * tolerance > study::coarse_tolerance);
   }
   if (result.tension_error > tolerance) {
-    warn(fmt::format("{}: Verlet's steps leave an error of up to {:.2g} % in the tensions, tolerance {:.2g} %: {}",
-                     words_of(run), 100 * result.tension_error, 100 * tolerance, better),
+    const bool by_verlet = run.options.method == solve::TimeMethod::verlet;
+    warn(fmt::format("{}: {} steps leave an error of up to {:.2g} % in the tensions, tolerance {:.2g} %: {}",
+                     words_of(run), by_verlet ? "Verlet's" : "its given", 100 * result.tension_error, 100 * tolerance,
+                     better),
          true);
   }
 }
@@ -177,17 +179,48 @@ void add_slip_shares(const study::TransientRun& run, Result& r) {
   }
 }
 
-/// Peak over static against phi2 of EN 13001-2.
+/// The tension with which a rope hangs still, or runs steadily, when the motion ends, N: the same over its last second.
+std::optional<double> hangs_with(const study::TransientRun& run, int reeving) {
+  constexpr double lasts = 1, same = 0.01;  // s; as a share
+  const Array<solve::TransientFrame>& frames = run.result.frames;
+  const double from = frames.back().t - lasts;
+  if (from < frames.front().t) return std::nullopt;
+  double least = HUGE_VAL, most = 0;
+  for (const solve::TransientFrame& frame : frames) {
+    if (frame.t < from) continue;
+    double T = 0;
+    for (const auto& branch : frame.branches) {
+      if (branch.reeving == reeving) T = std::max({T, branch.T_from, branch.T_to});
+    }
+    least = std::min(least, T);
+    most = std::max(most, T);
+  }
+  return most > 0 && most - least <= same * most ? std::optional(least) : std::nullopt;
+}
+
+/// Peak over static against phi2 of EN 13001-2. A load that is picked up from the ground hangs at the end alone.
 void check_hoist_factor(const study::TransientRun& run, Result& r) {
   if (!run.request.hoist_factor) return;
   const study::HoistFactor& asked = *run.request.hoist_factor;
   const auto rope = std::find_if(run.model.reevings.begin(), run.model.reevings.end(),
                                  [&](const machine::Reeving& one) { return one.name == asked.rope; });
   if (rope == run.model.reevings.end()) return;
-  const solve::RopeExtreme& e = run.result.ropes[rope - run.model.reevings.begin()];
+  const auto index = static_cast<int>(rope - run.model.reevings.begin());
+  const solve::RopeExtreme& e = run.result.ropes[index];
   if (std::isnan(e.T_static)) {
     r.unmade.push_back(
         fmt::format("{}.phi2{}: the saved state does not say the tension at rest: calculate the first part anew",
+                    asked.rope, run.ending));
+    return;
+  }
+  constexpr double much_more = 2;  // than where it begins: the load has stood there
+  const double at_end = hangs_with(run, index).value_or(0);
+  const bool picked_up = at_end > much_more * e.T_static;
+  const double T_static = picked_up ? at_end : e.T_static;
+  if (!(T_static > 0)) {
+    r.unmade.push_back(
+        fmt::format("{}.phi2{}: the rope bears nothing where the motion begins, and no load hangs still on it for 1 s "
+                    "where it ends: give a longer 'duration'",
                     asked.rope, run.ending));
     return;
   }
@@ -197,11 +230,12 @@ void check_hoist_factor(const study::TransientRun& run, Result& r) {
   expects(phi2_min && beta2, "the table of rules has the hoisting classes");
   const double phi2 = *catalogue::value_of(*phi2_min) + *catalogue::value_of(*beta2) * asked.speed;
   r.checks.push_back(make_check(
-      fmt::format("{}.phi2{}", asked.rope, run.ending), e.T_static > 0 ? e.T.max / e.T_static : HUGE_VAL, si::one,
+      fmt::format("{}.phi2{}", asked.rope, run.ending), e.T.max / T_static, si::one,
       {.sense = Sense::at_most,
        .limit = phi2,
-       .rule = fmt::format("peak over static tension against {}, HC{}, v_h = {:.4g} m/s ({})", phi2_min->text,
-                           static_cast<int>(asked.hoisting_class) + 1, asked.speed, phi2_min->source),
+       .rule = fmt::format("peak over static tension{} against {}, HC{}, v_h = {:.4g} m/s ({})",
+                           picked_up ? fmt::format(" of the end, {:.4g} kN,", at_end / 1e3) : std::string(),
+                           phi2_min->text, static_cast<int>(asked.hoisting_class) + 1, asked.speed, phi2_min->source),
        .trust = phi2_min->trust_text.empty() ? "unverified" : fmt::format("unverified: {}", phi2_min->trust_text)}));
 }
 
@@ -313,6 +347,55 @@ std::string weight_words(const study::TransientRun& run, std::size_t reeving) {
       much);
 }
 
+/// How fast a rope runs over a round of its path, m/s; 0 where it ends at a body.
+double runs_at(const study::TransientRun& run, const solve::TransientFrame& frame, int reeving, int node) {
+  const Array<machine::Node>& nodes = run.model.reevings[reeving].nodes;
+  node %= static_cast<int>(nodes.size());
+  if (const auto& drum = nodes[node].drum) return frame.drums[*drum].speed;
+  const auto found = std::find_if(frame.contacts.begin(), frame.contacts.end(),
+                                  [&](const auto& c) { return c.reeving == reeving && c.node == node; });
+  return found == frame.contacts.end() ? 0 : found->flow;
+}
+
+/// Kinetic energy that a rope would have by the halves of its free parts at rounds, which do not run with it, J. One
+/// that is torn whips as it will.
+double energy_along(const study::TransientRun& run, const solve::TransientFrame& frame, int reeving) {
+  const machine::Reeving& rope = run.model.reevings[reeving];
+  double energy = 0;
+  for (const auto& branch : frame.branches) {
+    if (branch.reeving != reeving) continue;
+    if (!branch.whole) return 0;
+    for (const int node : {branch.from, branch.to}) {
+      const double speed = runs_at(run, frame, reeving, node);
+      energy += rope.copies * rope.mass * branch.unstretched / 2 * speed * speed / 2;
+    }
+  }
+  return energy;
+}
+
+/// Ropes whose mass along themselves, which is left out, is much beside the inertia that they move with.
+void warn_of_mass_along(const study::TransientRun& run, Result& r) {
+  constexpr double much = 0.05, of_turnover = 1e-3;  // less than that of all energy is no motion
+  if (!run.options.rope_mass || run.options.quasi_static) return;
+  for (std::size_t i = 0; i < run.model.reevings.size(); ++i) {
+    const machine::Reeving& rope = run.model.reevings[i];
+    if (rope.segments > 1 || !(rope.mass > 0)) continue;
+    double most = 0, share = 0, t = 0;
+    for (const solve::TransientFrame& frame : run.result.frames) {
+      const double along = energy_along(run, frame, static_cast<int>(i));
+      if (along <= most) continue;
+      most = along;
+      share = along / frame.energy.kinetic;
+      t = frame.t;
+    }
+    if (share <= much || most <= of_turnover * run.result.frames.back().energy.turnover) continue;
+    r.warnings.push_back(fmt::format(
+        "{}: the inertia of '{}' along itself is not counted; at t = {:.4g} s it is {:.0f} % of what moves: "
+        "add its mass times R^2 to the 'inertia' of a drum or sheave that it runs over",
+        words_of(run), rope.name, t, 100 * share));
+  }
+}
+
 void add_words(const study::TransientRun& run, Result& r) {
   const solve::TransientResult& result = run.result;
   const bool explicit_steps = run.options.method == solve::TimeMethod::verlet;
@@ -341,6 +424,7 @@ void add_words(const study::TransientRun& run, Result& r) {
   }
   add_missed_events(run, r);
   add_kept_lengths(run, r);
+  warn_of_mass_along(run, r);
   if (run.request.save && result.interrupted) {
     r.warnings.push_back(
         fmt::format("the saved state is that of t = {:.6g} s, where it was interrupted", result.t_end));

@@ -116,7 +116,7 @@ void prepare(Run& run, const DynamicState& start) {
   run.T_older = run.T_old;
   run.rate_old = run.nu_old = run.before.rate;
   run.T_largest.assign(run.model.reevings.size(), 0.0);
-  run.T_error = run.T_last = run.T_shown = run.T_largest;
+  run.T_error = run.T_largest;
   forget_tension_rates(run);
   run.origin = start;
   for (DynamicState::Rope& rope : run.origin.ropes) {
@@ -293,7 +293,10 @@ TransientResult transient(const machine::Model& described, const TransientOption
   }
   run.end = run.before.t + options.duration;
   run.stops = stops_of(run, run.before.t, run.end);
-  if (options.step <= 0 || options.quasi_static) run.extremes = extremes_of(model, run.before.t, run.end);
+  const bool equal_steps = options.step > 0 && !options.quasi_static;
+  if (!equal_steps || options.method == TimeMethod::implicit) {
+    run.extremes = extremes_of(model, run.before.t, run.end, !equal_steps);
+  }
   run.result.stability_limit = stability_limit(run.m, run.before);
   const bool own_step = options.method == TimeMethod::verlet && options.step <= 0;
   if (options.method == TimeMethod::verlet) {

@@ -176,7 +176,7 @@ struct TransientFrame {
     double torque = 0, power = 0;  ///< of its drive, N m, W
     bool held = false;             ///< stands by a drive that does not turn it, or by none; no brake is set
     bool braked = false;           ///< stands in its brake, which is set and acts in full
-    bool by_torque = false;        ///< its drive gives a torque, and its brake is not set
+    bool by_torque = false;        ///< its drive gives a torque, or none; its brake is not set
   };
   /// The end of a rope that lies on a drum.
   struct OnDrum {
@@ -266,7 +266,7 @@ struct TransientResult {
   /// What the errors of implicit steps add up to, as a share of the tolerance; those with a kink and Euler's left out.
   double spent = 0;
   double open = 0, t_open = 0;  ///< largest residual of the ledger at an output step, of the turnover; when, s
-  /// Of Verlet: the error of the tensions within each of their swings, as a share of the rope's largest.
+  /// Of equal steps: the error of the tensions within each of their swings, as a share of the rope's largest.
   /// docs/theory/motion-steps.md.
   double tension_error = 0;
   Array<double> damping_time;  ///< by reeving: beta, s

@@ -13,6 +13,7 @@
 #include "taut/app/cases/study/study_chance.hpp"
 #include "taut/app/cases/study/study_figures.hpp"
 #include "taut/app/cases/study/study_words.hpp"
+#include "taut/calc/verdict.hpp"
 #include "taut/units/any_quantity.hpp"
 
 namespace taut::app {
@@ -23,6 +24,7 @@ constexpr std::array<double, 7> quantile_shares = {0.01, 0.05, 0.25, 0.5, 0.75, 
 constexpr std::array<double, 2> nine_of_ten = {0.05, 0.95};
 constexpr std::size_t most_rows = 1000;  ///< of failed cases in the result; all are in cases.h5
 constexpr std::size_t most_reasons = 20;
+constexpr std::array<const char*, 2> strengths = {".T_max", ".stress_max"};  ///< checks of a rope or guy, of a beam
 
 /// Mean, standard deviation and quantiles of an output.
 struct Statistic {
@@ -240,16 +242,20 @@ bool covers(const std::string& output, const std::string& value, const std::stri
   return output == value || output == "checks." + value || (!analysis.empty() && output == analysis + "." + value);
 }
 
+/// Whether a limit of the study is about the value of a check, in states of that analysis.
+bool speaks_of(const Study& study, const StudyLimit& limit, const std::vector<LimitedValue>& like,
+               const std::string& analysis) {
+  return std::any_of(like.begin(), like.end(), [&](const LimitedValue& value) {
+    return value.bound == limit.limit.bound && covers(study.model.outputs[limit.output].name, value.name, analysis);
+  });
+}
+
 /// Whether a limit of the study counts that failure. It takes the place of a limit of the deck on the same value; what
 /// no limit can allow it has to count as beyond itself.
 bool counted(const Study& study, const StudyData& data, const FlawedCase& one) {
   const std::vector<LimitedValue> like = limits_like(one.flaw);
   return std::any_of(study.limits.begin(), study.limits.end(), [&](const StudyLimit& limit) {
-    const std::string& output = study.model.outputs[limit.output].name;
-    const bool speaks = std::any_of(like.begin(), like.end(), [&](const LimitedValue& value) {
-      return value.bound == limit.limit.bound && covers(output, value.name, one.flaw.analysis);
-    });
-    if (!speaks) return false;
+    if (!speaks_of(study, limit, like, one.flaw.analysis)) return false;
     return !one.flaw.fact || chance::margin(limit.limit, data.outputs[limit.output][one.index]) < 0;
   });
 }
@@ -318,6 +324,29 @@ void add_flaws(const Study& study, const StudyData& data, Result& r) {
   r.tables.push_back(std::move(t));
 }
 
+/// Whether a limit of the study is about the strength of a rope, guy or beam, in any analysis.
+bool limits_strength(const Study& study, const std::string& part) {
+  return std::any_of(study.limits.begin(), study.limits.end(), [&](const StudyLimit& limit) {
+    const std::string& output = study.model.outputs[limit.output].name;
+    const std::string analysis = output.substr(0, output.find('.'));
+    return std::any_of(strengths.begin(), strengths.end(), [&](const char* strength) {
+      return speaks_of(study, limit, limits_like({.kind = CaseFlaw::Kind::fails, .check = part + strength}), analysis);
+    });
+  });
+}
+
+/// What would pass is looked at once more: a part that needs a limit has to have one, of the deck or of the study, as
+/// in each case alone.
+void add_unasked(const Study& study, Result& r) {
+  const auto verdict = verdict_of(r);
+  const bool passes =
+      verdict && (verdict->kind == VerdictKind::passes || verdict->kind == VerdictKind::passes_with_warnings);
+  if (!passes || !study.model.unasked) return;
+  for (std::string& part : study.model.unasked()) {
+    if (!limits_strength(study, part)) r.unjudged.push_back(std::move(part));
+  }
+}
+
 void add_given(const Study& study, Result& r) {
   Table t{.name = "inputs",
           .title = "What varies",
@@ -375,6 +404,7 @@ Result study_result(const Study& study, const StudyData& data, const StudyOption
   for (const ChanceSummary::Line& line : rest.lines) summary.add(line.of, line.what, line.unit, line.estimate);
   add_failed(study, data, r);
   add_flaws(study, data, r);
+  add_unasked(study, r);
   r.tables.push_back(std::move(summary).table());
   r.series.push_back(data.rows);
   add_study_figures(study, data, rest, r);

@@ -158,6 +158,33 @@ struct OneLimit {
 };
 
 // A pull of 10 kN at least, or the pull in another analysis, says nothing of a rope that has too much.
+// Each case alone is "not judged": no limit is given for that part.
+TEST(StudyResult, APartThatNeitherDeckNorStudyLimitsIsNotJudged) {
+  using enum chance::Bound;
+  const auto unjudged_of = [](const std::string& output, chance::Bound bound, std::vector<std::string> unasked) {
+    Study study = of_cases(10);
+    study.model.outputs[0].name = output;
+    study.model.unasked = [&] { return unasked; };
+    study.limits = {{.output = 0, .limit = {.bound = bound, .value = 2}, .allowed = 0.9}};
+    StudyData data;
+    data.outputs = {std::vector<double>(10, bound == at_least ? 3 : 1)};
+    const Result r = study_result(study, data, {});
+    const auto verdict = verdict_of(r);
+    EXPECT_TRUE(verdict);
+    EXPECT_EQ(verdict->verdict_class, r.unjudged.empty() ? "" : "unasked") << verdict->reason;
+    EXPECT_EQ(verdict->kind == VerdictKind::passes, r.unjudged.empty()) << verdict->reason;
+    return r.unjudged;
+  };
+  using testing::ElementsAre;
+  using testing::IsEmpty;
+  EXPECT_THAT(unjudged_of("equilibrium.car.z", at_least, {"sky", "other"}), ElementsAre("sky", "other"));
+  EXPECT_THAT(unjudged_of("equilibrium.sky.safety_factor", at_least, {"sky", "other"}), ElementsAre("other"));
+  EXPECT_THAT(unjudged_of("equilibrium.sky.safety_factor", at_most, {"sky"}), ElementsAre("sky"));
+  EXPECT_THAT(unjudged_of("equilibrium.T_max", at_most, {"sky", "other"}), IsEmpty()) << "the largest of all";
+  EXPECT_THAT(unjudged_of("equilibrium.pole.stress_max", at_most, {"pole"}), IsEmpty());
+  EXPECT_THAT(unjudged_of("equilibrium.car.z", at_least, {}), IsEmpty());
+}
+
 TEST(StudyResult, ALimitCountsAFailureOfItsOwnSideAndAnalysisOnly) {
   using enum chance::Bound;
   const Sense least = Sense::at_least, most = Sense::at_most;

@@ -267,6 +267,7 @@ TEST(Study, AnInterruptedFormLeavesNoNumberAndKeepsTheCases) {
   EXPECT_TRUE(ended.checks.empty());
   ASSERT_EQ(ended.unmade.size(), 1u);
   EXPECT_THAT(ended.unmade.front(), HasSubstr("interrupted"));
+  EXPECT_THAT(verdict_of(ended)->reason, HasSubstr("above 35.5 kN: FORM was interrupted"));
   const Result whole_one = study_result(study, data, {});
   EXPECT_FALSE(whole_one.interrupted);
   EXPECT_GT(value(whole_one, "p"), 0);

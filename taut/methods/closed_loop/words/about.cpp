@@ -93,11 +93,13 @@ const Method& about() {
           "over "
           "sheaves, splices and wear, several spans (use the product of efficiencies as an estimate), dynamics, wind, "
           "temperature. Exact elastic catenaries of the same loop are given too.",
-      .limits = {"0 < eta <= 1, |alpha_s| < 60 deg, 0 <= gamma < 90 deg from the vertical",
-                 "Paper's formulas: local slope f/min(x, l - x) <= 0.2 and |alpha_s| <= 10 deg (P_b and T_lA then "
-                 "within 7 %)",
-                 "(8), (10): load at midspan",
-                 "Closed-form tier: end tensions within 2 % of catenaries for f/l <= 0.15"},
+      .limits =
+          {"0 < eta <= 1, |alpha_s| < 60 deg, 0 <= gamma < 90 deg from the vertical",
+           "Paper's formulas: local slope f/min(x, l - x) <= 0.2 and |alpha_s| <= 10 deg (P_b and T_lA then "
+           "within 7 %)",
+           "(8), (10): load at midspan",
+           "Closed-form tier: end tensions within 2 % of catenaries for f/min(x, l - x) <= 0.2 and ropes that weigh "
+           "no more than P"},
       .errata = errata()};
   return method;
 }

@@ -396,13 +396,13 @@ Array<double> stops_of(const Run& run, double from, double to) {
   return stops;
 }
 
-Array<double> extremes_of(const machine::Model& model, double from, double to) {
+Array<double> extremes_of(const machine::Model& model, double from, double to, bool measures) {
   Array<double> all;
   for_each_signal(model, [&](const machine::Signal& signal) {
     for (const double t : machine::extremes(signal, from, to)) all.push_back(t);
   });
   const auto add = [&](double t) {
-    if (t > from && t < to) all.push_back(t);
+    if (measures && t > from && t < to) all.push_back(t);
   };
   for (const machine::Observable& what : model.observed) {
     add(what.since);

@@ -77,7 +77,9 @@ TransientFrame::Drum turning_of(const Mechanism& m, const Values& v, std::size_t
   const std::optional<Turning> turning = prescribed(m, of, v, v.when);
   d.held = turning && turning->omega == 0 && turning->alpha == 0 && v.drive(of).kind != machine::DriveKind::pull;
   d.braked = is_braked(m, of, v, v.when) && v.spins[spin].turns == 0;
-  d.by_torque = (of.drum >= 0 || of.motor >= 0) && v.drive(of).kind == machine::DriveKind::torque && !v.drive(of).brake;
+  const machine::DriveKind drive = v.drive(of).kind;
+  const bool gives_way = drive == machine::DriveKind::torque || (of.drum >= 0 && drive == machine::DriveKind::free);
+  d.by_torque = (of.drum >= 0 || of.motor >= 0) && gives_way && !v.drive(of).brake;
   d.speed = v.spins[spin].omega * radius;
   if (given_tension(m, first, v, v.when)) {
     const ContactValues& contact = v.contacts[of.contacts.front().first];
@@ -367,9 +369,7 @@ void record_frame(Run& run, const Values& v) {
     result.observed[i].push_back(observe(run, v, run.model.observed[i]));
   }
   run.shown = v.t;
-  for (std::size_t r = 0; r < run.T_shown.size(); ++r) {
-    run.T_shown[r] = rope_tension(run.m, v, static_cast<int>(r), nullptr);
-  }
+  for (Run::Watched& one : run.watched) one.low = one.high = one.now;
   if (!run.options.take) return;
   run.options.take(result);
   if (result.frames.size() <= 2) return;
@@ -377,19 +377,50 @@ void record_frame(Run& run, const Values& v) {
   for (Array<double>& values : result.observed) values.erase(values.begin() + 1);
 }
 
+bool is_broken(const Mechanism& m, const Values& v, std::size_t reeving) {
+  const auto [first, lines] = m.first_line[reeving];
+  const auto from = v.lines.begin() + first;
+  return std::any_of(from, from + lines, [](const LineValues& line) { return line.gone < 1; });
+}
+
+namespace {
+
+/// Loads over time, which may turn between output steps.
+void watch_loads(Run& run, const Values& v, bool first) {
+  std::size_t i = run.model.reevings.size();
+  for (const machine::Load& load : run.model.loads) {
+    if (!run.options.moment || !load.over_time) continue;
+    const double value = machine::at(*load.over_time, v.when).value;
+    run.watched.resize(std::max(run.watched.size(), i + 1));
+    Run::Watched& one = run.watched[i++];
+    one.last = first ? value : one.now;
+    one.now = value;
+  }
+}
+
+}  // namespace
+
 void record_extremes(Run& run, const Values& v) {
   const bool first = run.result.steps == 0;
   measure(run, v);
+  run.watched.resize(std::max(run.watched.size(), run.model.reevings.size()));
   for (std::size_t r = 0; r < run.model.reevings.size(); ++r) {
     RopeExtreme& of = run.result.ropes[r];
     int branch = 0;
     const double T = rope_tension(run.m, v, static_cast<int>(r), &branch);
     if (first || T > of.T.max) of.branch = branch;
-    run.T_last[r] = first ? T : of.T.end;
+    const Extreme before = of.T;
     extend(of.T, T, v.t, first);
+    if (!first && is_broken(run.m, v, r)) {
+      of.T.min = before.min;
+      of.T.t_min = before.t_min;
+    }
     if (first) of.T_static = run.options.from ? run.options.from->ropes[r].T_static : T;
     run.T_largest[r] = std::max(run.T_largest[r], T);
+    run.watched[r].last = first ? T : before.end;
+    run.watched[r].now = T;
   }
+  watch_loads(run, v, first);
 }
 
 namespace {
@@ -440,17 +471,22 @@ void add_ways(Run& run) {
 
 void show_moment(Run& run, const Values& before, const Values& now) {
   if (!run.options.moment) return;
-  bool peak = false;
-  for (std::size_t r = 0; r < run.T_last.size() && !peak; ++r) {
-    peak = run.T_last[r] > run.result.ropes[r].T.end && run.T_last[r] > run.T_shown[r];
-  }
-  if (!peak && now.t - run.shown < run.options.moment_step) return;
-  for (std::size_t r = 0; r < run.T_last.size(); ++r) {
-    run.T_shown[r] = std::max(run.T_shown[r], peak ? run.T_last[r] : run.result.ropes[r].T.end);
-  }
-  const Values& v = peak ? before : now;
-  run.shown = v.t;
-  run.options.moment(run.result, frame_of(run.m, v));
+  const auto turned = [](const Run::Watched& one) {
+    return (one.last > one.now && one.last > one.high) || (one.last < one.now && one.last < one.low);
+  };
+  const auto show = [&run](const Values& v, double Run::Watched::*then) {
+    for (Run::Watched& one : run.watched) {
+      one.low = std::min(one.low, one.*then);
+      one.high = std::max(one.high, one.*then);
+    }
+    run.shown = v.t;
+    run.options.moment(run.result, frame_of(run.m, v));
+  };
+  const bool turns = std::any_of(run.watched.begin(), run.watched.end(), turned);
+  const bool touches = !std::equal(before.faces.begin(), before.faces.end(), now.faces.begin(), now.faces.end(),
+                                   [](const FaceValues& a, const FaceValues& b) { return a.closed == b.closed; });
+  if (turns) show(before, &Run::Watched::last);
+  if (touches || (!turns && now.t - run.shown >= run.options.moment_step)) show(now, &Run::Watched::now);
 }
 
 }  // namespace taut::solve::dynamics

@@ -151,7 +151,7 @@ void accept(Run& run, bool rough = false) {
   if (slowly) book_slow_step(run);
   if (!slowly && (!run.m.lossless || !run.breaking.empty())) book_step(run, rough);
   if (implicit) keep_history(run);
-  if (run.options.method == TimeMethod::verlet) note_tension_errors(run);
+  if (run.options.method == TimeMethod::verlet || (implicit && run.options.step > 0)) note_tension_errors(run);
   note_changes(run);
   add_ways(run);
   ++run.result.steps;
@@ -364,7 +364,7 @@ StepEnd look_round(Run& run, bool jump, bool& stop) {
   return end;
 }
 
-/// Where the next step has to end: at the output or at what comes before it, an extreme of a formula too. Times that
+/// Where the next step has to end: at the output or at what comes before it, an extreme of a signal too. Times that
 /// differ by their rounding alone (0.01 s * 610 and 6.1 s) are one: between them there is no step.
 double next_limit(const Run& run, double output, std::size_t next) {
   constexpr double rounding = 1e-13;

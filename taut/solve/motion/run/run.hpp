@@ -51,11 +51,14 @@ struct Run {
   double h_last = 0, h_older = 0;
   int careful = 0;            ///< steps that still grow a little at a time
   Array<double> T_largest{};  ///< by reeving, N
-  Array<double> T_last{};     ///< by reeving: a step before, N
-  Array<double> T_shown{};    ///< by reeving: the largest that was shown since the last output step, N
-  double shown = 0;           ///< time of what was shown last, s
-  Array<double> L_first{};    ///< by line, m
-  double lacks = 0;           ///< largest residual of the ledger at an output step, J
+  struct Watched {
+    double last = 0, now = 0;  ///< at the start and at the end of the step
+    double low = 0, high = 0;  ///< of what was shown since the last output step
+  };
+  Array<Watched> watched{};  ///< the largest tension of each reeving, then each load over time, N
+  double shown = 0;          ///< time of what was shown last, s
+  Array<double> L_first{};   ///< by line, m
+  double lacks = 0;          ///< largest residual of the ledger at an output step, J
   // of Verlet's steps
   Array<double> T_rate{};      ///< by line: change of its tension in the last step over that step, N/s; NaN: none
   Array<double> T_error{};     ///< by reeving: largest error of its tensions, N
@@ -92,9 +95,11 @@ void extend(Extreme& e, double value, double t, bool first);
 /// Writes down one output step; extremes at every step.
 void record_frame(Run& run, const Values& v);
 void record_extremes(Run& run, const Values& v);
+/// Whether a part of a rope tears, or is torn: its least tension is that up to then.
+bool is_broken(const Mechanism& m, const Values& v, std::size_t reeving);
 /// Adds the step to the ways of rope and rims.
 void add_ways(Run& run);
-/// Shows a moment between output steps: the start of the last step, where a rope had a peak there, or its end.
+/// Shows a moment between output steps: the start of the last step, where a tension or a load turned there, or its end.
 void show_moment(Run& run, const Values& before, const Values& now);
 TransientFrame frame_of(const Mechanism& m, const Values& v);
 
@@ -118,9 +123,9 @@ bool lay_out_joints(Run& run, Values& v);
 bool run_out(Run& run);
 /// Times of events and breakpoints of signals, without those before `from`.
 Array<double> stops_of(const Run& run, double from, double to);
-/// Where signals by a formula may have an extreme, as what peaks within a step leaves no trace at its end; and where
-/// measures begin or end.
-Array<double> extremes_of(const machine::Model& model, double from, double to);
+/// Where signals may have an extreme, as what peaks within a step leaves no trace at its end; and where `measures`
+/// begin or end.
+Array<double> extremes_of(const machine::Model& model, double from, double to, bool measures);
 /// Whether an event is due at t or a signal jumps there.
 bool jumps_at(const Run& run, double t);
 

@@ -250,7 +250,7 @@ void watch_ropes(Run& run, const Points& p, double t, double h) {
     }
     RopeExtreme& of = run.result.ropes[r];
     of.T.end = largest;
-    if (largest < of.T.min) {
+    if (largest < of.T.min && !is_broken(run.m, run.before, r)) {
       of.T.min = largest;
       of.T.t_min = t;
     }

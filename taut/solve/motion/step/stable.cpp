@@ -26,11 +26,12 @@ double stable_step(const Run& run) {
 
 void note_tension_errors(Run& run) {
   const double h = run.scheme.h;
+  const bool late = run.options.method == TimeMethod::verlet;  // its dampers
   for (std::size_t i = 0; i < run.m.lines.size(); ++i) {
     const Line& line = run.m.lines[i];
     const LineValues &was = run.before.lines[i], &is = run.now.lines[i];
-    const double held = sags(line, is) ? 0 : is.T - elastic_tension(line, is);
-    const double held_before = sags(line, was) ? 0 : was.T - elastic_tension(line, was);
+    const double held = !late || sags(line, is) ? 0 : is.T - elastic_tension(line, is);
+    const double held_before = !late || sags(line, was) ? 0 : was.T - elastic_tension(line, was);
     const double error = step_error(is.T - was.T, run.T_rate[i] * h, held - held_before);
     double& largest = run.T_error[line.reeving];
     if (error > largest) largest = error;  // not where no step is known before

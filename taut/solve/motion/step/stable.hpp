@@ -16,11 +16,12 @@ double equal_step(const TransientOptions& options, double step);
 /// short that it would not be stable any more.
 double stable_step(const Run& run);
 
-/// The error of a line's tension in a Verlet step, N: `change` in the step, `change_before` in the one before (of the
-/// same size), `damper`: change of the part that its damper holds. A swing of the frequency omega keeps the energy of
-/// one whose spring is softer by the share (omega h)^2/4: its amplitude is off by half of that, an eighth of the
-/// tension's second difference. The damper goes by the velocity of half a step before, which acts as a mass: the
-/// amplitude is off by zeta omega h/2, a quarter of the change of the damper's force. docs/theory/motion-steps.md.
+/// The error of a line's tension in one of equal steps, N: `change` in the step, `change_before` in the one before (of
+/// the same size), `damper`: of Verlet, change of the part that its damper holds. A swing of the frequency omega keeps
+/// by Verlet the energy of one whose spring is softer by the share (omega h)^2/4: its amplitude is off by half of that,
+/// an eighth of the tension's second difference; so far it may pass its top between two steps. The damper goes by the
+/// velocity of half a step before, which acts as a mass: the amplitude is off by zeta omega h/2, a quarter of the
+/// change of the damper's force. docs/theory/motion-steps.md.
 inline double step_error(double change, double change_before, double damper) {
   return std::abs(change - change_before) / 8 + std::abs(damper) / 4;
 }

@@ -270,6 +270,39 @@ StepEnd restart(Mechanism& m, Scheme s, Values& before, Values& now, Work& w, Ne
   return end;
 }
 
+namespace {
+
+/// Whether no tension has changed by more than its rounding.
+bool tensions_stay(const Mechanism& m, const Values& before, const Values& now) {
+  for (std::size_t i = 0; i < m.lines.size(); ++i) {
+    const double rounding = 2 * 2 * 2 * std::numeric_limits<double>::epsilon() * m.lines[i].stiffness;
+    if (!(std::abs(now.lines[i].T - before.lines[i].T) <= rounding)) return false;
+  }
+  return true;
+}
+
+/// How far a step has moved the machine, m, and turned its bodies, rad.
+struct Gone {
+  double moved = 0, turned = 0;
+};
+
+Gone gone(const Mechanism& m, const Values& before, const Values& now) {
+  Gone all;
+  for (const Body& body : m.bodies) {
+    for (int k = 0; k < body.count; ++k) {
+      double& most = body.about[as_size(k)] == Vector3::Zero() ? all.moved : all.turned;
+      most = std::max(most, std::abs(now.q[body.first + k] - before.q[body.first + k]));
+    }
+  }
+  for (std::size_t k = 0; k < now.contacts.size(); ++k) {
+    const int c = m.contacts[k].column;
+    all.moved = std::max(all.moved, std::abs(now.q[c] - before.q[c]));
+  }
+  return all;
+}
+
+}  // namespace
+
 StepEnd settle(Mechanism& m, Values& before, Values& now, Work& w, Newton& newton) {
   Scheme s;
   s.lossless = s.at_rest = true;
@@ -290,18 +323,14 @@ StepEnd settle(Mechanism& m, Values& before, Values& now, Work& w, Newton& newto
       if (h < 1e-12) return end;
       continue;
     }
-    double moved = 0;
-    for (const Body& body : m.bodies) {
-      for (int c = body.first; c < body.first + body.count; ++c) {
-        moved = std::max(moved, std::abs(now.q[c] - before.q[c]));
-      }
-    }
-    for (std::size_t k = 0; k < now.contacts.size(); ++k) {
-      moved = std::max(moved, std::abs(now.q[m.contacts[k].column] - before.q[m.contacts[k].column]));
-    }
+    const Gone way = gone(m, before, now);
+    const double moved = std::max(way.moved, way.turned), still = 1e-13 * m.size_of_machine;
+    const bool is_long = h > 1e3;
+    // where all that holds a body meets its axis, rounding alone turns it about that, ever farther in longer steps
+    const bool turns_freely = is_long && way.moved < still && tensions_stay(m, before, now);
     std::swap(before, now);
-    quiet = moved < 1e-13 * m.size_of_machine ? quiet + 1 : 0;
-    if (quiet >= 2 && h > 1e3) break;
+    quiet = moved < still || turns_freely ? quiet + 1 : 0;
+    if (quiet >= 2 && is_long) break;
     if (!(moved < 1e3 * m.size_of_machine)) return StepEnd::singular;
     if (moved < 0.1 * m.size_of_machine) h = std::min(h * 4, 1e6);
   }

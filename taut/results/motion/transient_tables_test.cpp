@@ -1,0 +1,77 @@
+#include "taut/results/motion/transient_tables.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+
+#include "test/support/machine_decks.hpp"
+
+/// Checks that a motion's own tables make.
+namespace taut::results::transient_tables_test {
+
+using taut_test::check_of;
+using taut_test::has_check;
+using taut_test::run_text;
+
+/// 1.5 t on the ground, on a rope that is slack: 0.1 m/s from 0.5 s on.
+Result picked_up(const std::string& duration) {
+  return run_text(R"(taut: 1
+machine:
+  signals: {up: {sequence: [{at: 0.5 s, to: 0.1 m/s, over: 0.3 s, smooth: true}]}}
+  points: {foot: {body: hook, at: [0 m, 0 m, -0.1 m]}}
+  ropes: {h: {mass: 0.8 kg/m, stiffness: 9.8 MN, breaking_force: 140 kN, damping_ratio: 0.05}}
+  bodies: {hook: {mass: 1500 kg, at: [0.2 m, 0 m, 2 m], free: [x, z]}}
+  faces: {gr: {from: [-3 m, 0 m, 1.9 m], to: [3 m, 0 m, 1.9 m], normal: [0, 0, 1]}}
+  contacts: [{point: foot, face: gr, stiffness: 3 MN/m, damping: 20 kN s/m, static_friction: 0.5}]
+  sheaves: {head: {at: [0 m, 0 m, 12 m], diameter: 400 mm, efficiency: 0.98, inertia: 0.5 kg m^2}}
+  drums: {winch: {at: [-5 m, 0 m, 1 m], core_diameter: 400 mm, inertia: 150 kg m^2, drive: {speed: up}}}
+  reevings: [{rope: h, path: [{drum: winch}, {over: head}, {anchor: hook}], length: 22.8 m, may_slack: true}]
+analyses: [{transient: {output_step: 50 ms, tolerance: 1e-4, hoist_factor: {rope: h, speed: 0.1 m/s}, duration: )" +
+                  duration + "}}]\nchecks: {ropes: {h: {dynamic_safety_factor: 4}}}\n");
+}
+
+TEST(HoistFactor, OfALoadFromTheGroundIsByItsWeight) {
+  const Result r = picked_up("10 s");
+  const Check phi = check_of(r, "h.phi2");
+  const double static_tension = 1500 * 9.80665 / 0.98;  // on the drum's side of the sheave
+  EXPECT_NEAR(phi.value, taut_test::value_of(r, "h.T_max") / static_tension, 0.02) << phi.rule;
+  EXPECT_GT(phi.value, 1.05);
+  EXPECT_LT(phi.value, 2);
+  EXPECT_NE(phi.rule.find("peak over static tension of the end"), std::string::npos) << phi.rule;
+}
+
+TEST(HoistFactor, WithoutALoadThatHangsItIsNotJudged) {
+  const Result r = picked_up("0.7 s");
+  EXPECT_FALSE(has_check(r, "h.phi2"));
+  ASSERT_FALSE(r.unmade.empty()) << r.message << to_text(r.errors);
+  EXPECT_NE(r.unmade[0].find("h.phi2: the rope bears nothing where the motion begins"), std::string::npos)
+      << r.unmade[0];
+}
+
+/// A cage of 6 t that is lowered down a shaft of 640 m, and braked.
+bool told_of_inertia(const std::string& mass) {
+  const Result r = run_text(R"(taut: 1
+machine:
+  signals: {v: {sequence: [{at: 0.5 s, to: -8 m/s, over: 4 s, smooth: true}]}}
+  ropes: {r: {stiffness: 120 MN, breaking_force: 1500 kN, damping_ratio: 0.2, mass: )" +
+                            mass + R"(}}
+  bodies: {cage: {mass: 6 t, at: [32 m, 0 m, -600 m], free: [z]}}
+  sheaves: {s: {at: [30 m, 0 m, 40 m], diameter: 4 m, inertia: 2000 kg m^2}}
+  drums: {w: {at: [0 m, 0 m, 0 m], core_diameter: 4 m, inertia: 20000 kg m^2, drive: {speed: v}}}
+  reevings: [{rope: r, path: [{drum: w}, {over: s}, {anchor: cage}], length: 695 m}]
+analyses: [{transient: {duration: 6 s, output_step: 50 ms, tolerance: 1e-3}}]
+checks: {ropes: {r: {dynamic_safety_factor: 3}}}
+)");
+  EXPECT_EQ(r.status, Status::ok) << r.message << to_text(r.errors);
+  return std::any_of(r.warnings.begin(), r.warnings.end(), [](const std::string& words) {
+    return words.find("the inertia of 'r' along itself is not counted; at t = ") != std::string::npos;
+  });
+}
+
+TEST(MassAlongARope, IsToldWhereItIsMuch) {
+  EXPECT_TRUE(told_of_inertia("8 kg/m"));
+  EXPECT_FALSE(told_of_inertia("1 kg/m"));
+}
+
+}  // namespace taut::results::transient_tables_test
