@@ -210,7 +210,7 @@ TEST(Signal, AFormulaTellsItsKinksAndExtremes) {
 TEST(Signal, ASineTellsItsExtremes) {
   const Signal s = {.name = "s", .unit = si::N, .law = Sine{.mean = 3, .amplitude = 2, .omega = 1.7, .phase = 0.4}};
   const Array<double> found = extremes(s, 0, 10);
-  ASSERT_EQ(found.size(), 5U);
+  ASSERT_EQ(found.size(), 6U);
   for (const double t : found) EXPECT_NEAR(at(s, t).rate, 0, 1e-13);
   EXPECT_EQ(extremes(s, found[1], found[3]), (Array<double>{found[2]})) << "the same from any start";
   EXPECT_TRUE(extremes({.name = "s", .unit = si::N, .law = Sine{.mean = 3}}, 0, 10).empty());

@@ -15,7 +15,7 @@
 #include "taut/math/index.hpp"
 #include "taut/mechanics/beam_piece.hpp"
 #include "taut/solve/definite.hpp"
-#include "taut/solve/places_stiffness.hpp"
+#include "taut/solve/rest/places_stiffness.hpp"
 #include "taut/solve/stability.hpp"
 
 namespace taut::solve {

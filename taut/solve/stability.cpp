@@ -13,8 +13,8 @@
 #include "taut/math/index.hpp"
 #include "taut/mechanics/branch_force.hpp"
 #include "taut/solve/beam_tables.hpp"
-#include "taut/solve/places_stiffness.hpp"
 #include "taut/solve/rest/fed_rope.hpp"
+#include "taut/solve/rest/places_stiffness.hpp"
 
 namespace taut::solve {
 namespace {

@@ -1,4 +1,4 @@
-#include "taut/solve/places_stiffness.hpp"
+#include "taut/solve/rest/places_stiffness.hpp"
 
 #include <cmath>
 #include <set>
