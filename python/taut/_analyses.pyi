@@ -1,6 +1,6 @@
 """Made from the descriptions by python/tools/make_stub.py; do not edit. `./dev python stub` makes it again.
 
-schema: 154fba3a47aadf3386e41a09b63b28458710c8d371c7314e74cc727840896037
+schema: fbd13b12102df623159b94bd71fb2adf3f0ed204acdadff18e94f90dd812482f
 """
 
 from collections.abc import Mapping, Sequence
@@ -300,7 +300,8 @@ class Analyses:
         tolerance: largest error of the steps, relative to the largest tension, the size of the machine and the energy
             exchanged; default 1e-5, with the reference 1e-6, with verlet or a given step 1e-3 (at least 1e-12 and at most
             0.1).
-        step: s. fixed step, without error control (above 0 s).
+        step: s. fixed step, without error control; a warning tells an error of the tensions above the tolerance (above 0
+            s).
         method: implicit with steps by the tolerance, explicit (verlet) for waves and breaks, or the slow reference (IDA of
             SUNDIALS) to judge both: `implicit`, `verlet`, `reference`. Default: implicit.
         start: settled: from the equilibrium at rest; assembled: places and lengths as described, at rest; sliding: settled,

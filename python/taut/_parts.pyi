@@ -1,6 +1,6 @@
 """Made from the descriptions by python/tools/make_stub.py; do not edit. `./dev python stub` makes it again.
 
-schema: 154fba3a47aadf3386e41a09b63b28458710c8d371c7314e74cc727840896037
+schema: fbd13b12102df623159b94bd71fb2adf3f0ed204acdadff18e94f90dd812482f
 """
 
 from collections.abc import Mapping, Sequence
@@ -19,7 +19,7 @@ class Parts:
     ) -> Machine:
         """Adds one to `points`: points of the ground or of a body.
 
-        at: m. place in the frame of its body, or of the ground (at least -1000000 m and at most 1000000 m).
+        at: m. place in the frame of its body, or of the ground (at least -1e7 m and at most 1e7 m).
         body: the body to which it belongs; default: the ground.
 
         A number is SI, a text has its unit. Returns the machine; its mistakes are told when it is calculated.
@@ -45,7 +45,7 @@ class Parts:
         stiffness: N. axial stiffness EA; default for a rope of the catalogue: metallic area times a modulus by
             construction; .inf: inextensible (above 0 MN).
         breaking_force: N. minimum breaking force (above 0 kN).
-        diameter: m. nominal diameter (above 0 mm and at most 1e9 mm).
+        diameter: m. nominal diameter (above 0 mm and at most 1e10 mm).
         expansion: 1/K. thermal expansion (at least -0.0001 1/K and at most 0.0001 1/K). Default: 1.2e-5 1/K.
         reference_temperature: K. temperature at which lengths are given; default: that of the machine (at least -273.15
             degC and at most 1726.8 degC).
@@ -70,11 +70,11 @@ class Parts:
     ) -> Machine:
         """Adds one to `bodies`: rigid bodies.
 
-        at: m. place of its origin; of a free body a first guess (at least -1000000 m and at most 1000000 m).
+        at: m. place of its origin; of a free body a first guess (at least -1e7 m and at most 1e7 m).
         mass: kg. mass; its weight acts at the centre of mass (at least 0 kg and at most 1e9 kg). Default: 0 kg.
         free: degrees of freedom along and about the axes of the ground, of a body 'on' another along and about those of
             that one at the start; none: fixed: `x`, `y`, `z`, `rx`, `ry`, `rz`.
-        centre: m. centre of mass relative to the origin (at least -1000000 m and at most 1000000 m).
+        centre: m. centre of mass relative to the origin (at least -1e7 m and at most 1e7 m).
         guide: direction of its only translation, a slide.
         inertia: kg m^2. about the centre of mass: one for all axes, or Ixx, Iyy, Izz; used in motion only (at least 0 kg
             m^2).
@@ -104,8 +104,8 @@ class Parts:
     ) -> Machine:
         """Adds one to `sheaves`: sheaves and saddles.
 
-        at: m. centre, in the frame of its body, or of the ground (at least -1000000 m and at most 1000000 m).
-        diameter: m. pitch diameter, to the centre of the rope; 0: a point (at least 0 mm and at most 1e9 mm). Default: 0
+        at: m. centre, in the frame of its body, or of the ground (at least -1e7 m and at most 1e7 m).
+        diameter: m. pitch diameter, to the centre of the rope; 0: a point (at least 0 mm and at most 1e10 mm). Default: 0
             mm.
         efficiency: T_small/T_large over the turning sheave (above 0 and at most 1). Default: 1.
         body: the body that carries it; default: the ground.
@@ -147,10 +147,10 @@ class Parts:
     ) -> Machine:
         """Adds one to `supports`: supports of a standing line: saddles.
 
-        at: m. centre, in the frame of its body, or of the ground (at least -1000000 m and at most 1000000 m).
+        at: m. centre, in the frame of its body, or of the ground (at least -1e7 m and at most 1e7 m).
         friction: friction coefficient of the rope in the groove; on a sheave without it the rope does not slip (at least
             0).
-        diameter: m. pitch diameter, to the centre of the rope; 0: a point (at least 0 mm and at most 1e9 mm). Default: 0
+        diameter: m. pitch diameter, to the centre of the rope; 0: a point (at least 0 mm and at most 1e10 mm). Default: 0
             mm.
         body: the body that carries it; default: the ground.
         axis: direction of its axis, in the frame of its body; default: [0, 1, 0], on the ground across the line in plan.
@@ -195,21 +195,21 @@ class Parts:
     ) -> Machine:
         """Adds one to `drums`: winch drums.
 
-        at: m. centre, in the frame of its body, or of the ground (at least -1000000 m and at most 1000000 m).
-        core_diameter: m. diameter of the bare drum; 0: a point (at least 0 mm and at most 1e9 mm). Default: 0 mm.
+        at: m. centre, in the frame of its body, or of the ground (at least -1e7 m and at most 1e7 m).
+        core_diameter: m. diameter of the bare drum; 0: a point (at least 0 mm and at most 1e10 mm). Default: 0 mm.
         body: the body that carries it; default: the ground.
         axis: direction of its axis, in the frame of its body; default: [0, 1, 0].
         layer: the layer from which the rope leaves; default: the first (at least 1).
         drive: drive; without it the drum does not turn.
         layers: the layer follows from the length on the drum: `auto`.
         length_on_drum: m. unstretched rope on the drum, of each rope and copy that winds on it (at least 0 m and at most
-            1000000 m).
+            1e7 m).
         wound_at: N. winding tension of the rope on the drum; default: 0, in motion the tension at the start (at least 0 kN
             and at most 1e9 kN).
-        face_width: m. width between the flanges (above 0 mm and at most 1e9 mm).
-        flange_diameter: m. flange diameter, which limits the layers (above 0 mm and at most 1e9 mm).
-        pitch: m. distance from wrap to wrap; default: the rope diameter (above 0 mm and at most 1e9 mm).
-        layer_height: m. distance from layer to layer; default: the rope diameter (above 0 mm and at most 1e9 mm).
+        face_width: m. width between the flanges (above 0 mm and at most 1e10 mm).
+        flange_diameter: m. flange diameter, which limits the layers (above 0 mm and at most 1e10 mm).
+        pitch: m. distance from wrap to wrap; default: the rope diameter (above 0 mm and at most 1e10 mm).
+        layer_height: m. distance from layer to layer; default: the rope diameter (above 0 mm and at most 1e10 mm).
         inertia: kg m^2. moment of inertia of everything that turns with it; used in motion only (at least 0 kg m^2).
             Default: 0 kg m^2.
         drag: N m s. viscous drag of its turning: moment by angular velocity; used in motion only, with an 'inertia' (at
@@ -257,8 +257,8 @@ class Parts:
         haulback: the reeving that pulls it against the mainline.
         friction: rolling friction on the rope (at least 0). Default: 0.
         length_before: m. clamped or fixed: unstretched length from the start of that reeving (closed: from its drive) to
-            the clamp (above 0 m and at most 1000000 m).
-        at: m. a first guess of its place (at least -1000000 m and at most 1000000 m).
+            the clamp (above 0 m and at most 1e7 m).
+        at: m. a first guess of its place (at least -1e7 m and at most 1e7 m).
         rollers: number of rollers, at equal distances; with more than one the carriage pitches (at least 1 and at most 16).
             Default: 1.
         wheelbase: m. distance from the first roller to the last (above 0 m and at most 100 m).
@@ -295,7 +295,7 @@ class Parts:
         rope: one of the ropes.
         path: elements from end to end.
         name: name in tables and references; default: the name of the rope.
-        length: m. unstretched length of the rope from end to end (above 0 m and at most 1000000 m).
+        length: m. unstretched length of the rope from end to end (above 0 m and at most 1e7 m).
         tension_at_start: N. in place of the length: tension that is constant in every state at rest, as by a counterweight;
             a motion begins with it and keeps the length (above 0 kN and at most 1e9 kN).
         tension_at_end: N. in place of the length: tension that is constant in every state at rest, as by a counterweight; a
@@ -407,7 +407,7 @@ class Parts:
         from_: upper end: a point, body, carriage or centre of a sheave.
         to: lower end, its anchor.
         install: tension when it is put up.
-        length: m. unstretched length (above 0 m and at most 1000000 m).
+        length: m. unstretched length (above 0 m and at most 1e7 m).
         Give exactly one of install, length.
 
         A number is SI, a text has its unit. Returns the machine; its mistakes are told when it is calculated.
@@ -537,7 +537,7 @@ class Parts:
     ) -> Machine:
         """Adds one to `markers`: places on bodies, for contacts and observed quantities.
 
-        at: m. place in the frame of its body, or of the ground (at least -1000000 m and at most 1000000 m).
+        at: m. place in the frame of its body, or of the ground (at least -1e7 m and at most 1e7 m).
         body: the body to which it belongs; default: the ground.
 
         A number is SI, a text has its unit. Returns the machine; its mistakes are told when it is calculated.
@@ -553,8 +553,8 @@ class Parts:
     ) -> Machine:
         """Adds one to `faces`: plane faces of bodies, for contacts.
 
-        from_: m. one end, in the frame of its body (at least -1000000 m and at most 1000000 m).
-        to: m. the other end; there is no contact beyond the ends (at least -1000000 m and at most 1000000 m).
+        from_: m. one end, in the frame of its body (at least -1e7 m and at most 1e7 m).
+        to: m. the other end; there is no contact beyond the ends (at least -1e7 m and at most 1e7 m).
         body: the body to which it belongs; default: the ground.
         normal: direction out of the body, towards the points without contact.
 

@@ -1,6 +1,6 @@
 """Made from the descriptions by python/tools/make_stub.py; do not edit. `./dev python stub` makes it again.
 
-schema: 154fba3a47aadf3386e41a09b63b28458710c8d371c7314e74cc727840896037
+schema: fbd13b12102df623159b94bd71fb2adf3f0ed204acdadff18e94f90dd812482f
 """
 
 from collections.abc import Mapping, Sequence
