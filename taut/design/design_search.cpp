@@ -218,6 +218,7 @@ class Searching {
   /// one that fails by least in all cases.
   void look_at_nearest() {
     std::vector<const std::pair<SizingCandidate, std::vector<double>>*> seen;
+    seen.reserve(tried_.size());
     for (const auto& [choice, one] : tried_) seen.push_back(&one);
     std::stable_sort(seen.begin(), seen.end(), [](auto* a, auto* b) { return better(a->first, b->first); });
     std::optional<SizingCandidate> nearest;

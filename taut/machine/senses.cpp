@@ -75,6 +75,17 @@ bool loses(const Node& node) {
   return node.kind == NodeKind::contact && node.law.friction > 0 && node.law.efficiency < 1;
 }
 
+/// Over the supports beside a carriage's span, towards it.
+void set_creep(const Reeving& rope, const CarriageSpan& span, Array<int>& creep) {
+  for (int n = 1; n + 1 < static_cast<int>(rope.nodes.size()); ++n) {
+    if (n > span.before && n < span.after) {
+      creep[n] = 0;
+    } else if (loses(rope.nodes[n])) {
+      creep[n] = n <= span.before ? 1 : -1;
+    }
+  }
+}
+
 }  // namespace
 
 Senses hauling_in(const Model& model, const std::optional<Prescribed>& prescribed) {
@@ -94,15 +105,8 @@ Senses hauling_in(const Model& model, const std::optional<Prescribed>& prescribe
     }
     if (!rolls_on(rope, car)) continue;
     const int sense = span.path * moves(model, car, span);
-    Array<int>&flow = all.flow[car.reeving], &creep = all.creep[car.reeving];
-    for (int n = span.before + 1; n < span.after; ++n) {
-      if (sense != 0) flow[n] = -sense;
-      creep[n] = 0;
-    }
-    for (int n = 1; n + 1 < static_cast<int>(rope.nodes.size()); ++n) {
-      if (!loses(rope.nodes[n]) || (n > span.before && n < span.after)) continue;
-      creep[n] = n <= span.before ? 1 : -1;
-    }
+    for (int n = span.before + 1; n < span.after && sense != 0; ++n) all.flow[car.reeving][n] = -sense;
+    set_creep(rope, span, all.creep[car.reeving]);
   }
   return all;
 }

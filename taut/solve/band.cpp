@@ -56,6 +56,27 @@ Array<Array<int>> crept(Array<Array<int>> flow, const Array<Array<int>>& creep, 
   return flow;
 }
 
+/// The motions that bound what is at rest: both of the machine as a whole, and both of each rope to its own winch where
+/// a carriage's mainline draws another one.
+Array<EquilibriumOptions> motions_at_rest(const machine::Model& model, const EquilibriumOptions& options) {
+  EquilibriumOptions moving = options;
+  moving.held = true;  // its friction holds it at rest
+  moving.creep.clear();
+  for (const machine::Reeving& rope : model.reevings) moving.creep.emplace_back(rope.nodes.size(), 0);
+  const Array<bool> follows = machine::hauling_in(model, options.prescribed).follows;
+  const bool draws = std::any_of(follows.begin(), follows.end(), [](bool one) { return one; });
+  Array<EquilibriumOptions> all;
+  for (const bool each_to_its_winch : {false, true}) {
+    if (each_to_its_winch && !draws) break;
+    moving.each_to_its_winch = each_to_its_winch;
+    for (const Motion motion : {Motion::in, Motion::out}) {
+      moving.motion = motion;
+      all.push_back(moving);
+    }
+  }
+  return all;
+}
+
 }  // namespace
 
 bool differs_in_motion(const machine::Model& model) {
@@ -89,24 +110,12 @@ void add_band(const machine::Model& model, const EquilibriumOptions& options, Eq
     other.bounds.clear();
     result.bounds.push_back(std::move(other));
   };
-  EquilibriumOptions moving = options;
   if (!creeps) {
     const machine::Model held = with_loads_held(model);
-    moving.held = true;  // its friction holds it at rest
-    moving.creep.clear();
-    for (const machine::Reeving& rope : model.reevings) moving.creep.emplace_back(rope.nodes.size(), 0);
-    const Array<bool> follows = machine::hauling_in(model, options.prescribed).follows;
-    const bool alone = std::any_of(follows.begin(), follows.end(), [](bool one) { return one; });
-    for (const bool each_to_its_winch : {false, true}) {
-      if (each_to_its_winch && !alone) break;
-      moving.each_to_its_winch = each_to_its_winch;
-      for (const Motion motion : {Motion::in, Motion::out}) {
-        moving.motion = motion;
-        take(held, moving);
-      }
-    }
+    for (const EquilibriumOptions& moving : motions_at_rest(model, options)) take(held, moving);
     return;
   }
+  EquilibriumOptions moving = options;
   moving.creep.clear();
   moving.creep_without_loss = false;
   moving.band = false;

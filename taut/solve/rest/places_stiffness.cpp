@@ -67,19 +67,22 @@ Array<int> rows_with_beams(const mechanics::System& s, const PlacesStiffness& al
     for (const machine::BeamPiece& piece : beam.pieces) bodies.insert({piece.start.body, piece.end.body});
   }
   const auto count = static_cast<int>(all.freedoms.size());
-  Array<int> found;
+  Array<int> found, ahead;
   Array<char> known(all.freedoms.size(), 0);
   const auto take = [&](int i) {
     if (known[i] != 0) return;
     known[i] = 1;
     found.push_back(i);
+    ahead.push_back(i);
   };
   for (int i = 0; i < count; ++i) {
     if (bodies.contains(s.layout.dofs[all.freedoms[i]].body)) take(i);
   }
-  for (std::size_t next = 0; next < found.size(); ++next) {
+  while (!ahead.empty()) {
+    const int i = ahead.back();
+    ahead.pop_back();
     for (int j = 0; j < count; ++j) {
-      if (all.matrix(found[next], j) != 0 || all.matrix(j, found[next]) != 0) take(j);
+      if (all.matrix(i, j) != 0 || all.matrix(j, i) != 0) take(j);
     }
   }
   return found;
