@@ -18,7 +18,7 @@ class DriveUses {
  public:
   /// `words`: which state it is, "sweep, drive.friction = 0.2".
   void take(const machine::Model& model, const solve::EquilibriumResult& state, const std::string& words);
-  /// One of the bounds of a running machine, for the senses in which ropes that nobody hauls may creep: the grip and
+  /// One of the bounds of a running machine, for the senses in which ropes may creep over their supports: the grip and
   /// torque of its driven sheaves. (At rest friction may take any part of a torque.)
   void take_bound(const machine::Model& model, const solve::EquilibriumResult& bound, const std::string& words);
   /// A moment of a motion: what lies on its drums, what their brakes have to hold where they stand without a brake that

@@ -188,8 +188,8 @@ struct Reeving {
   double mass = 0;      ///< per unstretched length, kg/m
   double diameter = 0;  ///< m; 0: not known
   int haul = -1;        ///< direction of flow when the motion is hoist or in: +1 along the path, -1 against it
-  bool haul_is_told =
-      true;  ///< by the deck, or by who built the machine: no carriage has a say (docs/theory/senses.md)
+  /// Of `haul`, by the deck or by who built the machine: no carriage has a say then (docs/theory/senses.md).
+  bool haul_is_told = true;
   /// Set until the rope has been put up. `value` is then only the straight length of its path, and no analysis may use
   /// it.
   std::optional<PutUp> put_up = std::nullopt;
