@@ -140,7 +140,7 @@ Verdict judged(const Result& r) {
   if (r.status != Status::ok && !r.interrupted)
     return {.kind = VerdictKind::no_answer, .verdict_class = {}, .reason = r.message};
   if (r.interrupted) {
-    // what was left unmade is told where the work ends without a message
+    // an interrupted result without a message says what was not done
     const bool told = !r.message.empty() || r.unmade.empty();
     return {.kind = VerdictKind::not_judged, .verdict_class = "unmade", .reason = told ? r.message : r.unmade.front()};
   }

@@ -227,7 +227,7 @@ class Searching {
       if ((nearest && !better(one->first, *nearest)) || !go_on()) break;
       SizingCandidate whole = one->first;
       whole.trial = trial_of(run({.choice = whole.choice, .values = one->second}, Depth::checks).result, task_.list_of);
-      // one without an answer in some case is told by find_unanswered
+      // find_unanswered tells of a choice that has no answer in some case
       if (found_.ended || std::isnan(whole.trial.utilisation)) continue;
       if (nearest && !better(whole, *nearest)) continue;
       nearest = std::move(whole);

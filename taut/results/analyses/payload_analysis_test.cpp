@@ -253,4 +253,57 @@ TEST(PayloadAnalysis, TellsEachMistakeAtItsPlace) {
                  "the breaking force of 'skyline' is not known");
 }
 
+/// A line with a bend of 25 m in plan over its second jack; `round`: what a jack is besides its place.
+Result bent_in_plan(const std::string& round, const std::string& kind = "supports", int limit = 45) {
+  return run_text(fmt::format(R"(taut: 1
+machine:
+  points: {{tail: [0 m, 0 m, 9 m], tower: [330 m, 0 m, 141 m]}}
+  ropes: {{sky: {{mass: 1.7 kg/m, stiffness: 20 MN, breaking_force: 2790 kN}}}}
+  {}:
+    jack1: {{at: [100 m, 0 m, 60 m]{}}}
+    jack2: {{at: [220 m, 25 m, 108 m]{}}}
+  carriages: {{car: {{mass: 350 kg, rides: sky, hold: clamped}}}}
+  reevings:
+    - {{rope: sky, path: [{{anchor: tail}}, {{over: jack1}}, {{through: car}}, {{over: jack2}}, {{anchor: tower}}], length: 361 m}}
+analyses: [payload: {{carriage: car, from: 150 m, to: 170 m, steps: 2, most: 30 t, limits: {{break_angle: {} deg}}}}]
+)",
+                              kind, round, round, limit));
+}
+
+TEST(PayloadAnalysis, ABreakAngleCountsTheBendInPlanOnARoundAsOnAPoint) {
+  const Result point = bent_in_plan(""), round = bent_in_plan(", diameter: 20 mm, axis: [0, 1, 0]");
+  ASSERT_EQ(point.status, Status::ok) << point.message << to_text(point.errors);
+  ASSERT_EQ(round.status, Status::ok) << round.message << to_text(round.errors);
+  const double carried = value_of(point, "payload_min");
+  EXPECT_GT(carried, 0);
+  EXPECT_NEAR(value_of(round, "payload_min"), carried, 0.01 * carried);
+}
+
+TEST(PayloadAnalysis, ASheaveThatBendsTheLineBeyondTheLimitIsToldAsUnsafe) {
+  const Result r = bent_in_plan(", diameter: 400 mm", "sheaves", 25);
+  ASSERT_EQ(r.status, Status::ok) << r.message << to_text(r.errors);
+  EXPECT_TRUE(std::any_of(r.unsafe.begin(), r.unsafe.end(), [](const std::string& one) {
+    return one.find("'break_angle' does not count at sheave 'jack2'") != std::string::npos;
+  }));
+}
+
+TEST(PayloadAnalysis, ARopeThatDoesNotCarryThePayloadIsNotJudged) {
+  const Result r = run_text(R"(taut: 1
+machine:
+  points: {tail: [0 m, 0 m, 9 m], tower: [300 m, 0 m, 120 m]}
+  ropes:
+    sky: {mass: 1.7 kg/m, stiffness: 20 MN, breaking_force: 279 kN}
+    drop: {mass: 0.3 kg/m, stiffness: 4 MN, breaking_force: 40 kN}
+  bodies: {hook: {mass: 50 kg, at: [150 m, 0 m, 50 m], free: [x, z]}}
+  carriages: {car: {mass: 400 kg, rides: sky, hold: clamped, at: [150 m, 0 m, 60 m]}}
+  reevings:
+    - {rope: sky, path: [{anchor: tail}, {through: car}, {anchor: tower}], length: 322 m}
+    - {rope: drop, path: [{anchor: car}, {anchor: hook}], length: 8 m}
+analyses: [payload: {carriage: car, from: 140 m, to: 160 m, steps: 1, limits: {sky: {safety_factor: 3}, drop: {safety_factor: 3}}}]
+)");
+  ASSERT_EQ(r.status, Status::ok) << r.message << to_text(r.errors);
+  ASSERT_FALSE(r.unmade.empty());
+  EXPECT_NE(r.unmade[0].find("'drop' that hangs 'hook' there does not carry it"), std::string::npos) << r.unmade[0];
+}
+
 }  // namespace payload_analysis_test

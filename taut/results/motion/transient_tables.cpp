@@ -180,14 +180,18 @@ void add_slip_shares(const study::TransientRun& run, Result& r) {
 }
 
 /// The tension with which a rope hangs still, or runs steadily, when the motion ends, N: the same over its last second.
+/// None where too few output steps are in it to tell a swing.
 std::optional<double> hangs_with(const study::TransientRun& run, int reeving) {
   constexpr double lasts = 1, same = 0.01;  // s; as a share
+  constexpr int enough = 10;
   const Array<solve::TransientFrame>& frames = run.result.frames;
   const double from = frames.back().t - lasts;
   if (from < frames.front().t) return std::nullopt;
   double least = HUGE_VAL, most = 0;
+  int seen = 0;
   for (const solve::TransientFrame& frame : frames) {
     if (frame.t < from) continue;
+    ++seen;
     double T = 0;
     for (const auto& branch : frame.branches) {
       if (branch.reeving == reeving) T = std::max({T, branch.T_from, branch.T_to});
@@ -195,7 +199,7 @@ std::optional<double> hangs_with(const study::TransientRun& run, int reeving) {
     least = std::min(least, T);
     most = std::max(most, T);
   }
-  return most > 0 && most - least <= same * most ? std::optional(least) : std::nullopt;
+  return seen >= enough && most > 0 && most - least <= same * most ? std::optional(least) : std::nullopt;
 }
 
 /// Peak over static against phi2 of EN 13001-2. A load that is picked up from the ground hangs at the end alone.
@@ -218,10 +222,10 @@ void check_hoist_factor(const study::TransientRun& run, Result& r) {
   const bool picked_up = at_end > much_more * e.T_static;
   const double T_static = picked_up ? at_end : e.T_static;
   if (!(T_static > 0)) {
-    r.unmade.push_back(
-        fmt::format("{}.phi2{}: the rope bears nothing where the motion begins, and no load hangs still on it for 1 s "
-                    "where it ends: give a longer 'duration'",
-                    asked.rope, run.ending));
+    r.unmade.push_back(fmt::format(
+        "{}.phi2{}: the rope bears nothing where the motion begins, and no load is seen to hang still on it "
+        "for 1 s where it ends: give a longer 'duration', or an 'output_step' of 0.1 s",
+        asked.rope, run.ending));
     return;
   }
   const std::string id = fmt::format("hoist.HC{}", static_cast<int>(asked.hoisting_class) + 1);
@@ -385,7 +389,7 @@ void warn_of_mass_along(const study::TransientRun& run, Result& r) {
       const double along = energy_along(run, frame, static_cast<int>(i));
       if (along <= most) continue;
       most = along;
-      share = along / frame.energy.kinetic;
+      share = along / (frame.energy.kinetic + along);
       t = frame.t;
     }
     if (share <= much || most <= of_turnover * run.result.frames.back().energy.turnover) continue;
