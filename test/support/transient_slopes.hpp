@@ -18,6 +18,8 @@ struct SlopesAt {
   int turns = 0;       ///< of every bearing, the sense in which it slides; 0: it sticks
   double speed = 0.1;  ///< of every freedom, up to this, m/s, 1/s
   bool still = false;  ///< nothing moves nor slips
+  bool along = false;  ///< with the inertia of ropes along themselves
+  taut::solve::Start start = taut::solve::Start::settled;
   int dice = 3;
 };
 
@@ -35,6 +37,7 @@ struct SlopesOfAStep {
     taut::solve::TransientOptions options;
     options.duration = 1;
     options.branches = at.branches;
+    options.start = at.start;
     return options;
   }
 
@@ -46,6 +49,11 @@ struct SlopesOfAStep {
 
   void begin(const SlopesAt& at) {
     for (auto& contact : run.m.contacts) contact.mass = 0;  // the thrust's rate is left out of every tangent
+    for (auto& line : run.m.lines) {
+      if (at.along) continue;
+      line.has_along = false;
+      line.rim = line.held = {false, false};
+    }
     s = run.scheme;
     s.h = s.reach = 0.02;
     s.slip_now = 1 / s.h;

@@ -361,23 +361,24 @@ double runs_at(const study::TransientRun& run, const solve::TransientFrame& fram
   return found == frame.contacts.end() ? 0 : found->flow;
 }
 
-/// Kinetic energy that a rope would have by the halves of its free parts at rounds, which do not run with it, J. One
-/// that is torn whips as it will.
+/// Kinetic energy that a rope would have by the halves of its free parts at rounds whose inertia along itself does not
+/// count, J. One that is torn whips as it will.
 double energy_along(const study::TransientRun& run, const solve::TransientFrame& frame, int reeving) {
   const machine::Reeving& rope = run.model.reevings[reeving];
   double energy = 0;
   for (const auto& branch : frame.branches) {
     if (branch.reeving != reeving) continue;
     if (!branch.whole) return 0;
-    for (const int node : {branch.from, branch.to}) {
-      const double speed = runs_at(run, frame, reeving, node);
+    for (const std::size_t end : {0U, 1U}) {
+      if (branch.along[end]) continue;
+      const double speed = runs_at(run, frame, reeving, end == 0 ? branch.from : branch.to);
       energy += rope.copies * rope.mass * branch.unstretched / 2 * speed * speed / 2;
     }
   }
   return energy;
 }
 
-/// Ropes whose mass along themselves, which is left out, is much beside the inertia that they move with.
+/// Ropes whose mass along themselves is left out in part, and that part is much beside the inertia that they move with.
 void warn_of_mass_along(const study::TransientRun& run, Result& r) {
   constexpr double much = 0.05, of_turnover = 1e-3;  // less than that of all energy is no motion
   if (!run.options.rope_mass || run.options.quasi_static) return;
@@ -394,8 +395,8 @@ void warn_of_mass_along(const study::TransientRun& run, Result& r) {
     }
     if (share <= much || most <= of_turnover * run.result.frames.back().energy.turnover) continue;
     r.warnings.push_back(fmt::format(
-        "{}: the inertia of '{}' along itself is not counted; at t = {:.4g} s it is {:.0f} % of what moves: "
-        "add its mass times R^2 to the 'inertia' of a drum or sheave that it runs over",
+        "{}: the inertia of '{}' along itself is not counted at rounds without inertia of their own; at t = {:.4g} s "
+        "that is {:.0f} % of what moves: give the sheaves that it runs over their 'inertia'",
         words_of(run), rope.name, t, 100 * share));
   }
 }

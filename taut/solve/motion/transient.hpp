@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <limits>
@@ -158,7 +159,8 @@ struct TransientFrame {
     Vector3 start, end;                     ///< m
     Vector3 leaves, arrives;                ///< directions along the path there
     bool whole = true;
-    Array<Vector3> curve;  ///< of one that sags: points between start and end, m
+    std::array<bool, 2> along{false, false};  ///< whether the inertia along itself of its half there counts
+    Array<Vector3> curve;                     ///< of one that sags: points between start and end, m
   };
   struct Contact {
     int reeving = 0, node = 0;

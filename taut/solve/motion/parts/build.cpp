@@ -12,6 +12,7 @@
 #include "taut/math/index.hpp"
 #include "taut/mechanics/bend.hpp"
 #include "taut/mechanics/system.hpp"
+#include "taut/solve/motion/parts/along.hpp"
 #include "taut/solve/motion/parts/chain_load.hpp"
 #include "taut/solve/motion/parts/couple.hpp"
 #include "taut/solve/motion/parts/rope_load.hpp"
@@ -45,6 +46,7 @@ class Builder {
     list_places();
     classify(built_.mechanism, options_.arcs);
     lump_masses(m(), start_);
+    mark_ropes_along(m(), start_);
     fill_values(start_, built_);
     measure_loaded_spans(built_.mechanism, start_);
     if (built_.outcome.ok()) built_.outcome = check(built_.mechanism, start_, built_.values);

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "taut/math/index.hpp"
+#include "taut/solve/motion/parts/along.hpp"
 #include "taut/solve/motion/parts/rope_load.hpp"
 #include "taut/solve/motion/parts/values.hpp"
 
@@ -117,8 +118,16 @@ void keep_from_circling(Mechanism& m, const Contact& contact, const Values& now)
   m.solver.values()[contact.row[own_column(m, contact)]] -= circling_share * stiffness_at(m, contact, now);
 }
 
-void law_row(Mechanism& m, const Scheme& s, std::size_t i, const Values& now, const Pressure& p, Work& w) {
+/// The part of a T_out - b T_in that follows the acceleration of the contact's spin.
+void surge_row(Mechanism& m, const Contact& contact, double a, double b, const Values& before, const Values& now) {
+  if (contact.spin < 0) return;
+  const SurgeSlopes surge = surge_slopes(m, contact, before, now);
+  m.solver.values()[contact.row[own_column(m, contact) + 1]] += a * surge.out - b * surge.in;
+}
+
+void law_row(Mechanism& m, const Scheme& s, std::size_t i, const Values& before, const Values& now, Work& w) {
   const Contact& contact = m.contacts[i];
+  const Pressure p = pressure(contact, now);
   const ContactValues& is = now.contacts[i];
   const double ratio = is.ratio;
   double& g = w.residual[contact.column];
@@ -132,14 +141,17 @@ void law_row(Mechanism& m, const Scheme& s, std::size_t i, const Values& now, co
     case Grip::forward:
       g += p.out - ratio * p.in;
       tension_row(m, contact, w, 1, ratio, -ratio * p.in * is.log_by_wrap);
+      surge_row(m, contact, 1, ratio, before, now);
       break;
     case Grip::backward:
       g += ratio * p.out - p.in;
       tension_row(m, contact, w, ratio, 1, ratio * p.out * is.log_by_wrap);
+      surge_row(m, contact, ratio, 1, before, now);
       break;
     default:
       g += p.out - p.in;
       tension_row(m, contact, w, 1, 1, 0);
+      surge_row(m, contact, 1, 1, before, now);
       break;
   }
   keep_slack_apart(m, s, contact, now);
@@ -160,7 +172,7 @@ void assemble_flow(Mechanism& m, const Scheme& s, std::size_t i, const Values& b
     m.solver.values()[contact.row[own_column(m, contact)]] += 1;
     return;
   }
-  law_row(m, s, i, now, pressure(contact, now), w);
+  law_row(m, s, i, before, now, w);
 }
 
 void assemble_spin(Mechanism& m, const Scheme& s, std::size_t i, const Values& before, const Values& now, Work& w) {
@@ -218,6 +230,9 @@ void assemble_spin(Mechanism& m, const Scheme& s, std::size_t i, const Values& b
     const Contact& contact = m.contacts[index];
     const double lever = sense * contact.copies * working_radius(m, contact, before);
     const BearingSlope slope = bearing_slope(m, contact, before, now);
+    const SurgeSlopes surge = surge_slopes(m, contact, before, now);
+    values[m.spin_places[first]] +=
+        lever * (surge.in - surge.out) + is.turns * (slope.in * surge.in + slope.out * surge.out);
     for_columns(m, contact, w, [&](std::size_t k, bool out, double T, double, double) {
       values[contact.spin_row[k]] += (out ? -lever : lever) * T + is.turns * (out ? slope.out : slope.in) * T;
     });

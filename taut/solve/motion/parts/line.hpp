@@ -29,13 +29,20 @@ struct LineValues {
   double T_e = 0, T_rate = 0;          ///< derivatives of T by strain and by its rate
   std::array<double, 2> end_T{0, 0};   ///< at its ends: with half its weight's component, N
   std::array<double, 2> thrust{0, 0};  ///< G: what the rope's momentum takes of it there, N
-  double gone = 1;                     ///< share that is left of a breaking rope
+  /// What accelerates the rope at a rim along its path: end_T is less by it where the rope leaves the rim, more where
+  /// it arrives, N. And the share that counts of the rope's inertia along itself there: 0 where it has none.
+  std::array<double, 2> surge{0, 0}, surge_share{0, 0};
+  double gone = 1;  ///< share that is left of a breaking rope
 };
 
 /// Rope on the rounds at its ends that stretches with a line, m; what of the line's length is none such.
 inline double on_rounds(const LineValues& line) { return line.arc[0] + line.arc[1]; }
 /// Its way from end to end, with that, m.
 inline double path_of(const Line& line, const LineValues& now) { return length_of(line, now.l) + on_rounds(now); }
+/// Tension of the branch at an end, with what hangs there, without what accelerates the rope at a rim, N.
+inline double tension_of_branch(const LineValues& line, std::size_t end) {
+  return line.end_T[end] + (end == 0 ? line.surge[0] : -line.surge[1]);
+}
 /// Unstretched rope between the rounds, m: the strain is the same all along. A dead end may lie on a round altogether,
 /// and may be overdrawn while a step is looked for (left_in).
 inline double free_rope(const LineValues& line) {

@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "taut/math/index.hpp"
 #include "taut/solve/motion/parts/build.hpp"
 
@@ -31,11 +33,14 @@ void lump_masses(Mechanism& m, const DynamicState& state) {
     if (load.at.body >= 0 && load.mass > 0) add_mass(m.bodies[load.at.body], load.mass, load.at.at);
   }
   for (std::size_t i = 0; i < m.lines.size(); ++i) {
-    const Line& line = m.lines[i];
+    Line& line = m.lines[i];
     const double mass = line.copies * line.mass * lumped_length(m, state, static_cast<int>(i));
     for (const std::size_t end : {0U, 1U}) {
       if (line.body[end] < 0 || mass == 0) continue;
-      add_mass(m.bodies[line.body[end]], mass * (end == 0 ? 1 - line.middle : line.middle), line.place[end]);
+      Body& body = m.bodies[line.body[end]];
+      const double share = end == 0 ? 1 - line.middle : line.middle;
+      add_mass(body, mass * share, line.place[end]);
+      if (body.count > 0) line.carried[end] = mass / line.copies * std::min(share, 0.5);
     }
   }
   for (Body& body : m.bodies) {

@@ -69,11 +69,16 @@ struct Line {
   bool part = false;
   std::array<bool, 2> at_load{false, false};  ///< its ends that are not the free line's
   std::array<bool, 2> arcs{false, false};     ///< where half of the rope on the round is the line's own
-  double share = 1, more = 0;                 ///< its length is share l + more
-  double ahead = 0, ahead_more = 0;           ///< before it lies ahead l + ahead_more
-  double middle = 0.5;                        ///< where its middle was at the start, as a share of l
-  bool tensioned = false;                     ///< by a tensioner
-  int sag = -1;                               ///< its place among the sagging lines; -1: straight
+  std::array<bool, 2> rim{false, false};      ///< where its rope runs with a round that has inertia, or a drive
+  std::array<bool, 2> held{false, false};     ///< where its rope does not run: an anchor holds it, beyond other rounds
+  std::array<bool, 2> along{false, false};  ///< where the inertia along itself of its half counts, there or farther on
+  bool has_along = false;                   ///< it has a rim, or is held
+  std::array<double, 2> carried{0, 0};      ///< mass of the half that goes with a body there that can move, kg
+  double share = 1, more = 0;               ///< its length is share l + more
+  double ahead = 0, ahead_more = 0;         ///< before it lies ahead l + ahead_more
+  double middle = 0.5;                      ///< where its middle was at the start, as a share of l
+  bool tensioned = false;                   ///< by a tensioner
+  int sag = -1;                             ///< its place among the sagging lines; -1: straight
   std::array<int, 2> contact{-1, -1};
   double stiffness = 0;  ///< EA, N
   double damping = 0;    ///< beta, s
@@ -128,6 +133,7 @@ struct Contact {
   Vector3 support = Vector3::Zero();                             ///< as of a node of the model
   double mass = 0;  ///< kg per unstretched metre, for the pressure of a rope that runs over it
   double bearing_log = 0, bearing_ratio = 1;  ///< what the efficiency of a light one allows: -ln eta, 1/eta
+  std::array<double, 2> beyond{0, 0};  ///< rope that goes with its rim beyond light rounds, on the side in, out, kg
   double copies = 1;
   int drum = -1;             ///< an end on a drum
   int on_drum = -1;          ///< its place among the ends on drums

@@ -151,7 +151,7 @@ double turned_strain_rate(const Line& line, const Array<Motion3>& bodies, const 
 }
 
 Vector3 part_force(const Line& line, const LineValues& now, std::size_t end) {
-  const double pull = line.at_load[end] ? 0 : (end == 0 ? 1 : -1) * (now.end_T[end] - now.thrust[end]);
+  const double pull = line.at_load[end] ? 0 : (end == 0 ? 1 : -1) * (tension_of_branch(now, end) - now.thrust[end]);
   const double weight = line.weight * free_rope(now) * borne(line, now.l, end);
   return (pull + weight * now.t.z()) * now.t - weight * Vector3::UnitZ();
 }
@@ -172,7 +172,7 @@ void add_part_slopes(Mechanism& m, const Scheme& s, const Line& line, const Line
     const std::size_t end = r < line.freedoms[0] ? 0 : 1;
     const double sign = line.at_load[end] ? 0 : end == 0 ? 1 : -1;
     const double per_metre = line.weight * borne(line, now.l, end), weight = per_metre * free_rope(now);
-    const double pull = sign * (now.end_T[end] - now.thrust[end]) + weight * now.t.z();
+    const double pull = sign * (tension_of_branch(now, end) - now.thrust[end]) + weight * now.t.z();
     const Vector3& V = w.columns[as_size(r)].velocity;
     const double along = now.t.dot(V);
     const Body& shape = m.bodies[line.body[end]];

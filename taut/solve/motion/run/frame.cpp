@@ -318,6 +318,7 @@ TransientFrame frame_of(const Mechanism& m, const Values& v) {
                           is.t,
                           is.t,
                           is.gone > 0,
+                          line.along,
                           {}});
     if (!sags(line, is)) continue;
     const SagValues& shape = v.sags[line.sag];

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "taut/math/index.hpp"
+#include "taut/solve/motion/parts/along.hpp"
 #include "taut/solve/motion/parts/chain_load.hpp"
 #include "taut/solve/motion/parts/couple.hpp"
 #include "taut/solve/motion/parts/rope_load.hpp"
@@ -148,7 +149,7 @@ void add_driven(const Mechanism& m, const Values& v, Powers& p) {
             : line.part
                 ? part_force(line, is, end)
                 : Vector3((end == 0 ? 1 : -1) * body_pull(is, end) * is.t - line.weight * free_rope(is) / 2 * up());
-        p.supplied -= line.copies * force.dot(moves);
+        p.supplied -= line.copies * (force + force_along(m, i, end, v)).dot(moves);
       }
     }
     p.supplied -= power_of_couples(m, static_cast<int>(b), v);
@@ -208,7 +209,7 @@ Powers powers(const Mechanism& m, const Values& v) {
     p.supplied -= m.lines[line].copies * per_metre_let_in(m, v, line, as_size(end)) * v.tension_rate[k];
   }
   add_driven(m, v, p);
-  p.running = power_of_running(m, v);
+  p.running = power_of_running(m, v) + power_along(m, v);
   return p;
 }
 

@@ -56,7 +56,8 @@ void walk_line(W& w, LineValues& l) {
   for (Vector3* one : {&l.t, &l.axis, &l.flat, &l.apart}) w.matrix(*one);
   for (double* one : {&l.l, &l.flat_l, &l.L, &l.hung, &l.e, &l.e_rate, &l.T, &l.T_e, &l.T_rate, &l.gone})
     w.number(*one);
-  for (auto* pair : {&l.angle, &l.skew_angle, &l.radius, &l.arc, &l.end_T, &l.thrust}) w.all(*pair);
+  for (auto* pair : {&l.angle, &l.skew_angle, &l.radius, &l.arc, &l.end_T, &l.thrust, &l.surge, &l.surge_share})
+    w.all(*pair);
 }
 
 template <class W>

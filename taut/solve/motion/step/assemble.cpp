@@ -3,6 +3,7 @@
 
 #include "taut/base/array.hpp"
 #include "taut/math/index.hpp"
+#include "taut/solve/motion/parts/along.hpp"
 #include "taut/solve/motion/parts/chain_load.hpp"
 #include "taut/solve/motion/parts/couple.hpp"
 #include "taut/solve/motion/parts/rope_load.hpp"
@@ -299,6 +300,7 @@ void assemble(Mechanism& m, const Scheme& s, const Values& before, const Values&
     } else {
       assemble_line(m, s, before, i, now, w);
     }
+    if (m.lines[i].has_along && !s.at_rest) assemble_along(m, i, now, w);
   }
   if (!m.chain_loads.empty()) assemble_chain_loads(m, s, now, w);
   assemble_contacts(m, s, before, now, w);

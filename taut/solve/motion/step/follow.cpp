@@ -6,6 +6,7 @@
 #include "taut/base/array.hpp"
 #include "taut/math/index.hpp"
 #include "taut/mechanics/bend.hpp"
+#include "taut/solve/motion/parts/along.hpp"
 #include "taut/solve/motion/parts/chain_load.hpp"
 #include "taut/solve/motion/parts/couple.hpp"
 #include "taut/solve/motion/parts/line.hpp"
@@ -371,7 +372,10 @@ bool follow(const Mechanism& m, const Scheme& s, const Values& before, const Wor
     flow(m, s, before, w, i, now);
     if (m.contacts[i].mass != 0) steady_flow(m, s, before, i, now);
   }
-  for (std::size_t i = 0; i < lines; ++i) strain_rate(m, s, before, i, now);
+  for (std::size_t i = 0; i < lines; ++i) {
+    strain_rate(m, s, before, i, now);
+    if (m.lines[i].has_along) add_surge(m, s, before, i, now);
+  }
   if (!m.chain_loads.empty()) follow_chain_loads(m, s, before, now);
   follow_couples(m, s, before, now);
   return true;
