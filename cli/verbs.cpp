@@ -143,6 +143,7 @@ int export_as(const std::string& format, const RunOptions& options) {
     say("taut: {}\n", written.error().message);
     return file_trouble;
   }
+  if (written->empty() && result.status != Status::ok) return exit_code(result, options.strict);
   if (written->empty()) {
     say("taut: no analysis of the deck has a state in space that this format takes: add an 'equilibrium', a "
         "'transient' or a slow 'pretension'\n");

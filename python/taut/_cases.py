@@ -12,7 +12,7 @@ from . import _taut
 from ._deck import Deck, Job, job_of
 from ._errors import Interrupted, NoAnswer, QuestionError, raise_mistakes
 from ._result import Floats
-from ._run import Progress, number_of_threads
+from ._run import Progress, asked, number_of_threads
 from ._units import is_pint, pint_text
 
 
@@ -43,7 +43,9 @@ class Cases:
 
     def _make(self) -> None:
         job, paths, of = self._question
-        native, result, complaints, message = _taut.make_cases(job.text, job.name, job.set, paths, of)
+        native, result, complaints, message = asked(
+            job, lambda one: _taut.make_cases(one.text, one.name, one.set, paths, of), lambda found: found[1]
+        )
         if result is not None:
             raise_mistakes(result)
         if complaints:

@@ -5,11 +5,12 @@ from __future__ import annotations
 import json
 import os
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from typing import Any, NamedTuple, Protocol, Union
 
 from . import _describe, _taut
 from ._describe import Description, Field
+from ._errors import DeckError, Mistake
 from ._units import is_pint, quantity_text
 
 
@@ -19,6 +20,8 @@ class Job(NamedTuple):
     text: str
     name: str
     set: tuple[str, ...] = ()
+    made: bool = False
+    """Whether the text was made of a dict, in which a bare number is SI."""
 
 
 class HasJob(Protocol):
@@ -31,6 +34,10 @@ Deck = Union[str, "os.PathLike[str]", Mapping[str, Any], HasJob]
 """A deck: its text (with a line end in it), the path of its file, a dict with its keys, or a Machine."""
 
 MADE = "deck.yaml made of a dict"
+SET = "--set"
+WITHOUT_UNIT = re.compile(r"needs its unit, such as '\S+ ([^']+)'$")
+BARE = re.compile(rb"[-+]?[0-9.]+(e[-+]?[0-9]+)?")
+SURROGATE = re.compile("[\ud800-\udfff]")
 PLAIN = re.compile(r"^(?!- |---|[0-9.]*$)[A-Za-z0-9=.+-][A-Za-z0-9 _./|%²³°+*()=-]*(?<! )$")
 NULLS = {"null", "Null", "NULL", "~", "", "true", "false"}
 WIDTH = 110
@@ -39,7 +46,7 @@ WIDTH = 110
 def job_of(deck: Deck, set: Mapping[str, Any] | None = None) -> Job:
     """The job of a deck, with more values set over it. Raises FileError where a file can't be read."""
     if isinstance(deck, Mapping):
-        job = Job(text_of(deck), MADE)
+        job = Job(text_of(deck), MADE, made=True)
     elif isinstance(deck, str) and "\n" in deck:
         job = Job(deck, "deck")
     elif isinstance(deck, (str, os.PathLike)):
@@ -52,6 +59,48 @@ def job_of(deck: Deck, set: Mapping[str, Any] | None = None) -> Job:
         return job
     method = method_of(job.text)
     return job._replace(set=job.set + tuple(assignment(path, value, method) for path, value in set.items()))
+
+
+def readable(job: Job) -> Job:
+    """The same job. Raises DeckError where its text holds half of a character, which no file could."""
+    for name, text in ((job.name, job.text), *((SET, one) for one in job.set)):
+        found = SURROGATE.search(text)
+        if found is None:
+            continue
+        begin = text.rfind("\n", 0, found.start()) + 1
+        line, column = text.count("\n", 0, begin) + 1, found.start() - begin + 1
+        message = f"this is half of a character (U+{ord(found[0]):04X}), as a text of UTF-16 has that was cut: write it whole"
+        source = SURROGATE.sub("?", text[begin:].split("\n", 1)[0])
+        shown = f"{name}:{line}:{column}: error: {message}\n  {source}\n  {' ' * (column - 1)}^\n"
+        raise DeckError((Mistake(name, line, column, message, source, 1, shown, False),))
+    return job
+
+
+def with_units(job: Job, mistakes: Iterable[Mistake]) -> Job:
+    """The job with the SI unit behind the bare numbers that the reader wants one of: their keys do not tell it by
+    themselves, as the ends of a sweep have the unit of its parameter. The same job where there are none.
+    """
+    lines, values = job.text.split("\n"), list(job.set)
+    # from the last one on, so that the columns of the others stay
+    for one in sorted(mistakes, key=lambda one: one.column, reverse=True):
+        wanted = WITHOUT_UNIT.search(one.message)
+        if wanted is None:
+            continue
+        if one.file == SET and one.source_line in job.set:
+            at = job.set.index(one.source_line)
+            values[at] = _with_unit(values[at], one, wanted[1])
+        elif job.made and one.file == job.name:
+            lines[one.line - 1] = _with_unit(lines[one.line - 1], one, wanted[1])
+    return job._replace(text="\n".join(lines), set=tuple(values))
+
+
+def _with_unit(line: str, mistake: Mistake, unit: str) -> str:
+    """The line with an SI unit behind the bare number of that mistake. `unit`: one of the same kind, "kN"."""
+    data = line.encode()
+    end = mistake.column - 1 + mistake.width
+    if not BARE.fullmatch(data[mistake.column - 1 : end]):
+        return line
+    return (data[:end] + f" {_taut.quantity(f'1 {unit}')[1]}".encode() + data[end:]).decode()
 
 
 def method_of(text: str) -> str | None:

@@ -139,14 +139,17 @@ def _walk(d: Description, steps: list[str]) -> Field | None:
     if found.kind in ("named_records", "records") and not (found.rest and d.find(steps[0]) is found):
         rest = rest[1:]  # the name or the index
     if found.kind == "triple":
-        return _direction(found) if rest[:1] == ["angle"] else found
+        # a place over the ground has keys of its own: points.head.lean
+        own = table(found.record).find(rest[0]) if rest and found.record is not None else None
+        return own or (_direction(found) if rest[:1] == ["angle"] else found)
     if found.record is None:
         return found
     inner = table(found.record)
-    if not rest or (found.shorthand and inner.find(rest[0]) is None):
-        # what stands for one field alone may leave its key away: points.head[2]
-        return inner.find(found.shorthand) if found.shorthand else found
-    return _walk(inner, rest)
+    if not found.shorthand and not rest:
+        return found
+    # what stands for one field alone may leave its key away: points.head[2]
+    short = bool(found.shorthand) and (not rest or inner.find(rest[0]) is None)
+    return _walk(inner, [found.shorthand, *rest] if short else rest)
 
 
 def _direction(field: Field) -> Field:

@@ -74,7 +74,7 @@ class Machine(Analyses, Parts):
 
     def job(self) -> Job:
         """The deck as text, with what was set over it."""
-        job = self._job if self._built is None else Job(text_of(self._built), BUILT)
+        job = self._job if self._built is None else Job(text_of(self._built), BUILT, made=True)
         assert job is not None
         return job._replace(set=job.set + tuple(self._set.values()))
 

@@ -6,10 +6,10 @@ import os
 import sys
 import tempfile
 from collections.abc import Callable, Mapping
-from typing import Any, Optional
+from typing import Any, Optional, TypeVar
 
 from . import _taut
-from ._deck import Deck, Job, job_of
+from ._deck import Deck, Job, job_of, readable, with_units
 from ._errors import DeckError, FileError, Interrupted, Mistake, raise_mistakes
 from ._result import Result
 
@@ -18,6 +18,7 @@ Progress = Optional[Callable[[str, float, str], object]]
 
 
 MOST_THREADS = 1024
+Asked = TypeVar("Asked")
 
 
 def number_of_threads(threads: int) -> int:
@@ -32,7 +33,8 @@ def finished(native: _taut.NativeResult | None, raised: BaseException | None, wh
     result = None if native is None else Result(native)
     if isinstance(raised, KeyboardInterrupt):
         words = f": {result.message}" if result is not None and result.message else ""
-        raise Interrupted(f"{what} was interrupted{words}; 'result' of this exception has what was done", result) from raised
+        kept = "" if result is None else "; 'result' of this exception has what was done"
+        raise Interrupted(f"{what} was interrupted{words}{kept}", result) from raised
     if raised is not None:
         raise raised
     if result is None or native is None:
@@ -41,9 +43,26 @@ def finished(native: _taut.NativeResult | None, raised: BaseException | None, wh
     return result
 
 
+def mistakes_of(native: _taut.NativeResult | None) -> list[Mistake]:
+    """The mistakes of the deck that a result tells."""
+    return [] if native is None else [Mistake(*one) for one in native.errors()]
+
+
+def asked(job: Job, ask: Callable[[Job], Asked], native: Callable[[Asked], _taut.NativeResult | None]) -> Asked:
+    """The answer to a job, of which `native` is the result with the mistakes; asked anew with the SI units that these
+    want of bare numbers. Mistakes are told before anything is calculated.
+    """
+    answer = ask(readable(job))
+    while (more := with_units(job, mistakes_of(native(answer)))) != job:
+        job = more
+        answer = ask(job)
+    return answer
+
+
 def run_job(job: Job, progress: Progress = None) -> Result:
     """Runs a job."""
-    return finished(*_taut.run(job.text, job.name, job.set, progress), "the calculation")
+    answer = asked(job, lambda one: _taut.run(one.text, one.name, one.set, progress), lambda found: found[0])
+    return finished(*answer, "the calculation")
 
 
 def run(deck: Deck, set: Mapping[str, Any] | None = None, *, progress: Progress = None) -> Result:
@@ -63,8 +82,8 @@ def check(deck: Deck, set: Mapping[str, Any] | None = None) -> list[Mistake]:
 
     Raises FileError where the deck itself can't be read.
     """
-    job = job_of(deck, set)
-    return [Mistake(*one) for one in _taut.check(job.text, job.name, job.set).errors()]
+    native = asked(job_of(deck, set), lambda one: _taut.check(one.text, one.name, one.set), lambda found: found)
+    return mistakes_of(native)
 
 
 def schema() -> str:
@@ -115,13 +134,16 @@ def study(
 
     folder: keeps the cases there; called again with the same deck it goes on where it was ended. Default: a temporary
     one. All cases are in series["cases"].
-    Raises DeckError, FileError, and Interrupted after Ctrl-C or a False of `progress`.
+    Raises DeckError, FileError, and Interrupted after Ctrl-C or a False of `progress`: without a result, as the cases
+    that are done stand in `folder` alone.
     """
     threads = number_of_threads(threads)
     job = job_of(deck, set)
     with tempfile.TemporaryDirectory(prefix="taut-") as temporary:
         place = os.fspath(folder) if folder is not None else os.path.join(temporary, "study")
-        native, done, of, raised = _taut.study(job.text, job.name, job.set, place, threads, progress)
+        native, done, of, raised = asked(
+            job, lambda one: _taut.study(one.text, one.name, one.set, place, threads, progress), lambda found: found[0]
+        )
     kept = f"the study, with {done} of {of} cases done,"
     return finished(native, raised, kept if of else "the study")
 
@@ -136,7 +158,10 @@ def calibrate(
     """
     threads = number_of_threads(threads)
     job = job_of(deck, set)
-    return finished(*_taut.calibrate(job.text, job.name, job.set, threads, progress), "the calibration")
+    answer = asked(
+        job, lambda one: _taut.calibrate(one.text, one.name, one.set, threads, progress), lambda found: found[0]
+    )
+    return finished(*answer, "the calibration")
 
 
 def show_progress(what: str, done: float, words: str) -> None:

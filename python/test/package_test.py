@@ -241,10 +241,54 @@ class Machines(unittest.TestCase):
             one = machine.copy().set(path, number).solve().values.T_max
             other = machine.copy().set(path, text).solve().values.T_max
             self.assertAlmostEqual(one / other, 1, 12, path)
+        over_jacks = taut.Machine(EXAMPLES / "machines/skyline_over_jacks.yaml")
+        leans = [over_jacks.copy().set("machine.supports.jack1.at.lean", lean).solve(carriage="car", x=200.0).values.T_max
+                 for lean in (np.radians(2), "2 deg")]
+        self.assertAlmostEqual(leans[0] / leans[1], 1, 12)
         # its method stands in the deck that it includes
         chance = EXAMPLES / "study/mast_chance.yaml"
         one = taut.run(chance, {"input.skyline_force": 1e5}).values.D_tube
         self.assertEqual(one, taut.run(chance, {"input.skyline_force": "100 kN"}).values.D_tube)
+
+    def test_a_number_whose_key_does_not_tell_its_unit_is_si(self):
+        drives = EXAMPLES / "machines/running_skyline.yaml"
+        pull = "machine.drums.haulback_drum.drive.pull"
+        forces = [taut.run(drives, {pull: one}).values.T_max for one in (25000.0, 25000, "25 kN")]
+        self.assertEqual(forces[0], forces[2])
+        self.assertEqual(forces[1], forces[2])
+        self.assertNotEqual(taut.run(drives, {pull: 30e3}).values.T_max, forces[0])
+        self.assertEqual(taut.check(drives, {pull: 25e3}), [])
+        ends = [taut.Machine(SKYLINE).sweep(parameter="loads[0].mass", from_=least, to=most, steps=2).values
+                for least, most in ((1000.0, 2000), ("1 t", "2 t"))]
+        self.assertEqual(ends[0], ends[1])
+        # in a dict, two of them in one line
+        line = {"taut": 1, "machine": {"points": {"a": [0, 0, 10], "b": [100, 0, 10]},
+                                       "ropes": {"r": {"breaking_force": 2e5, "stiffness": 2e7, "mass": 1}},
+                                       "bodies": {"süß": {"mass": 100, "at": [50, 0, 5], "free": ["x", "z"]}},
+                                       "reevings": [{"name": "one", "rope": "r", "path": [taut.anchor("a"), taut.anchor("süß")],
+                                                     "length": 52.0},
+                                                    {"name": "two", "rope": "r", "path": [taut.anchor("süß"), taut.anchor("b")],
+                                                     "length": 52.0}],
+                                       "loads": [{"at": "süß", "mass": 1000}]},
+                "analyses": [{"sweep": {"parameter": "loads.süß.mass", "from": 1e3, "to": 1200, "steps": 2}}]}
+        self.assertEqual(taut.check(line), [])
+        # of a file that is read, and of what never has a unit, it stays a mistake
+        text = drives.read_text().replace("pull: 25 kN", "pull: 25", 1)
+        with self.assertRaisesRegex(taut.DeckError, "needs its unit, such as '25 kN'"):
+            taut.run(text)
+        with self.assertRaisesRegex(taut.DeckError, "needs its unit"):
+            taut.run(drives, {pull: "25000"})
+
+    def test_half_a_character_has_its_place(self):
+        for deck, more, place in (("taut: 1\ntitle: a\ud800b\nmachine: {}\n", None, ("deck", 2, 9)),
+                                  ({"taut": 1, "title": "a\udfff", "machine": {}}, None, ("deck.yaml made of a dict", 2, 10)),
+                                  ("taut: 1\nmachine: {}\n", {"title": "ab\ud83d"}, ("--set", 1, 10))):
+            for ask in (taut.run, taut.check, taut.study, lambda deck, more: taut.cases(deck, ["a.b"], ["c"], more)):
+                with self.assertRaisesRegex(taut.DeckError, "half of a character") as caught:
+                    ask(deck, more)
+                error = caught.exception
+                self.assertEqual((error.file, error.line, error.column), place)
+                self.assertLess(len(str(error)), 250)
 
 
 class Cases(unittest.TestCase):
@@ -375,6 +419,21 @@ class Ends(unittest.TestCase):
         self.assertTrue(taut.run(deck, progress=lambda *_: False).interrupted)
         with self.assertRaisesRegex(ZeroDivisionError, "division"):
             taut.run(deck, progress=lambda *_: 1 // 0)
+
+    def test_an_interrupted_study_promises_no_result(self):
+        begin = threading.Event()
+
+        def interrupt():
+            begin.wait(60)
+            os.kill(os.getpid(), signal.SIGINT)
+
+        thread = threading.Thread(target=interrupt)
+        thread.start()
+        with self.assertRaises(taut.Interrupted) as caught:
+            taut.study(EXAMPLES / "study/rope_life_chance.yaml", progress=lambda *_: begin.set())
+        thread.join()
+        self.assertIsNone(caught.exception.result)
+        self.assertNotIn("'result'", str(caught.exception))
 
     def test_a_calibration_that_is_ended_has_no_numbers(self):
         fit = taut.calibrate(EXAMPLES / "study/calibrated_line.yaml", progress=lambda *_: False)

@@ -13,6 +13,7 @@
 #include "taut/app/job.hpp"
 #include "taut/calc/comparison.hpp"
 #include "taut/calc/shown.hpp"
+#include "taut/io/data_files.hpp"
 #include "taut/io/file.hpp"
 #include "taut/io/folder.hpp"
 #include "taut/io/hdf5.hpp"
@@ -145,6 +146,11 @@ tl::expected<void, FileError> check_folder(const std::string& folder) {
 
 tl::expected<std::vector<std::string>, FileError> write_files(const Result& result, const std::string& folder,
                                                               const FileOptions& options) {
+  if (!io::named_apart(result)) {
+    Result apart = result;
+    io::name_apart(apart);
+    return write_files(apart, folder, options);
+  }
   const auto fill = [&](const std::string& place) {
     Written names = write_result(result, place, options);
     if (!names || !options.more) return names;

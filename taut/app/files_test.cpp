@@ -66,6 +66,18 @@ TEST(Files, CsvHasTheUnitsOfTheReportOrSi) {
   EXPECT_NE(text_of(folder / "comparison.csv").find("pull,P,N,1500,2000,,corrected"), std::string::npos);
 }
 
+// A table and a plot of the same name had one file, and the plot's numbers were the last to be written.
+TEST(Files, APlotDoesNotOverwriteATable) {
+  const taut_test::ScratchFolder scratch;
+  Result r = sample();
+  r.tables.front().name = "size";
+  const auto written = write_files(r, scratch.path().string(), {.units = FileUnits::si});
+  ASSERT_TRUE(written.has_value()) << written.error().message;
+  EXPECT_EQ(text_of(scratch.path() / "size.csv"), "x [m]\r\n1\r\n2\r\n");
+  EXPECT_EQ(text_of(scratch.path() / "size_plot.csv"), "x [m],D [m]\r\n0,1\r\n1,2\r\n");
+  EXPECT_NE(text_of(scratch.path() / "report.md").find("(data: size_plot.csv)"), std::string::npos);
+}
+
 TEST(Files, SaysWhyItCannotWrite) {
   const taut_test::ScratchFolder scratch;
   const auto file = scratch.path() / "a_file";

@@ -12,6 +12,7 @@
 #include "taut/app/method_deck.hpp"
 #include "taut/app/prepare_machine.hpp"
 #include "taut/calc/answers.hpp"
+#include "taut/io/data_files.hpp"
 #include "taut/io/deck/deck.hpp"
 
 namespace taut::app {
@@ -103,6 +104,7 @@ Result run(const Job& job) {
                                      fmt::join(aside, ", ")));
   }
   finish_answers(r);
+  io::name_apart(r);
   return r;
 }
 

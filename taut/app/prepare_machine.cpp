@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <memory>
+#include <string>
 #include <utility>
 
 #include "taut/app/absurd.hpp"
@@ -34,6 +36,7 @@
 #include "taut/results/merge.hpp"
 #include "taut/results/put_up.hpp"
 #include "taut/results/rope_stiffness.hpp"
+#include "taut/rope/rope_check.hpp"
 #include "taut/study/deck/missing.hpp"
 #include "taut/study/deck/temperature.hpp"
 #include "taut/study/deck/watch.hpp"
@@ -356,6 +359,16 @@ std::set<std::string> judged_names(const results::MachineRun& run, bool more, co
   return names;
 }
 
+/// Ropes whose tension at rest says nothing of their motions, each with why.
+std::map<std::string, std::string> ropes_beyond_rest(const results::MachineRun& run) {
+  std::map<std::string, std::string> found;
+  for (std::size_t i = 0; i < run.model.reevings.size(); ++i) {
+    const rope::RopeUse& use = run.checked->ropes.of(i);
+    if (!rope::rest_is_known(use)) found.emplace(use.name, rope::why_rest_is_unknown(use));
+  }
+  return found;
+}
+
 /// What a deck that names nothing to observe has observed is for motions, pulls in turn and vibrations.
 machine::ModelFor use_of(const MachineDeck& deck) {
   const bool moves = std::any_of(deck.analyses.begin(), deck.analyses.end(), [](const study::AnalysisRequest& one) {
@@ -469,6 +482,7 @@ Result run_machine(const MachineDeck& deck, RunDepth depth, const std::function<
     for (const study::EquilibriumRun& one : run.equilibria) many.found->push_back(one.result.state);
   }
   if (many.judged != nullptr && whole) *many.judged = judged_names(run, more, r);
+  if (many.beyond_rest != nullptr && run.checked) *many.beyond_rest = ropes_beyond_rest(run);
   return r;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <set>
@@ -44,6 +45,8 @@ struct OneOfMany {
   bool judges = true;                                     ///< the same
   /// In which the names of all values and checks are put that need `judges`.
   std::set<std::string>* judged = nullptr;
+  /// In which the ropes are put whose motions have more than the tension at rest (rope::rest_is_known), each with why.
+  std::map<std::string, std::string>* beyond_rest = nullptr;
 };
 
 /// What the checks of a deck name holds their numbers: it is found anew after one of them was changed. Infeasible where

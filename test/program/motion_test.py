@@ -401,6 +401,17 @@ analyses:
             self.assertIn("timestep=\"0.5\"", (pathlib.Path(folder) / "motion.pvd").read_text())
             self.assertEqual(taut("export", "stl", "-", "-o", folder, stdin=HOIST).returncode, 2)
 
+    def test_no_vtk_without_an_answer(self):
+        # the rope of 6 m cannot reach from the top to the load
+        deck = ("taut: 1\nmachine:\n  points: {a: [0 m, 0 m, 0 m], b: [10 m, 0 m, 0 m]}\n"
+                "  ropes: {r: {mass: 1 kg/m, stiffness: .inf}}\n"
+                "  reevings: [{rope: r, path: [{anchor: a}, {anchor: b}], length: 6 m}]\n")
+        with tempfile.TemporaryDirectory() as folder:
+            done = taut("export", "vtk", "-", "-o", folder, stdin=deck)
+            self.assertEqual(done.returncode, 3, done.stderr)
+            self.assertIn("infeasible", done.stderr)
+            self.assertNotIn("no analysis of the deck", done.stderr)
+
     def test_two_envelopes_have_two_names(self):
         deck = HOIST.replace("analyses:\n", "analyses:\n  - envelope: {motions: [in, out]}\n")
         with tempfile.TemporaryDirectory() as folder:

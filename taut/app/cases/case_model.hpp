@@ -45,7 +45,9 @@ struct CaseOutput {
 struct CaseFlaw {
   enum class Kind { unsafe, unmade, fails };
   Kind kind = Kind::unsafe;
-  std::string check = {};        ///< of `fails`: the name of the check, "skyline.T_max"; else empty
+  /// Of `fails`: the name of the check, "skyline.T_max". Of `unmade`: the only value that can't be judged, empty where
+  /// the whole case can't be.
+  std::string check = {};
   std::string words = {};        ///< why, one sentence
   bool fact = false;             ///< of `fails`: no limit of the deck can allow it: breaking force, yield, ground
   Sense sense = Sense::at_most;  ///< of `fails`: on which side of its limit the check holds its value
@@ -68,6 +70,8 @@ struct CaseModel {
   std::vector<CaseOutput> outputs;
   /// What the deck takes out of the verdict of each case: parts by `exempt`, analyses by `judge: false`.
   std::vector<std::string> exempt = {}, left_out = {};
+  /// Analyses that count in a run of the deck and that no output needs, as outputs would name them.
+  std::vector<std::string> not_run = {};
   /// Parts whose strength no limit of the deck judges, found by a run of the whole deck as it is; none: no such parts.
   std::function<std::vector<std::string>()> unasked = {};
   /// One number (SI) for each input. A pure function: the same numbers give the same bits, whatever was asked before

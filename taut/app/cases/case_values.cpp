@@ -24,12 +24,16 @@ struct FoundValue {
   std::string label;
 };
 
-std::optional<FoundValue> find(const Result& r, const WantedValue& wanted) {
+std::optional<FoundValue> find_in_values(const Result& r, const WantedValue& wanted) {
   for (const std::string& name : {wanted.name, wanted.name + wanted.ending}) {
     if (const Value* v = r.find_value(name)) {
       return FoundValue{.name = v->name, .value = v->value, .unit = v->unit, .label = v->label};
     }
   }
+  return std::nullopt;
+}
+
+std::optional<FoundValue> find_in_checks(const Result& r, const WantedValue& wanted) {
   for (const Check& c : r.checks) {
     if (c.name == wanted.name) return FoundValue{.name = c.name, .value = c.value, .unit = c.unit, .label = c.rule};
     if (c.name + utilisation == wanted.name) {
@@ -38,6 +42,12 @@ std::optional<FoundValue> find(const Result& r, const WantedValue& wanted) {
     }
   }
   return std::nullopt;
+}
+
+std::optional<FoundValue> find(const Result& r, const WantedValue& wanted) {
+  auto found = wanted.checks_first ? find_in_checks(r, wanted) : find_in_values(r, wanted);
+  if (found) return found;
+  return wanted.checks_first ? find_in_values(r, wanted) : find_in_checks(r, wanted);
 }
 
 std::vector<std::string> names_in(const Result& r) {

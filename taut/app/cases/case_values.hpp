@@ -18,6 +18,9 @@ struct WantedValue {
   std::string name;    ///< of the value or check
   std::string ending;  ///< of the analysis, which the value's name may have too
   std::string place;   ///< in the deck
+  /// Whether a check of that name comes before a value of that name. The value `skyline.safety_factor` is of the
+  /// tension at rest, the check of the tension that it has to hold.
+  bool checks_first = false;
 };
 
 /// Numbers of a deck's `parameters`, "parameters.travel": they stand in its expressions, so that it is read again for

@@ -46,6 +46,27 @@ TEST(CaseValues, AreFoundByNameByTheEndingOfTheirAnalysisAndAsChecks) {
   EXPECT_EQ(outputs[0], 5e3);
 }
 
+// The value is of the tension at rest, the check of the peak that it has to hold: 9.8 beside 5.5 of a winch.
+TEST(CaseValues, WhereChecksComeFirstTheirNumberIsTaken) {
+  Result r = some();
+  r.values.push_back(value_of("sky.safety_factor", 9));
+  WantedValue wanted{.output = 0, .name = "sky.safety_factor", .ending = "", .place = ""};
+  std::vector<double> outputs(1, 0);
+  ASSERT_TRUE(take_values(r, {wanted}, outputs).ok());
+  EXPECT_EQ(outputs[0], 9);
+  wanted.checks_first = true;
+  ASSERT_TRUE(take_values(r, {wanted}, outputs).ok());
+  EXPECT_EQ(outputs[0], 4);
+  CaseModel made;
+  made.outputs.resize(1);
+  NoCases wrong;
+  add_outputs(r, {wanted}, made, wrong);
+  EXPECT_EQ(made.outputs[0].base, 4);
+  wanted.name = "sky.T_max";
+  ASSERT_TRUE(take_values(r, {wanted}, outputs).ok());
+  EXPECT_EQ(outputs[0], 3e3) << "what no check has is a value";
+}
+
 TEST(CaseValues, AValueIsAskedForOnceWhateverItsSpelling) {
   CaseModel made;
   for (const char* name : {"equilibrium_2.sky.T_max", "equilibrium_2.sky.T_max_2"}) {

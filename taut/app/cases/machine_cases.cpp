@@ -144,20 +144,66 @@ void weaken_by_heat(const MachineDeck& deck, const MachineDeck& part, Result& r)
   }
 }
 
+/// What a part of a case has found.
+struct PartRun {
+  Result r;
+  /// Factors that are wanted, over a tension at rest which the motion goes far beyond.
+  std::vector<CaseFlaw> open = {};
+};
+
+/// `beyond`: ropes that a motion loads far more than at rest, each with why. A check that is made has its own number.
+std::vector<CaseFlaw> open_factors(const DeckPart& part, const std::map<std::string, std::string>& beyond,
+                                   const Result& r) {
+  std::vector<CaseFlaw> open;
+  for (const auto& [rope, why] : beyond) {
+    const std::string name = rope + ".safety_factor";
+    const bool wanted = std::any_of(part.wanted.begin(), part.wanted.end(), [&](const WantedValue& one) {
+      return one.name == name || one.name == name + ".utilisation";
+    });
+    const bool made = std::any_of(r.checks.begin(), r.checks.end(), [&](const Check& c) { return c.name == name; });
+    if (!wanted || made) continue;
+    // an analysis alone does not see the others
+    const bool alone = part.kind == DeckPart::Kind::analysis;
+    open.push_back(
+        {.kind = CaseFlaw::Kind::unmade,
+         .check = name,
+         .words = fmt::format("{} is for the tension at rest: {}; add an analysis at rest with the full load{}, or "
+                              "limit the T_max of {}, which has the peak",
+                              name, why, alone ? fmt::format(" and limit checks.{}", name) : std::string{}, rope),
+         .sense = Sense::at_least,
+         .analysis = part.analysis.label});
+  }
+  return open;
+}
+
+/// A factor of `checks` is that of the check. Where it could not be made there is none.
+void without_open(std::vector<CaseFlaw> open, Result& r) {
+  if (open.empty() || r.status != Status::ok) return;
+  r.status = Status::infeasible;
+  r.message = std::move(open.front().words);
+}
+
 /// `deck`: pruned of `whole`.
-Result run_part(const MachineOfCase& whole, const DeckPart& part, const MachineDeck& deck, const OneOfMany& many) {
-  if (part.kind == DeckPart::Kind::checks) return run_machine(deck, RunDepth::checks, {}, many);
+PartRun run_part(const MachineOfCase& whole, const DeckPart& part, const MachineDeck& deck, OneOfMany many) {
+  std::map<std::string, std::string> beyond;
+  many.beyond_rest = &beyond;
+  if (part.kind == DeckPart::Kind::checks) {
+    PartRun found{.r = run_machine(deck, RunDepth::checks, {}, many)};
+    without_open(open_factors(part, beyond, found.r), found.r);
+    return found;
+  }
   if (part.kind == DeckPart::Kind::analysis) {
-    Result r = run_machine(deck, RunDepth::values, {}, many);
-    weaken_by_heat(whole.deck, deck, r);
-    return r;
+    PartRun found{.r = run_machine(deck, RunDepth::values, {}, many)};
+    weaken_by_heat(whole.deck, deck, found.r);
+    found.open = open_factors(part, beyond, found.r);
+    return found;
   }
   const auto run = [](const MachineDeck& one, RunDepth depth, const std::function<bool(const Progress&)>& ask) {
     return run_machine(one, std::min(depth, RunDepth::checks), ask);
   };
   const auto no_picture = [](const MachineDeck&, Result&) {};
-  return design::run_design(
-      machine_task(std::make_shared<const MachineDeck>(deck), whole.space, {.run = run, .picture = no_picture}, {}));
+  return {.r = design::run_design(machine_task(std::make_shared<const MachineDeck>(deck), whole.space,
+                                               {.run = run, .picture = no_picture}, {}))};
 }
 
 FoundParameter parameter_of(MachineDeck& deck, const std::string& path) {
@@ -283,11 +329,12 @@ CaseAnswer answer_by(const MachineModel& model, const MachineOfCase& whole, cons
     const DeckPart& part = model.parts[i];
     const tl::expected<const MachineDeck*, Outcome> deck = deck_of(i);
     if (deck) {
-      const Result r = run_part(whole, part, **deck, one_of_many(part));
+      const auto [r, open] = run_part(whole, part, **deck, one_of_many(part));
       answer.outcome = take_values(r, part.wanted, found);
       std::vector<CaseFlaw> flaws = part.tells ? flaws_of(r, model.base.deck.display) : std::vector<CaseFlaw>{};
       for (CaseFlaw& one : flaws) one.analysis = part.about;
       std::move(flaws.begin(), flaws.end(), std::back_inserter(answer.flaws));
+      answer.flaws.insert(answer.flaws.end(), open.begin(), open.end());
     } else {
       answer.outcome = deck.error();
     }
@@ -378,8 +425,23 @@ void sort_outputs(const std::vector<CaseName>& outputs, MachineModel& model, NoC
     into.wanted.push_back({.output = i,
                            .name = name.substr(first.size() + 1),
                            .ending = into.analysis.ending,
-                           .place = outputs[i].place});
+                           .place = outputs[i].place,
+                           .checks_first = into.kind != DeckPart::Kind::analysis});
   }
+}
+
+/// Analyses that count in a run of the deck and not in its cases.
+std::vector<std::string> analyses_not_run(const MachineModel& model) {
+  std::vector<std::string> all;
+  const auto runs = [&](const NamedAnalysis& one) {
+    return std::any_of(model.parts.begin(), model.parts.end(), [&](const DeckPart& part) {
+      return part.kind != DeckPart::Kind::analysis || part.analysis.label == one.label;
+    });
+  };
+  for (const NamedAnalysis& one : named_analyses(model.base.deck.analyses)) {
+    if (one.judged && !runs(one)) all.push_back(one.label);
+  }
+  return all;
 }
 
 }  // namespace
@@ -423,7 +485,7 @@ MadeCases machine_cases(const ReadMachine& read, const CaseQuestion& question,
   for (DeckPart& part : model->parts) {
     std::set<std::string> judged;
     const OneOfMany first{.found = &part.states, .judged = &judged};
-    const Result r = run_part(model->base, part, pruned(part, model->base.deck), first);
+    const Result r = run_part(model->base, part, pruned(part, model->base.deck), first).r;
     add_outputs(r, part.wanted, made, wrong);
     if (!wrong.complaints.empty() || !wrong.outcome.ok()) return tl::unexpected(std::move(wrong));
     // the checks are of the deck with all its analyses
@@ -433,6 +495,7 @@ MadeCases machine_cases(const ReadMachine& read, const CaseQuestion& question,
     add_new(r.left_out, made.left_out);
     part.judges = part.tells || needs(part, judged);
   }
+  made.not_run = analyses_not_run(*model);
   // a design takes no choice that has one
   if (!model->base.deck.design) {
     made.unasked = [model = std::shared_ptr<const MachineModel>(model)] {

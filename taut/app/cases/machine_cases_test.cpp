@@ -274,6 +274,85 @@ TEST(MachineCases, ChecksAreOfTheWholeDeck) {
   EXPECT_NEAR(a.outputs[1], 3 / factor, 1e-8);
 }
 
+/// 500 kg on a rope of 150 kN, and 50 kN that come within a second and stay: 5 kN at rest, 55 kN at the end.
+std::string pulled(const std::string& factor) {
+  return "taut: 1\n"
+         "machine:\n"
+         "  signals: {pull: {ramp: {to: 50 kN, start: 0.2 s, duration: 1 s, smooth: true}}}\n"
+         "  points: {top: [0 m, 0 m, 20 m]}\n"
+         "  ropes: {r: {breaking_force: 150 kN, stiffness: 15 MN, mass: 1 kg/m, damping_ratio: 0.05}}\n"
+         "  bodies: {hook: {mass: 500 kg, at: [0 m, 0 m, 10 m], free: [z]}}\n"
+         "  reevings: [{rope: r, path: [{anchor: top}, {anchor: hook}], length: 10 m}]\n"
+         "  loads: [{at: hook, force: [0 kN, 0 kN, -1 N], signal: pull}]\n"
+         "analyses: [{transient: {duration: 2 s, output_step: 20 ms}}]\n"
+         "checks: {ropes: {r: {" +
+         factor + "}}}\n";
+}
+
+const char* const pulled_mass = "machine.bodies.hook.mass";
+
+// The factor at rest is 30, and the check holds 2.7 against its limit.
+TEST(MachineCases, AFactorOfTheChecksIsThatOfTheCheckAlsoInAMotion) {
+  const std::string text = pulled("safety_factor: 2.5");
+  const CaseModel m = model_of(
+      text, question_of({pulled_mass}, {"checks.r.safety_factor", "transient.r.safety_factor", "checks.r.T_max"}));
+  const CaseAnswer a = m.answer(std::vector<double>{510});
+  ASSERT_TRUE(a.outcome.ok()) << a.outcome.message;
+  const Result r = run(job_of(text, {"machine.bodies.hook.mass=510 kg"}));
+  const auto check =
+      std::find_if(r.checks.begin(), r.checks.end(), [](const Check& c) { return c.name == "r.safety_factor"; });
+  ASSERT_NE(check, r.checks.end());
+  EXPECT_NEAR(a.outputs[0], check->value, 1e-9 * check->value);
+  EXPECT_NEAR(a.outputs[0], 150e3 / a.outputs[2], 1e-9 * check->value) << "by the peak";
+  EXPECT_NEAR(a.outputs[1], r.find_value("r.safety_factor")->value, 1e-9 * a.outputs[1]);
+  EXPECT_NEAR(a.outputs[1], 150e3 / (510 + 10) / 9.80665, 0.01 * a.outputs[1]) << "at rest: the rope weighs 10 kg";
+}
+
+// Not judged by a run of the deck: the factor is enough at rest, and not at the peak.
+TEST(MachineCases, AFactorThatNoCheckCouldTellHasNoAnswer) {
+  for (const char* factor : {"safety_factor: 5", "diameter: 16 mm"}) {
+    const auto read = read_cases(job_of(pulled(factor)));
+    ASSERT_TRUE(read.has_value()) << to_text(read.error().errors);
+    const auto made = read->cases(question_of({pulled_mass}, {"checks.r.safety_factor"}));
+    ASSERT_FALSE(made.has_value()) << factor;
+    EXPECT_THAT(made.error().outcome.message, HasSubstr("the motion reaches 55")) << factor;
+    EXPECT_THAT(made.error().outcome.message, HasSubstr("more than twice the tension at rest")) << factor;
+  }
+}
+
+TEST(MachineCases, AFactorAtRestThatAMotionGoesBeyondIsTold) {
+  const CaseModel m = model_of(pulled("safety_factor: 5"), question_of({pulled_mass}, {"transient.r.safety_factor"}));
+  const auto open_of = [&](double mass) {
+    const CaseAnswer a = m.answer(std::vector<double>{mass});
+    EXPECT_TRUE(a.outcome.ok()) << a.outcome.message;
+    const auto found = std::find_if(a.flaws.begin(), a.flaws.end(),
+                                    [](const CaseFlaw& one) { return one.check == "r.safety_factor"; });
+    return found == a.flaws.end() ? std::nullopt : std::optional(*found);
+  };
+  const auto open = open_of(500);
+  ASSERT_TRUE(open.has_value());
+  EXPECT_EQ(open->kind, CaseFlaw::Kind::unmade);
+  EXPECT_EQ(open->analysis, "transient");
+  EXPECT_THAT(open->words, HasSubstr("r.safety_factor is for the tension at rest: the motion reaches 55"));
+  EXPECT_THAT(open->words, HasSubstr("full load and limit checks.r.safety_factor, or limit the T_max of r"));
+  // 50 kN more than 2 MN are no news
+  EXPECT_FALSE(open_of(200e3).has_value());
+}
+
+TEST(MachineCases, AnalysesThatNoOutputNeedsAreNamed) {
+  const auto not_run = [](const std::string& text, const std::vector<std::string>& outputs) {
+    return model_of(text, question_of({"machine.loads[0].mass"}, outputs)).not_run;
+  };
+  using testing::ElementsAre;
+  using testing::IsEmpty;
+  EXPECT_THAT(not_run(deck, {"equilibrium_2.sky.T_max"}), ElementsAre("equilibrium", "equilibrium_far", "load_path"));
+  EXPECT_THAT(not_run(deck, {"equilibrium_2.sky.T_max", "checks.sky.safety_factor"}), IsEmpty());
+  std::string text = deck;
+  text.replace(text.find("name: far"), 9, "name: far, judge: false");
+  EXPECT_THAT(not_run(text, {"equilibrium_2.sky.T_max"}), ElementsAre("equilibrium", "load_path"))
+      << "what a run of the deck does not judge is not missed";
+}
+
 /// The same number by a run of its own and by a case.
 struct SetNumber {
   const char* path;   ///< of the deck

@@ -166,10 +166,20 @@ void add_grid_limits(const Study& study, const StudyData& data, Result& r) {
   }
 }
 
+/// Before the sentence of the verdict, behind what stands there.
+void put_before(const std::string& words, Result& r) { r.preface += (r.preface.empty() ? "" : "; ") + words; }
+
+/// A run of the deck judges analyses that the cases leave out: it may fail where the study passes.
+void add_not_run(const Study& study, Result& r) {
+  const std::vector<std::string>& all = study.model.not_run;
+  if (all.empty()) return;
+  put_before(fmt::format("no case calculates {}", fmt::join(all, ", ")), r);
+}
+
 void add_failed(const Study& study, const StudyData& data, Result& r) {
   if (data.failed.empty()) return;
   const double share = static_cast<double>(data.failed.size()) / static_cast<double>(study.size());
-  r.preface = fmt::format("{} of {} cases have no answer ({:.3g} %)", data.failed.size(), study.size(), 100 * share);
+  put_before(fmt::format("{} of {} cases have no answer ({:.3g} %)", data.failed.size(), study.size(), 100 * share), r);
   std::map<std::string, std::size_t> reasons;
   for (const FailedCase& one : data.failed) ++reasons[one.reason];
   std::vector<std::pair<std::string, std::size_t>> sorted(reasons.begin(), reasons.end());
@@ -260,6 +270,14 @@ bool counted(const Study& study, const StudyData& data, const FlawedCase& one) {
   });
 }
 
+/// Whether what can't be judged matters to the study: a value alone does where a limit is about it.
+bool matters(const Study& study, const CaseFlaw& flaw) {
+  if (flaw.kind != CaseFlaw::Kind::unmade || flaw.check.empty()) return true;
+  const std::string output = fmt::format("{}.{}", flaw.analysis, flaw.check);
+  return std::any_of(study.limits.begin(), study.limits.end(),
+                     [&](const StudyLimit& limit) { return study.model.outputs[limit.output].name == output; });
+}
+
 /// Cases with the same flaw.
 struct SameFlaw {
   const FlawedCase* first = nullptr;
@@ -273,6 +291,7 @@ std::vector<SameFlaw> open_flaws(const Study& study, const StudyData& data) {
   std::vector<SameFlaw> all;
   for (const FlawedCase& one : data.flawed) {
     if (one.flaw.kind == CaseFlaw::Kind::fails && counted(study, data, one)) continue;
+    if (!matters(study, one.flaw)) continue;
     const auto [at, is_new] = known.try_emplace({one.flaw.kind, one.flaw.check}, all.size());
     if (is_new) all.push_back({.first = &one});
     SameFlaw& same = all[at->second];
@@ -403,6 +422,7 @@ Result study_result(const Study& study, const StudyData& data, const StudyOption
   if (study.points) add_chance(study, data, options, rest, r);
   for (const ChanceSummary::Line& line : rest.lines) summary.add(line.of, line.what, line.unit, line.estimate);
   add_failed(study, data, r);
+  add_not_run(study, r);
   add_flaws(study, data, r);
   add_unasked(study, r);
   r.tables.push_back(std::move(summary).table());

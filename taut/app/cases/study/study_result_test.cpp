@@ -127,6 +127,28 @@ TEST(StudyResult, WhatIsSaidAgainstCasesIsCountedWithTheFirstOfThem) {
   EXPECT_EQ(cell(flaws, row_of(flaws, "are", "unsafe"), "cases"), 2);
 }
 
+// A factor at rest says nothing of a motion that goes far beyond it: no limit on it can pass.
+TEST(StudyResult, AValueThatCantBeJudgedMattersWhereALimitIsAboutIt) {
+  Study study = of_cases(100);
+  study.model.outputs[0].name = "transient.sky.safety_factor";
+  StudyData data;
+  data.outputs = {std::vector<double>(100, 30)};
+  data.flawed = {{.index = 3,
+                  .flaw = {.kind = CaseFlaw::Kind::unmade,
+                           .check = "sky.safety_factor",
+                           .words = "the motion reaches 55 kN",
+                           .sense = Sense::at_least,
+                           .analysis = "transient"}}};
+  EXPECT_TRUE(study_result(study, data, {}).unmade.empty()) << "it is looked at alone";
+  study.limits = {{.output = 0, .limit = {.bound = chance::Bound::at_least, .value = 5}, .allowed = 0.1}};
+  const Result r = study_result(study, data, {});
+  ASSERT_EQ(r.unmade.size(), 1U);
+  EXPECT_EQ(r.unmade[0], "1 of 100 cases are not judged, the first is case 3: the motion reaches 55 kN");
+  EXPECT_EQ(verdict_of(r)->kind, VerdictKind::not_judged);
+  data.flawed.front().flaw.analysis = "transient_2";
+  EXPECT_TRUE(study_result(study, data, {}).unmade.empty()) << "of another motion";
+}
+
 // A limit of the deck itself gives way to that of the study on the same value, breaking does not.
 TEST(StudyResult, ALimitOfTheStudyTakesThePlaceOfTheDecksOwn) {
   Study study = of_cases(100);
@@ -325,6 +347,14 @@ TEST(StudyResult, WhatTheDeckTakesOutOfTheVerdictIsSaid) {
   const Result r = study_result(study, data_of(study), {});
   EXPECT_EQ(r.exempt, study.model.exempt);
   EXPECT_THAT(verdict_of(r)->reason, HasSubstr("left out by 'judge: false': equilibrium mid"));
+}
+
+TEST(StudyResult, AnalysesThatNoCaseCalculatesAreSaid) {
+  Study study = products(2);
+  study.limits = {{.output = 0, .limit = {.bound = chance::Bound::at_most, .value = 100}, .allowed = {}}};
+  study.model.not_run = {"sweep", "transient_fast"};
+  EXPECT_THAT(verdict_of(study_result(study, data_of(study), {}))->reason,
+              testing::StartsWith("2 of 6 cases have no answer (33.3 %); no case calculates sweep, transient_fast; "));
 }
 
 TEST(StudyResult, AGridTellsItsExtremesAndWhereTheyAre) {

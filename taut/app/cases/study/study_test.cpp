@@ -375,6 +375,39 @@ TEST(Study, ALimitOnOneAnalysisLeavesTheChecksOfAllToJudge) {
   EXPECT_THAT(verdict_of(one)->reason, HasSubstr("left out by 'judge: false': mid"));
 }
 
+// The second analysis of the deck fails, and no output needs it.
+TEST(Study, SaysWhichAnalysesOfTheDeckItLeavesOut) {
+  const std::string text = two_places("equilibrium.sky.safety_factor: {at_least: 4}", "equilibrium.car.z");
+  const Result r = whole(text);
+  EXPECT_EQ(verdict_of(r)->kind, VerdictKind::passes);
+  EXPECT_THAT(verdict_of(r)->reason, testing::StartsWith("no case calculates equilibrium_mid; nearest to its limit"));
+  EXPECT_EQ(
+      verdict_of(run({.text = text, .name = "deck.yaml", .set = {"machine.loads[0].mass=3 t"}, .progress = {}}))->kind,
+      VerdictKind::fails);
+}
+
+// 5 kN at rest, then 50 kN more for good: the deck alone is not judged, nor is a study of its factor at rest.
+TEST(Study, AFactorAtRestPassesNoMotion) {
+  const Result r = whole(
+      "taut: 1\n"
+      "machine:\n"
+      "  signals: {pull: {ramp: {to: 50 kN, start: 0.2 s, duration: 1 s, smooth: true}}}\n"
+      "  points: {top: [0 m, 0 m, 20 m]}\n"
+      "  ropes: {r: {breaking_force: 150 kN, stiffness: 15 MN, mass: 1 kg/m, damping_ratio: 0.05}}\n"
+      "  bodies: {hook: {mass: 500 kg, at: [0 m, 0 m, 10 m], free: [z]}}\n"
+      "  reevings: [{rope: r, path: [{anchor: top}, {anchor: hook}], length: 10 m}]\n"
+      "  loads: [{at: hook, force: [0 kN, 0 kN, -1 N], signal: pull}]\n"
+      "analyses: [{transient: {duration: 2 s, output_step: 20 ms}}]\n"
+      "study:\n"
+      "  points: grid\n"
+      "  vary: {machine.ropes.r.stiffness: {list: [14 MN, 16 MN]}}\n"
+      "  of: [transient.r.safety_factor]\n"
+      "  limit: {transient.r.safety_factor: {at_least: 5}}\n");
+  EXPECT_GT(value(r, "transient.r.safety_factor.least"), 29);
+  EXPECT_EQ(verdict_of(r)->kind, VerdictKind::not_judged);
+  EXPECT_THAT(verdict_of(r)->reason, HasSubstr("more than twice the tension at rest"));
+}
+
 TEST(Study, ALimitOfTheOtherSideLeavesAFailedCheckToJudge) {
   const Result r = whole(two_places("equilibrium_mid.sky.T_max: {at_least: 10 kN}",
                                     "equilibrium_mid.sky.T_max, checks.sky.safety_factor"));

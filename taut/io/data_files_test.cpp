@@ -1,0 +1,85 @@
+#include "taut/io/data_files.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "taut/io/json.hpp"
+
+namespace taut::io::data_files_test {
+
+Table table_named(std::string name) {
+  return {.name = std::move(name), .title = "", .columns = {{.name = "x", .unit = si::m}}, .rows = {{1.0}}};
+}
+
+Plot plot_named(std::string name) {
+  return {.name = std::move(name),
+          .title = "",
+          .caption = "",
+          .x = {.label = "x", .unit = si::m},
+          .y = {.label = "y", .unit = si::m},
+          .curves = {{.label = "y", .x = {0, 1}, .y = {1, 2}}},
+          .marks = {}};
+}
+
+Profile profile_named(std::string name) {
+  Profile profile;
+  profile.name = std::move(name);
+  return profile;
+}
+
+Drawing drawing_named(std::string name) {
+  Drawing drawing;
+  drawing.name = std::move(name);
+  return drawing;
+}
+
+std::vector<std::string> names_of(const Result& r) {
+  std::vector<std::string> all;
+  for (const Table& t : r.tables) all.push_back(t.name);
+  for (const Table& t : r.series) all.push_back(t.name);
+  for (const Figure& f : r.figures) all.push_back(std::visit([](const auto& one) { return one.name; }, f));
+  return all;
+}
+
+TEST(DataFiles, WhatHasANameOfItsOwnKeepsIt) {
+  Result r;
+  r.tables = {table_named("load_path"), table_named("closure")};
+  r.series = {table_named("time")};
+  r.figures = {plot_named("load_path_profile"), plot_named(""), plot_named(""), drawing_named("closure")};
+  const auto before = names_of(r);
+  EXPECT_TRUE(named_apart(r)) << "a plot without a name has no file, nor has a drawing";
+  name_apart(r);
+  EXPECT_EQ(names_of(r), before);
+}
+
+// A load path that the deck calls `profile` has a table with the name of the picture of the unnamed one.
+TEST(DataFiles, APictureGivesWayToATable) {
+  Result r;
+  r.tables = {table_named("load_path"), table_named("load_path_profile")};
+  r.series = {table_named("time")};
+  r.figures = {profile_named("load_path_profile"), plot_named("time"), plot_named("time_plot"), plot_named("time")};
+  r.key_figure = "load_path_profile";
+  ASSERT_FALSE(named_apart(r));
+  name_apart(r);
+  EXPECT_TRUE(named_apart(r));
+  const std::vector<std::string> expected = {"load_path",   "load_path_profile", "time",       "load_path_profile_plot",
+                                             "time_plot_2", "time_plot",         "time_plot_3"};
+  EXPECT_EQ(names_of(r), expected);
+  EXPECT_EQ(r.key_figure, "load_path_profile_plot") << "page 1 goes on to show it";
+  const std::string json = to_json(r, SeriesFiles::named);
+  EXPECT_NE(json.find("\"load_path_profile_plot.csv\""), std::string::npos);
+}
+
+TEST(DataFiles, TablesOfOneNameAreNumbered) {
+  Result r;
+  r.tables = {table_named("sweep"), table_named("sweep"), table_named("sweep_2"), table_named("comparison")};
+  r.comparisons.push_back({.quantity = "pull", .symbol = "P", .unit = si::N, .build_by = ""});
+  name_apart(r);
+  const std::vector<std::string> expected = {"sweep", "sweep_3", "sweep_2", "comparison_2"};
+  EXPECT_EQ(names_of(r), expected) << "comparison.csv has the printed values beside the exact ones";
+}
+
+}  // namespace taut::io::data_files_test
