@@ -59,10 +59,12 @@ namespace {
 rope::RopeUse rope_of_loop(const char* name, const std::optional<std::string>& row, const closed_loop::Input& in) {
   rope::RopeUse use = named_use(name);
   if (row) {
-    if (const auto known = catalogue::find_rope(*row)) use.rope = *known;
+    if (const auto known = catalogue::find_rope_in_words(*row)) use.rope = *known;
   } else if (in.choose_ropes) {
+    use.chosen = true;
     use.rope.construction = in.choose_ropes->construction.value_or("");
     use.rope.core = in.choose_ropes->core.value_or("");
+    use.rope.grade = in.choose_ropes->grade;
   }
   return use;
 }
@@ -132,6 +134,28 @@ std::vector<rope::RopeUse> ropes_of_boom(const boom_ropes::Input& in, const Resu
   return all;
 }
 
+namespace {
+
+/// A rope that is chosen has the values of its row. Those that all candidates have alike may be said again.
+void complain_of_chosen(const checks::RopeCheckRequest& one, const catalogue::RopeRow& alike, const std::string& path,
+                        std::vector<Complaint>& complaints) {
+  const auto refuse = [&](bool given, const char* key) {
+    if (!given) return;
+    complaints.push_back({fmt::format("{}.{}", path, key),
+                          "the rope is chosen, and has the value of its row: leave this one out, ask for such a rope "
+                          "where it is chosen, or name it in the input"});
+  };
+  refuse(one.rope.has_value(), "rope");
+  refuse(one.breaking_force.has_value(), "breaking_force");
+  refuse(one.diameter.has_value(), "diameter");
+  refuse(one.area.has_value(), "area");
+  refuse(one.grade.has_value() && !alike.grade, "grade");
+  refuse(one.core.has_value() && alike.core.empty(), "core");
+  refuse(one.construction.has_value() && alike.construction.empty(), "construction");
+}
+
+}  // namespace
+
 checks::AskedChecks resolve_checks(const checks::ChecksRequest& request, const std::vector<rope::RopeUse>& ropes,
                                    const std::string& method, std::vector<Complaint>& complaints) {
   checks::AskedChecks asked;
@@ -149,6 +173,7 @@ checks::AskedChecks resolve_checks(const checks::ChecksRequest& request, const s
     }
     const catalogue::RopeRow rope = checks::with_request(use->rope, one);
     checks::complain_of_values(one, use->rope, path, complaints);
+    if (use->chosen) complain_of_chosen(one, use->rope, path, complaints);
     const checks::AskedRules& rules = asked.ropes.emplace_back(checks::asked_rules(one, path, complaints));
     checks::complain_of_limits(one, rules, rope, path, complaints);
     checks::complain_of_life(one, rope, {}, path, complaints);

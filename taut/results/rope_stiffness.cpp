@@ -3,21 +3,17 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
+#include <optional>
 #include <string>
+#include <utility>
 
 #include "taut/catalogue/rope_search.hpp"
-#include "taut/catalogue/rule.hpp"
+#include "taut/catalogue/rope_values.hpp"
 #include "taut/machine/links/rope_of.hpp"
 #include "taut/results/described.hpp"
 
 namespace taut::results {
 namespace {
-
-/// Ropes of one diameter differ by less in what they bear and weigh: grades of 1570 to 2160 MPa by 1.4, cores by 1.1.
-constexpr double most_apart = 1.5;
-constexpr double wire_modulus = 206e9;  ///< Pa: as stiff as its wires is no rope
-constexpr double most_strain = 0.02;    ///< steel ropes break at 2 to 3 %, and yield before
 
 bool is_used(const machine::Machine& machine, const std::string& rope) {
   const auto runs = [&](const auto& one) { return one.rope == rope; };
@@ -26,53 +22,16 @@ bool is_used(const machine::Machine& machine, const std::string& rope) {
 }
 
 /// What a rope is of the catalogue, by its deck or by the choice of a design.
-struct OfCatalogue {
-  catalogue::RopeRow row;
-  std::string id;    ///< as the deck has it
-  std::string mend;  ///< what to do about a value that no such rope has
-};
-
-std::optional<OfCatalogue> of_catalogue(const machine::description::Rope& rope, const ChosenRopes& chosen) {
+std::optional<catalogue::NamedRope> of_catalogue(const machine::description::Rope& rope, const ChosenRopes& chosen) {
   if (const auto own = chosen.find(rope.name); own != chosen.end()) {
-    return OfCatalogue{.row = own->second, .id = own->second.id, .mend = "look at the unit"};
+    return catalogue::NamedRope{
+        .name = rope.name, .row = own->second, .id = own->second.id, .mend = "look at the unit"};
   }
   if (!rope.rope) return std::nullopt;
   const auto row = catalogue::find_rope(*rope.rope);
   if (!row) return std::nullopt;
-  return OfCatalogue{.row = *row, .id = *rope.rope, .mend = "look at the unit, or leave 'rope' out"};
-}
-
-/// One value of the deck against that of the row.
-struct Overridden {
-  const char* key;
-  double given, row;  ///< SI; 0: not known
-  double unit;        ///< of the printed numbers, as a number in SI: 1e3 for kN
-  const char* symbol;
-  bool safe_below = false;
-  std::string words(double value) const { return fmt::format("{:.4g} {}", value / unit, symbol); }
-};
-
-void warn_of_value(const std::string& rope, const OfCatalogue& known, const Overridden& one, Result& r) {
-  if (!(one.given > 0) || !(one.row > 0)) return;
-  const bool above = one.given > most_apart * one.row, below = one.given * most_apart < one.row;
-  if (!above && !below) return;
-  std::string words = fmt::format("rope '{}' has the {} {}; its row of the catalogue, '{}', has {}: {}", rope, one.key,
-                                  one.words(one.given), known.id, one.words(one.row), known.mend);
-  if (above || !one.safe_below) return warn_unsafe(r, std::move(words));
-  r.warnings.push_back(std::move(words));
-}
-
-/// A new rope is softer than the bedded-in one of the tables; none is stiffer than its wires.
-void warn_of_stiffness(const machine::description::Rope& rope, const OfCatalogue& known, Result& r) {
-  const auto s = catalogue::stiffness_of(known.row);
-  const auto first = catalogue::find_rule("modulus.first_loading");
-  if (!s || !first || !first->low || !rope.stiffness || std::isinf(*rope.stiffness)) return;
-  const double least = *first->low * s->low * s->area, most = wire_modulus * s->area;
-  if (*rope.stiffness >= least && *rope.stiffness <= most) return;
-  warn_unsafe(r,
-              fmt::format("rope '{}' has the stiffness {:.4g} MN; a rope of its row of the catalogue, '{}', has {:.4g} "
-                          "MN when new to {:.4g} MN, that of its wires: {}",
-                          rope.name, *rope.stiffness / 1e6, known.id, least / 1e6, most / 1e6, known.mend));
+  return catalogue::NamedRope{
+      .name = rope.name, .row = *row, .id = *rope.rope, .mend = "look at the unit, or leave 'rope' out"};
 }
 
 const machine::description::Rope* described_rope(const machine::Machine& machine, const std::string& name) {
@@ -116,24 +75,13 @@ void warn_of_rope_values(const machine::Machine& machine, const ChosenRopes& cho
   for (const auto& rope : machine.ropes) {
     const auto known = of_catalogue(rope, chosen);
     if (!known || !is_used(machine, rope.name)) continue;
-    const catalogue::RopeRow* row = &known->row;
-    for (const Overridden& one :
-         {Overridden{
-              .key = "mass", .given = rope.mass.value_or(0), .row = row->mass_per_length, .unit = 1, .symbol = "kg/m"},
-          Overridden{.key = "diameter",
-          .given = rope.diameter.value_or(0),
-          .row = row->diameter,
-          .unit = 1e-3,
-          .symbol = "mm"},
-          Overridden{.key = "breaking force",
-          .given = rope.breaking_force.value_or(0),
-          .row = row->breaking_force,
-          .unit = 1e3,
-          .symbol = "kN",
-          .safe_below = true}}) {
-      warn_of_value(rope.name, *known, one, r);
+    const catalogue::OwnValues own{.mass = rope.mass.value_or(0),
+                                   .diameter = rope.diameter.value_or(0),
+                                   .breaking_force = rope.breaking_force.value_or(0),
+                                   .stiffness = rope.stiffness.value_or(0)};
+    for (catalogue::ValueDoubt& one : catalogue::doubts_of(*known, own)) {
+      one.unsafe ? warn_unsafe(r, std::move(one.words)) : r.warnings.push_back(std::move(one.words));
     }
-    warn_of_stiffness(rope, *known, r);
   }
 }
 
@@ -142,12 +90,10 @@ void warn_of_strain(const machine::Machine& machine, const ChosenRopes& chosen, 
   for (const machine::Reeving& one : model.reevings) {
     const Value* T = r.find_value(one.name + ".T_max");
     const auto* rope = rope_of(machine, one.name);
-    if (T == nullptr || rope == nullptr || !(T->value > most_strain * one.stiffness)) continue;
-    std::string words = fmt::format(
-        "rope '{}': its largest tension, {:.4g} kN, strains it by {:.3g} % at a stiffness of {:.4g} MN: no steel rope "
-        "bears that; look at the unit of its 'stiffness'",
-        one.name, T->value / 1e3, 100 * T->value / one.stiffness, one.stiffness / 1e6);
-    of_catalogue(*rope, chosen) ? warn_unsafe(r, std::move(words)) : r.warnings.push_back(std::move(words));
+    if (T == nullptr || rope == nullptr) continue;
+    std::optional<std::string> words = catalogue::doubt_of_strain(one.name, T->value, one.stiffness);
+    if (!words) continue;
+    of_catalogue(*rope, chosen) ? warn_unsafe(r, *std::move(words)) : r.warnings.push_back(*std::move(words));
   }
 }
 

@@ -58,6 +58,7 @@ struct RopeUse {
   std::vector<DrumEnd> drums;
   int copies = 1;       ///< equal ropes side by side; all tensions are of one of them
   bool closed = false;  ///< endless: the last bend stands before the first
+  bool chosen = false;  ///< the calculation chooses it: before that its row is what all candidates have alike
 };
 
 }  // namespace taut::rope

@@ -9,6 +9,7 @@
 
 #include "taut/app/design/method_parts.hpp"
 #include "taut/calc/answers.hpp"
+#include "taut/catalogue/rope_words.hpp"
 #include "taut/design/design_checks.hpp"
 #include "taut/io/deck/read.hpp"
 
@@ -47,6 +48,20 @@ bool chooses_all(const MethodDeck& deck, const design::DesignSpace& space) {
                                                                    [](const auto& s) { return s.name == the_mast; });
   return mast ||
          (!deck.method->design.put_section && !space.ropes.empty() && space.ropes.size() == deck.ropes(nullptr).size());
+}
+
+/// Whether a line of the answer names all ropes that are chosen, or the mast. The pretension of a boom is given too,
+/// and a line that has it stays as it is.
+bool names_chosen(const Answer& line, const design::DesignSpace& space, const design::DesignPlace& place) {
+  for (std::size_t k = 0; k < space.sections.size(); ++k) {
+    if (space.sections[k].name != the_mast) continue;
+    return line.text.find(space.sections[k].rows[place.choice[space.ropes.size() + k]].name) != std::string::npos;
+  }
+  for (std::size_t k = 0; k < space.ropes.size(); ++k) {
+    const std::string rope = catalogue::words_of_rope(space.ropes[k].rows[place.choice[k]]);
+    if (line.text.find(rope) == std::string::npos) return false;
+  }
+  return true;
 }
 
 /// Lengths of ropes and masts with these values of the unknowns, and what else costs.
@@ -147,7 +162,7 @@ design::DesignTask method_task(MethodDeck deck, design::DesignSpace space,
       design::DesignRun done{.result = calculate_changed(changed), .tension = 0};
       if (depth == design::Depth::report && chooses_all(own->deck, own->space)) {
         for (Answer& a : done.result.answers) {
-          if (a.label == given_label) a.label = build_label;
+          if (a.label == given_label && names_chosen(a, own->space, place)) a.label = build_label;
         }
       }
       if (depth != design::Depth::report) design::disregard(changed.blocks.design->disregard, done.result);

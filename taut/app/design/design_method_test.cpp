@@ -238,4 +238,37 @@ design: {ropes: {extension: {construction: 6x36, core: IWRC, grade: 1960 MPa}}}
   expect_mistake(run_text(deck), "give 'sliding' with the lengths");
 }
 
+// The pretension is the deck's, the ropes are what is built.
+TEST(DesignMethod, the_boom_is_built_with_the_ropes_that_are_chosen) {
+  const Result r = run_text(R"(taut: 1
+method: boom_ropes
+input:
+  section_weight: 8.44 kN
+  pad_friction: 0.15
+  tackle_efficiency: 0.95
+  extension_stiffness: 0.778 MN/m
+  retraction_stiffness: 1.61 MN/m
+  S10: 90 kN
+  S20: 180 kN
+  cases: [{name: lift, operation: lift, luffing_angle: 77 deg, suspended_weight: 250 kN, falls: 8}]
+  sliding: {boom_length: [9 m, 21 m], luffing_angle: [20 deg], suspended_weight: [2.943 kN]}
+checks: {ropes: {extension: {safety_factor: 3}, retraction: {safety_factor: 3}}}
+design:
+  seek: lightest
+  ropes:
+    extension: {construction: 6x36, core: IWRC, grade: 1960 MPa}
+    retraction: {construction: 6x36, core: IWRC, grade: 1960 MPa}
+)");
+  ASSERT_EQ(r.status, Status::ok) << r.message << to_text(r.errors);
+  std::string build, given;
+  for (const Answer& a : r.answers) {
+    if (a.label == "Build") build += a.text;
+    if (a.label == "Given") given += a.text;
+  }
+  EXPECT_THAT(build, HasSubstr("extension EN 12385-4 6x36-IWRC"));
+  EXPECT_THAT(build, HasSubstr("retraction EN 12385-4 6x36-IWRC"));
+  EXPECT_THAT(build, testing::Not(HasSubstr("pretension")));
+  EXPECT_THAT(given, HasSubstr("pretension of the extension rope 90 kN"));
+}
+
 }  // namespace taut::app::design_method_test

@@ -1,6 +1,11 @@
 #include "taut/app/exact/closed_loop_exact.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "taut/app/exact/rope_doubts.hpp"
+#include "taut/calc/answers.hpp"
 
 namespace taut::app {
 namespace {
@@ -98,6 +103,18 @@ const closed_loop::Engine& loop_engine() {
   return engine;
 }
 
-Result run_closed_loop(const closed_loop::Input& in) { return closed_loop::run(in, loop_engine()); }
+Result run_closed_loop(const closed_loop::Input& in) {
+  Result r = closed_loop::run(in, loop_engine());
+  const Table* ropes = r.find_table("ropes");
+  for (std::size_t k = 0; ropes != nullptr && k < ropes->rows.size(); ++k) {
+    const std::string role = text_in(*ropes, k, "role"), row = text_in(*ropes, k, "designation");
+    MethodRope rope{.name = role, .rope = {}, .own = {}, .tension = number_in(*ropes, k, "largest_tension")};
+    if (!row.empty()) rope.rope = row;
+    const double stiffness = role == "return" ? in.return_stiffness : in.traction_stiffness;
+    if (std::isfinite(stiffness)) rope.own.stiffness = stiffness;
+    warn_of_rope(rope, r);
+  }
+  return r;
+}
 
 }  // namespace taut::app

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "taut/app/exact/rope_doubts.hpp"
 #include "taut/base/gravity.hpp"
 #include "taut/calc/shown.hpp"
 #include "taut/methods/friction_drive/rope_strength.hpp"
@@ -131,6 +132,15 @@ void check_grip(const friction_drive::Input& in, const solve::BeltDrive& d, cons
        .trust = "derived"}));
 }
 
+/// rope_mass is with the cutters: more than the bare rope has is no slip, less is one.
+void warn_of_values(const friction_drive::Input& in, const solve::BeltDrive& d, double tension, Result& r) {
+  MethodRope rope{.name = "rope", .rope = in.rope, .own = {}, .tension = tension};
+  const auto row = rope_of(in);
+  if (row && in.rope_mass < row->mass_per_length) rope.own.mass = in.rope_mass;
+  if (in.rope_stiffness || in.rope_area) rope.own.stiffness = d.stiffness;
+  warn_of_rope(rope, r);
+}
+
 /// Adds the exact column to the method's result.
 void complete_friction_drive(const friction_drive::Input& in, const friction_drive::Output& out, Result& r) {
   const solve::BeltDrive d = belt_drive(in, out);
@@ -144,6 +154,7 @@ void complete_friction_drive(const friction_drive::Input& in, const friction_dri
   const FrictionDriveExact e = values_from(in, d, s);
   if (const auto rope = rope_of(in)) friction_drive::take_tension(*rope, e.T_1_exact, r);
   add_words(in, d, s, r);
+  warn_of_values(in, d, e.T_1_exact, r);
   add_comparisons(out, e, r);
   if (in.take_up) check_grip(in, d, s, r);
   const auto values = values_of(FrictionDriveExact::describe(), &e);

@@ -70,6 +70,7 @@ Outcome put_up(const mast_section::Guy& given, MastGuy& guy) {
   if (found.outcome.ok()) {
     guy.length = found.branches[0].unstretched;
     guy.installed = found.branches[0].T_to;
+    guy.installed_most = rope::largest_tension(found.branches[0].shape);
     return {};
   }
   if (given.length) return infeasible(fmt::format("guy {}: {}", guy.name, found.outcome.message));

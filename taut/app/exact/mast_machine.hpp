@@ -19,6 +19,7 @@ struct MastGuy {
   double breaking_force = 0;         ///< N; 0: not known
   double length = 0;                 ///< unstretched, m
   double installed = 0;              ///< tension at its upper end while it is put up, N
+  double installed_most = 0;         ///< the largest anywhere in it then, N
 };
 
 /// Not ok: no length gives a guy its tension.

@@ -11,11 +11,13 @@
 
 #include "taut/app/exact/mast_machine.hpp"
 #include "taut/app/exact/mast_section_figures.hpp"
+#include "taut/app/exact/mast_wall.hpp"
+#include "taut/app/exact/rope_doubts.hpp"
+#include "taut/base/gravity.hpp"
 #include "taut/calc/shown.hpp"
 #include "taut/catalogue/rule.hpp"
 #include "taut/catalogue/trust.hpp"
 #include "taut/methods/mast_section/run.hpp"
-#include "taut/structure/section_class.hpp"
 
 namespace taut::app {
 namespace {
@@ -115,16 +117,19 @@ Section section_of(const Input& in, const Solved& method) {
 
 /// The forces of one position with the ropes hauled in.
 const ClampForces& hauled_in_at(const Solved& method, std::size_t index) {
-  return *std::find_if(method.forces.begin(), method.forces.end(),
-                       [&](const ClampForces& f) { return f.index == index && !f.skyline_out && !f.mainline_out; });
+  return *std::find_if(method.forces.begin(), method.forces.end(), [&](const ClampForces& f) {
+    return f.index == index && !f.skyline_out && !f.mainline_out && !f.put_up;
+  });
 }
 
 /// Breaking force over the largest tension; NaN where one of them is not known.
-double safety(const LoadedMast& at, std::size_t guy) {
-  const double breaking = at.model.reevings[guy].breaking_force,
-               largest = rope::largest_tension(at.found.branches[guy].shape);
+double safety(double breaking, double largest) {
   return breaking > 0 && largest > 0 ? breaking / largest : not_computed;
 }
+double safety(const LoadedMast& at, std::size_t guy) {
+  return safety(at.model.reevings[guy].breaking_force, rope::largest_tension(at.found.branches[guy].shape));
+}
+double safety_as_put_up(const MastGuy& guy) { return safety(guy.breaking_force, guy.installed_most); }
 
 double foot_moment(const solve::BeamResult& mast) { return std::hypot(mast.base_moment.x(), mast.base_moment.y()); }
 double foot_shear(const solve::BeamResult& mast) { return std::hypot(mast.base_force.x(), mast.base_force.y()); }
@@ -165,6 +170,15 @@ void take_worst(const LoadedMast& at, MastSectionExact& out) {
     out.guy_closure_exact = std::fmax(out.guy_closure_exact, guy.shape.closure);
     out.guy_tension_max_exact = std::fmax(out.guy_tension_max_exact, rope::largest_tension(guy.shape));
     out.guy_safety_min_exact = std::fmin(out.guy_safety_min_exact, safety(at, i));  // fmin passes over NaN
+  }
+}
+
+/// The tension of the deck is that on the plumb mast. The mast leans towards its guys as it is let go, and so they may
+/// never have as much again.
+void take_put_up(const std::vector<MastGuy>& guys, MastSectionExact& out) {
+  for (const MastGuy& guy : guys) {
+    out.guy_tension_max_exact = std::fmax(out.guy_tension_max_exact, guy.installed_most);
+    out.guy_safety_min_exact = std::fmin(out.guy_safety_min_exact, safety_as_put_up(guy));
   }
 }
 
@@ -249,35 +263,6 @@ void add_comparisons(const Input& in, const Output& o, const Section& section, c
   add(("largest stress in the " + section.name).c_str(), "sigma", si::Pa, stress, e.sigma_exact);
 }
 
-/// The wall of a section under forces at the clamp. Of a mast that is not the method's cantilever the moment is not
-/// known there: pressed alike, as that leaves a wall the least.
-structure::WallClass wall_of(const Input& in, const catalogue::SectionRow& section, double yield,
-                             const ClampForces& f) {
-  return structure::section_class(section, yield, {.N = f.N, .M_y = is_beyond_method(in) ? 0 : f.M});
-}
-
-/// A wall that buckles before it yields fails: the method's stress limit does not know of it.
-void check_wall(const Input& in, const Solved& method, Result& r) {
-  const mast_section::Assessment& a = *method.section;
-  const double yield = a.allowable * limit_of(in).safety;
-  structure::WallClass wall;
-  for (const ClampForces& f : method.forces) {
-    const structure::WallClass one = wall_of(in, a.section, yield, f);
-    if (wall.limit_3 == 0 || one.slenderness * wall.limit_3 > wall.slenderness * one.limit_3) wall = one;
-  }
-  if (wall.value <= 3) return;
-  Check c = make_check(fmt::format("wall of {}", a.section.name), wall.slenderness, si::one,
-                       {.sense = Sense::at_most,
-                        .limit = wall.limit_3,
-                        .rule = fmt::format("{} of the {}, class {}: up to class 3, EN 1993-1-1, table 5.2{}",
-                                            wall.wall == "tube" ? "D/t" : "c/t", wall.wall, wall.value,
-                                            in.choose_section ? "; give a smaller 'largest_slenderness'" : ""),
-                        .trust = "UNVERIFIED: EN 1993-1-1, table 5.2, recalled"});
-  c.part = "mast";
-  c.limits = false;
-  r.checks.push_back(std::move(c));
-}
-
 /// EN 1993-1-1, 5.2.2: below it second order with imperfections.
 constexpr double least_without_imperfections = 3;
 
@@ -313,18 +298,87 @@ struct WeakestGuy {
 
 WeakestGuy weakest_guy(const Input& in, const Solved& method, const Section& section, EngineMasts& masts) {
   WeakestGuy weakest;
+  const auto take = [&](const MastGuy& guy, double factor, const std::string& where) {
+    if (std::isnan(factor) || factor >= weakest.safety) return;
+    weakest = {.name = guy.name, .where = where, .safety = factor};
+  };
+  for (const MastGuy& guy : masts.guys()) take(guy, safety_as_put_up(guy), "as it is put up");
   for (const ClampForces& f : method.forces) {
     const LoadedMast& at = masts.under(f, section.full_name, section.beam);
     if (!at.found.outcome.ok()) continue;
-    for (std::size_t i = 0; i < masts.guys().size(); ++i) {
-      const double factor = safety(at, i);
-      if (std::isnan(factor) || factor >= weakest.safety) continue;
-      weakest = {.name = masts.guys()[i].name, .where = direction_words(f), .safety = factor};
-      if (in.span)
-        weakest.where = fmt::format("carriage at {:.4g} m, {}", in.span->carriage_position.at(f.index), weakest.where);
-    }
+    for (std::size_t i = 0; i < masts.guys().size(); ++i) take(masts.guys()[i], safety(at, i), case_words(in, f));
   }
   return weakest;
+}
+
+/// Guys that hang, and where the first of them does.
+struct SlackGuys {
+  std::vector<std::string> names;
+  std::string where;
+};
+
+/// Of the guys for which `of` is true, by the deck, those that hang in a load case, or with the guys alone (`put_up`).
+template <class Of>
+SlackGuys slack_guys(const Input& in, const Solved& method, const Section& section, EngineMasts& masts, bool put_up,
+                     Of&& of) {
+  SlackGuys slack;
+  for (std::size_t i = 0; i < masts.guys().size(); ++i) {
+    if (!of(in.guys[i])) continue;
+    for (const ClampForces& f : method.forces) {
+      if (f.put_up != put_up) continue;
+      const LoadedMast& at = masts.under(f, section.full_name, section.beam);
+      if (!at.found.outcome.ok() || !hangs(at.found.branches[i])) continue;
+      if (slack.names.empty()) slack.where = case_words(in, f);
+      slack.names.push_back(masts.guys()[i].name);
+      break;
+    }
+  }
+  return slack;
+}
+
+/// The largest tension of a guy, as it is put up and in all load cases, N.
+double largest_tension(const Solved& method, const Section& section, EngineMasts& masts, std::size_t guy) {
+  double most = masts.guys()[guy].installed_most;
+  for (const ClampForces& f : method.forces) {
+    const LoadedMast& at = masts.under(f, section.full_name, section.beam);
+    if (at.found.outcome.ok()) most = std::max(most, rope::largest_tension(at.found.branches[guy].shape));
+  }
+  return most;
+}
+
+void warn_of_values(const Input& in, const Solved& method, const Section& section, EngineMasts& masts, Result& r) {
+  for (std::size_t i = 0; i < masts.guys().size(); ++i) {
+    const Guy& given = in.guys[i];
+    warn_of_rope({.name = fmt::format("guy {}", masts.guys()[i].name),
+                  .rope = given.rope,
+                  .own = {.mass = given.weight.value_or(0) / standard_gravity,
+                          .diameter = 0,
+                          .breaking_force = given.breaking_force.value_or(0),
+                          .stiffness = masts.guys()[i].stiffness},
+                  .tension = largest_tension(method, section, masts, i)},
+                 r);
+  }
+}
+
+void warn_of_guys(const Input& in, const Solved& method, const Section& section, EngineMasts& masts, Result& r) {
+  if (r.status != Status::ok) return;
+  warn_of_values(in, method, section, masts, r);
+  const auto slack = [&](bool put_up, auto&& of) { return slack_guys(in, method, section, masts, put_up, of); };
+  const SlackGuys open = slack(false, [](const Guy&g) { return !g.may_slack; }),
+                  declared = slack(false, [](const Guy&g) { return g.may_slack; }),
+                  alone = slack(true, [](const Guy&) { return true; });
+  if (!open.names.empty()) {
+    warn_unsafe(r, fmt::format("slack guys: {} (first: {}); a slack guy does not hold the mast: tighten it, or declare "
+                               "it by 'may_slack: true'",
+                               fmt::join(open.names, ", "), open.where));
+  }
+  if (!declared.names.empty()) {
+    r.warnings.push_back(fmt::format("slack guys, as the deck declares: {}", fmt::join(declared.names, ", ")));
+  }
+  if (!alone.names.empty()) {
+    r.warnings.push_back(fmt::format("without a load the mast leans towards its guys until they are slack: {}",
+                                     fmt::join(alone.names, ", ")));
+  }
 }
 
 void check_guys(const Input& in, const Solved& method, const Section& section, EngineMasts& masts, Result& r) {
@@ -361,7 +415,7 @@ void add_checks(const Input& in, const Solved& method, const Section& section, E
   if (!is_beyond_method(in)) return;  // the method has checked it by second order
   std::string rule =
       "N/A + M/W <= [sigma] at every height, second order, at every carriage position, each rope hauled in and paid "
-      "out";
+      "out, and with the guys alone";
   if (in.safety) rule += "; the larger of the stress and of that under the safety times the forces, over the safety";
   const double stress = stress_of_all(method, section, masts);
   if (std::isnan(stress)) rule = "the mast finds no equilibrium under the safety times the ropes' forces: it buckles";
@@ -375,16 +429,11 @@ void add_checks(const Input& in, const Solved& method, const Section& section, E
   check_guys(in, method, section, masts, r);
 }
 
-void add_words(const Input& in, const Section& section, const MastSectionExact& e, Result& r) {
+void add_words(const Input& in, const Section& section, Result& r) {
   r.assumptions.push_back(fmt::format(
       "Exact column: {}, E 210 GPa, {} at its foot; geometrically exact beam, guys as elastic catenaries set while the "
       "mast stands plumb and unloaded; block forces keep their direction.",
       section.name, in.base == Base::clamped ? "clamped" : "hinged"));
-  if (!in.guys.empty() && e.slack_guys_exact > 0) {
-    r.warnings.push_back(
-        fmt::format("{:.0f} of {} guys are slack at the governing carriage position: see the table of guys",
-                    e.slack_guys_exact, in.guys.size()));
-  }
   Step heading, note;
   heading.kind = Step::Kind::heading;
   heading.words = "Exact solution of the mast";
@@ -482,6 +531,7 @@ void complete_mast_section(const Input& in, const Solved& method, EngineMasts& m
     add_mast_figures(at.model, at.found, section.allowable, r);
   }
   take_other_cases(in, method, section, masts, e, r);
+  take_put_up(masts.guys(), e);
   if (r.status == Status::ok && e.N_least_exact < 0) {
     warn_unsafe(r, fmt::format("the foot of the mast is pulled up with up to {:.4g} kN: it must be anchored to hold it",
                                -e.N_least_exact / 1e3));
@@ -489,7 +539,8 @@ void complete_mast_section(const Input& in, const Solved& method, EngineMasts& m
   if (positions.size() > 1) {
     r.tables.push_back(make_table("positions_exact", "Carriage positions, exact", exact_quantities(), positions));
   }
-  add_words(in, section, e, r);
+  warn_of_guys(in, method, section, masts, r);
+  add_words(in, section, r);
   if (!std::isnan(e.N_exact)) add_comparisons(in, governing_output(method), section, e, r);
   if (r.status == Status::ok && !std::isnan(e.sigma_worst_exact)) add_checks(in, method, section, masts, e, r);
   const auto values = values_of(MastSectionExact::describe(), &e);

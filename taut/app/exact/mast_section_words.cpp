@@ -26,7 +26,8 @@ void describe_position(Describe<Exact>& d) {
 void describe_worst(Describe<Exact>& d) {
   d.field(&Exact::sigma_worst_exact, "sigma_worst_exact", "sigma_worst", si::Pa,
           "largest stress along the mast at any carriage position");
-  const char* const all = "at any carriage position, each rope hauled in and paid out";
+  const char* const all =
+      "at any carriage position, each rope hauled in and paid out, and of the mast with its guys alone";
   d.field(&Exact::M_worst_exact, "M_worst_exact", "M_worst", si::N_m,
           fmt::format("largest moment at the foot {}", all));
   d.field(&Exact::N_worst_exact, "N_worst_exact", "N_worst", si::N,
@@ -37,9 +38,9 @@ void describe_worst(Describe<Exact>& d) {
   d.field(&Exact::Q_worst_exact, "Q_worst_exact", "Q_worst", si::N,
           fmt::format("largest horizontal force at the foot {}", all));
   d.field(&Exact::guy_tension_max_exact, "guy_tension_max_exact", "T_guy", si::N,
-          "largest tension of any guy at any carriage position");
+          "largest tension of any guy at any carriage position and as it is put up");
   d.field(&Exact::guy_safety_min_exact, "guy_safety_min_exact", "S_guy", si::one,
-          "smallest safety factor of any guy at any carriage position");
+          "smallest safety factor of any guy at any carriage position and as it is put up");
   d.field(&Exact::buckling_factor_exact, "buckling_factor_exact", "alpha_cr", si::one,
           "least factor of the axial force at which the mast, held by its guys, buckles, at any carriage position");
   d.field(&Exact::slack_guys_exact, "slack_guys_exact", "", si::one, "number of slack guys");

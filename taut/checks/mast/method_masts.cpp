@@ -86,6 +86,12 @@ void add_method_masts(const std::vector<MastCheckRequest>& masts, Result& r) {
     }
     MastCheckRequest own = one;
     const double top = std::max(*loads[0].at, *loads[1].at);
+    if (own.height && *own.height < top) {
+      r.warnings.push_back(
+          fmt::format("{}: its height of {:.4g} m is less than that of its higher block: it is checked "
+                      "with {:.4g} m",
+                      one.name, *own.height, top));
+    }
     if (!own.height || *own.height < top) own.height = top;
     MastReport report = own_mast(own, loads);
     report.covers = {methods_mast};

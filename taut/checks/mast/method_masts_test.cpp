@@ -35,7 +35,7 @@ TEST(MethodMasts, EveryDirectionOfTheRopesCounts) {
 TEST(MethodMasts, EveryPositionCounts) {
   const auto at = [](const std::string& places) {
     const Result r =
-        run_text(deck("span: {length: 300 m, rope_weight: 18 N/m, load: 60 kN, horizontal_tension: 90 kN, "
+        run_text(deck("span: {length: 300 m, rope_weight: 18 N/m, load: 40 kN, horizontal_tension: 90 kN, "
                       "carriage_position: [" +
                           places + "]}",
                       ""));
@@ -52,6 +52,17 @@ TEST(MethodMasts, ASideForceBendsItToo) {
     return check_of(run_text(deck("branch_angle: 12 deg" + more, "")), "m.member").value;
   };
   EXPECT_GT(with(", lateral_force: 60 kN"), 1.02 * with(""));
+}
+
+// It carries the blocks of the method, wherever the deck ends it.
+TEST(MethodMasts, AHeightBelowTheBlocksIsTold) {
+  const Result low = run_text(deck("branch_angle: 12 deg", ", height: 6 m")),
+               own = run_text(deck("branch_angle: 12 deg", ""));
+  ASSERT_EQ(low.status, Status::ok) << low.message << to_text(low.errors);
+  EXPECT_EQ(check_of(low, "m.member").value, check_of(own, "m.member").value);
+  const auto tells = [](const std::string& w) { return w.find("height of 6 m") != std::string::npos; };
+  EXPECT_TRUE(std::any_of(low.warnings.begin(), low.warnings.end(), tells));
+  EXPECT_TRUE(std::none_of(own.warnings.begin(), own.warnings.end(), tells));
 }
 
 // Guys hold and press the mast; the resultants on its blocks do not have that.

@@ -462,6 +462,17 @@ void complain_of_second(const std::optional<double>& given, double known, const 
   complaints.push_back({path, "the rope has another value already: change it there, or leave this one out"});
 }
 
+namespace {
+
+/// Whether two names of constructions may be of one rope: rules go by the class.
+bool may_be_one(const std::string& one, const std::string& other) {
+  if (catalogue::matches_construction(one, other) || catalogue::matches_construction(other, one)) return true;
+  const std::string group = catalogue::construction_class(one);
+  return !group.empty() && group == catalogue::construction_class(other);
+}
+
+}  // namespace
+
 void complain_of_values(const RopeCheckRequest& request, catalogue::RopeRow rope, const std::string& path,
                         std::vector<Complaint>& complaints) {
   const auto row = catalogue::find_rope_in_words(request.rope.value_or(""));
@@ -474,6 +485,14 @@ void complain_of_values(const RopeCheckRequest& request, catalogue::RopeRow rope
   rope = with_request(std::move(rope), named);
   if (request.core && !rope.core.empty() && catalogue::parse_core(*request.core).value_or(*request.core) != rope.core) {
     complaints.push_back({path + ".core", fmt::format("the rope has the core {}", rope.core)});
+  }
+  if (request.construction && !rope.construction.empty() && !may_be_one(*request.construction, rope.construction)) {
+    complaints.push_back({path + ".construction", fmt::format("the rope has the construction {}", rope.construction)});
+  }
+  const auto named_core = catalogue::parse_construction(request.construction.value_or(""));
+  const bool other_core = named_core && !named_core->core.empty() && !rope.core.empty();
+  if (other_core && !request.core && named_core->core != rope.core) {
+    complaints.push_back({path + ".construction", fmt::format("the rope has the core {}", rope.core)});
   }
   complain_of_second(request.breaking_force, rope.breaking_force, path + ".breaking_force", complaints);
   complain_of_second(request.diameter, rope.diameter, path + ".diameter", complaints);

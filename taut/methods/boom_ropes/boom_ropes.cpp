@@ -210,14 +210,25 @@ void check_pretension(const char* name, const char* rule, const Asked& printed, 
           {Sense::at_least, s.named(worse.least_symbol, si::N, worse.least), rule, "derived"});
 }
 
+/// Of the input or of the sliding sections, which are the same ropes. `calibrated`: where the deck has the other one.
+template <class T>
+T as_set(const std::optional<double>& own, const std::optional<double>& sliding, const char* symbol, double calibrated,
+         Sheet<T>& s) {
+  if (own) return s.given(*own);
+  return sliding ? s.given(*sliding) : s.named(symbol, si::N, calibrated);
+}
+
 /// Pretension as the user set it. The pads hold |F0| <= f0 G3 only: beyond, section 3 slides until they do.
 template <class T>
 void pretension_as_set(const Input& in, const Tensioned<T>& pads, Sheet<T>& s, Output& out) {
   s.section("The pretension as set");
-  const Pretension<T> set{s.given(*in.S10), s.given(*in.S20)};
+  const std::optional<double> none;
+  const Pretension<T> set{as_set(in.S10, in.sliding ? in.sliding->S10 : none, "S_10", calibrated_S10, s),
+                          as_set(in.S20, in.sliding ? in.sliding->S20 : none, "S_20", calibrated_S20, s)};
+  const double S_10 = value(set.S10), S_20 = value(set.S20);
   const T F_0 = s.eq("1", "F_0", si::N, set.S20 - 2 * set.S10);
-  out.S10_set = *in.S10;
-  out.S20_set = *in.S20;
+  out.S10_set = S_10;
+  out.S20_set = S_20;
   out.F0_set = value(F_0);
   if (F_0 < pads.F_0e || F_0 > pads.F_0r) {
     const T kappa = s.eq("", "kappa_C", si::one, s.given(in.retraction_stiffness) / s.given(in.extension_stiffness));
@@ -239,8 +250,8 @@ void pretension_as_set(const Input& in, const Tensioned<T>& pads, Sheet<T>& s, O
       return fmt::format(
           "S10 = {:.2f} kN and S20 = {:.2f} kN pull section 3 with {:.2f} kN, but its pads hold only {:.2f} kN: it "
           "slides until {:.2f} and {:.2f} kN are left{}. Tension the ropes so that |2 S10 - S20| stays below f0 G3.",
-          *in.S10 / 1e3, *in.S20 / 1e3, std::abs(*in.S20 - 2 * *in.S10) / 1e3, std::abs(out.F0_retraction) / 1e3,
-          kept.S10 / 1e3, kept.S20 / 1e3, by_printed);
+          S_10 / 1e3, S_20 / 1e3, std::abs(S_20 - 2 * S_10) / 1e3, std::abs(out.F0_retraction) / 1e3, kept.S10 / 1e3,
+          kept.S20 / 1e3, by_printed);
     });
   }
   if (in.cases.empty()) return;
@@ -277,6 +288,11 @@ std::optional<double> measured_ratio(const Input& in) {
   const auto near = [](double a, double b) { return std::abs(a - b) <= 1e-9 * b; };
   if (near(in.extension_stiffness, printed_C1) && near(in.retraction_stiffness, printed_C2)) return table_2_ratio;
   return std::nullopt;
+}
+
+bool has_pretension(const Input& in) {
+  if (in.S10 && in.S20) return true;
+  return !in.cases.empty() && in.sliding && (in.sliding->S10 || in.sliding->S20);
 }
 
 double force(const Input& in, const Case& one) {
@@ -330,7 +346,7 @@ Outcome compute(const Input& in, Sheet<T>& s, Output& out) {
     pretension(in, F, F_0, lambda, s, out);
   }
   corrected(in, F, F_0, s, out);
-  if (in.S10 && in.S20) {
+  if (has_pretension(in)) {
     pretension_as_set(in, F_0, s, out);
   } else if (!in.cases.empty()) {
     out.F0_set = in.tensioned_last == Rope::extension ? out.F0_extension : out.F0_retraction;

@@ -95,7 +95,7 @@ struct Input {
   Rope tensioned_last = Rope::extension;
   int tensioning_steps = 4;
   double slip_friction = 0.155;  ///< f_0 of the slip angle without jamming
-  std::optional<double> S10;     ///< pretension as set; checked against (3)
+  std::optional<double> S10;     ///< pretension as set, default: that of `sliding`; checked against (3)
   std::optional<double> S20;
   std::optional<double> stiffness_ratio;  ///< kappa = C_2/C_1 as measured, for the corrected stiffness
   std::vector<Case> cases;
@@ -183,6 +183,10 @@ Outcome solve(const Input& in, Output& out);
 Result run(const Input& in);
 /// The lines of the main answer, from a result of this input that is ok.
 std::vector<Answer> answers(const Input& in, const Result& r, const Display& display);
+
+/// Whether the deck has the pretension that the cases are calculated with: its own, or that of the sliding sections,
+/// which are the same ropes.
+bool has_pretension(const Input& in);
 
 /// C1 and C2 as printed (unit corrected), and kappa = C2/C1 from the tensions in Table 2.
 inline constexpr double printed_C1 = 2.72e6;

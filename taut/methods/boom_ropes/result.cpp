@@ -117,6 +117,16 @@ void add_tables(const Input& in, const Output& out, Result& r) {
   r.tables.push_back(slip_table(*in.sliding, slips));
 }
 
+/// The ropes of the cases are those of the sliding sections: they are put up once.
+void complain_of_pretension(const std::optional<double>& of_input, const std::optional<double>& sliding,
+                            const char* key, std::vector<Complaint>& all) {
+  if (!of_input || !sliding || std::abs(*of_input - *sliding) <= 1e-9 * std::abs(*of_input)) return;
+  all.push_back({fmt::format("sliding.{}", key),
+                 fmt::format("the input has '{0}' = {1:.6g} kN, and it is the same rope: leave 'sliding.{0}' out, or "
+                             "give the same in both",
+                             key, *of_input / 1e3)});
+}
+
 void complain_of_sliding(const Sliding& q, std::vector<Complaint>& all) {
   const auto needs = [&](const std::vector<double>& list, const char* key) {
     if (list.empty())
@@ -145,6 +155,10 @@ std::vector<Complaint> complaints(const Input& in) {
   if (in.S10.has_value() != in.S20.has_value()) {
     all.push_back({in.S10 ? "S10" : "S20",
                    fmt::format("give 'S10' and 'S20' together: '{}' is missing", in.S10 ? "S20" : "S10")});
+  }
+  if (in.sliding) {
+    complain_of_pretension(in.S10, in.sliding->S10, "S10", all);
+    complain_of_pretension(in.S20, in.sliding->S20, "S20", all);
   }
   if (in.sliding) complain_of_sliding(*in.sliding, all);
   return all;

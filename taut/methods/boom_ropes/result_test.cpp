@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "taut/math/degree.hpp"
@@ -118,6 +119,38 @@ TEST(BoomRopesComplaints, OneOfTwoPretensions) {
   const auto all = complaints(in);
   ASSERT_EQ(all.size(), 1u);
   EXPECT_EQ(all[0].path, "S10");
+}
+
+TEST(BoomRopesComplaints, TwoPretensionsOfOneRope) {
+  Input in = crane();
+  in.S10 = in.sliding->S10 = 90e3;
+  in.S20 = in.sliding->S20 = 180e3;
+  EXPECT_TRUE(complaints(in).empty());
+  in.sliding->S20 = 40e3;
+  const auto all = complaints(in);
+  ASSERT_EQ(all.size(), 1u);
+  EXPECT_EQ(all[0].path, "sliding.S20");
+  EXPECT_THAT(all[0].message, testing::HasSubstr("180 kN"));
+}
+
+// The ropes are put up once: what is said of the sliding sections is that of the cases, and its checks are the same.
+TEST(BoomRopesResult, ThePretensionOfTheSlidingSectionsIsThatOfTheCases) {
+  Input of_input = crane(), of_sliding = crane();
+  of_input.S10 = of_sliding.sliding->S10 = 20e3;
+  of_input.S20 = of_sliding.sliding->S20 = 40e3;
+  const Result a = run(of_input), b = run(of_sliding);
+  ASSERT_EQ(b.status, Status::ok) << b.message;
+  for (const char* value : {"S10_set", "S20_set"}) EXPECT_EQ(a.find_value(value)->value, b.find_value(value)->value);
+  ASSERT_EQ(a.checks.size(), b.checks.size());
+  const auto retraction = [](const Check& c) { return c.name == "pretension of the retraction rope"; };
+  const auto check = std::find_if(b.checks.begin(), b.checks.end(), retraction);
+  ASSERT_NE(check, b.checks.end());
+  EXPECT_FALSE(check->passes);
+  EXPECT_NEAR(check->limit, 166.5e3, 500);  // as the comparison of the paper's stiffness has it
+  of_sliding.sliding->S20.reset();          // the other one is then the calibrated one, as in the sliding sections
+  EXPECT_GT(run(of_sliding).find_value("S20_set")->value, 100e3);
+  of_sliding.cases.clear();
+  EXPECT_EQ(run(of_sliding).find_value("S10_set"), nullptr) << "without cases nothing asks for it";
 }
 
 TEST(BoomRopesComplaints, EmptyLists) {

@@ -384,8 +384,8 @@ Peaks peaks_of_both_hauls(const Input& in, const Ropes& ropes, const Engine& eng
   Input other = in;
   other.haul = in.haul == Haul::in ? Haul::out : Haul::in;
   Peaks back = peaks_over(sweep(other, ropes, engine));
-  for (Peak* peak : {&back.return_rope, &back.traction_rope}) {
-    peak->where += other.haul == Haul::out ? ", hauled out" : ", hauled in";
+  for (std::string* where : {&back.return_rope.where, &back.traction_rope.where, &back.deepest.where}) {
+    *where += other.haul == Haul::out ? ", hauled out" : ", hauled in";
   }
   return larger(peaks_over(rows), back);
 }

@@ -20,7 +20,8 @@ std::vector<Row> sweep(const Input& in, const Ropes& ropes, const Engine& engine
 /// end tensions; the first row when all are infeasible.
 std::size_t worst_of(const std::vector<Row>& rows);
 
-/// The largest tensions over all feasible positions, `rows` as asked for and the same deck hauled the other way.
+/// The largest tensions and the deepest sag over all feasible positions, `rows` as asked for and the same deck hauled
+/// the other way.
 Peaks peaks_of_both_hauls(const Input& in, const Ropes& ropes, const Engine& engine, const std::vector<Row>& rows);
 
 /// The stiffness by the catalogue of a rope for which the deck has none (`given` is infinite), in the mode whose sag

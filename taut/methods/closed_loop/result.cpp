@@ -53,23 +53,14 @@ std::array<Stretch, 2> stretch_of(const Input& in, const Ropes& ropes) {
                   .own = own_stiffness(in, in.traction_stiffness, ropes.traction_rope)}};
 }
 
-void check_clearance(const Input& in, const Solved& found, Result& r) {
-  double deepest = none, x = none;
-  for (const Row& row : found.rows) {
-    // of a carriage in two sections each has its own
-    for (const double sag : {row.out.f, row.out.f_1, row.out.f_2}) {
-      if (std::isnan(sag) || sag <= deepest) continue;
-      deepest = sag;
-      x = row.out.x;
-    }
-  }
-  if (std::isnan(deepest)) return;
-  Check c = make_check("sag at the carriage", deepest, si::m,
+void check_clearance(const Input& in, const Solved& found, const Deepest& deepest, Result& r) {
+  if (!(deepest.sag > 0)) return;
+  Check c = make_check("sag at the carriage", deepest.sag, si::m,
                        {.sense = Sense::at_most,
                         .limit = *in.clearance,
-                        .rule = "sag under the chord at most clearance of the deck",
+                        .rule = "sag under the chord at most clearance of the deck, hauled in and out",
                         .trust = "user"});
-  c.where = fmt::format("carriage at {:.4g} m", x);
+  c.where = fmt::format("carriage at {:.4g} m{}", deepest.x, deepest.where);
   if (in.mode == Mode::loop_length) {
     for (const Stretch& rope : stretch_of(in, found.ropes)) {
       if (rope.own && rope.own->trust == catalogue::Trust::unverified)
@@ -97,7 +88,7 @@ void add_checks(const Input& in, const Engine& engine, const Solved& found, Resu
   }
   if (!in.safety_factor || !ropes.return_rope) r.unjudged.emplace_back("return rope");
   if (!in.safety_factor || !ropes.traction_rope) r.unjudged.emplace_back("traction rope");
-  if (in.clearance) check_clearance(in, found, r);
+  if (in.clearance) check_clearance(in, found, peaks.deepest, r);
 }
 
 /// One quantity by each tier of the calculation, SI.

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <map>
 #include <tuple>
+#include <utility>
 
 #include "taut/calc/verdict.hpp"
 #include "taut/methods/closed_loop/closed_loop.hpp"
@@ -258,14 +259,45 @@ TEST(ClosedLoopResult, TheSagOfTheClearanceSaysWhereItIs) {
                               [](const Check& one) { return one.name == "sag at the carriage"; });
   ASSERT_NE(c, r.checks.end());
   double deepest = 0, x = 0;
-  const Table& t = *r.find_table("positions");
-  for (const auto& row : t.rows) {
-    if (std::get<double>(row[1]) <= deepest) continue;
-    deepest = std::get<double>(row[1]);
-    x = std::get<double>(row[0]);
+  std::string haul;
+  Input other = in;
+  other.haul = in.haul == Haul::in ? Haul::out : Haul::in;
+  for (const auto& [result, words] :
+       {std::pair{r, ""}, {run(other), in.haul == Haul::in ? ", hauled out" : ", hauled in"}}) {
+    for (const auto& row : result.find_table("positions")->rows) {
+      if (!(std::get<double>(row[1]) > deepest)) continue;
+      deepest = std::get<double>(row[1]);
+      x = std::get<double>(row[0]);
+      haul = words;
+    }
   }
   EXPECT_EQ(c->value, deepest);
-  EXPECT_EQ(c->where, fmt::format("carriage at {:.4g} m", x));
+  EXPECT_EQ(c->where, fmt::format("carriage at {:.4g} m{}", x, haul));
+}
+
+// The winch pulls the same both ways: hauled in, the loop hangs deeper than hauled out, and it has to clear the ground.
+TEST(ClosedLoopResult, TheClearanceHoldsInBothHauls) {
+  Input in = example();
+  in.mode = Mode::winch_pull;
+  in.sag.reset();
+  in.winch_pull = 85e3;
+  in.head_efficiency = 0.9;
+  in.clearance = 20;
+  const auto sag = [&](Haul haul) {
+    in.haul = haul;
+    const Result r = run(in);
+    EXPECT_EQ(r.status, Status::ok) << r.message;
+    const auto c = std::find_if(r.checks.begin(), r.checks.end(),
+                                [](const Check& one) { return one.name == "sag at the carriage"; });
+    return std::pair{r.find_value("f")->value, c == r.checks.end() ? Check{} : *c};
+  };
+  const auto [f_in, by_in] = sag(Haul::in);
+  const auto [f_out, by_out] = sag(Haul::out);
+  EXPECT_GT(f_in, 1.1 * f_out);
+  EXPECT_EQ(by_in.value, f_in);
+  EXPECT_NEAR(by_out.value, f_in, 1e-9 * f_in);
+  EXPECT_NE(by_out.where.find("hauled in"), std::string::npos) << by_out.where;
+  EXPECT_EQ(by_in.where.find("hauled"), std::string::npos) << by_in.where;
 }
 
 }  // namespace taut::closed_loop::result_test

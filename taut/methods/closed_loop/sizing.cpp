@@ -101,8 +101,10 @@ void raise(Peak& peak, double tension, double x, const char* where) {
 }  // namespace
 
 Peaks larger(const Peaks& a, const Peaks& b) {
+  constexpr double alike = 1e-9;  // a sag that is given is that of both hauls
   return {.return_rope = higher(a.return_rope, b.return_rope),
-          .traction_rope = higher(a.traction_rope, b.traction_rope)};
+          .traction_rope = higher(a.traction_rope, b.traction_rope),
+          .deepest = b.deepest.sag > a.deepest.sag * (1 + alike) ? b.deepest : a.deepest};
 }
 
 namespace {
@@ -134,6 +136,9 @@ Peaks peaks_by(double Output::*Place::*tier, const Output& out) {
   Peaks p;
   for (const Place& at : on_return) raise(p.return_rope, out.*(at.*tier), out.x, at.where);
   for (const Place& at : on_traction) raise(p.traction_rope, out.*(at.*tier), out.x, at.where);
+  for (const double sag : {out.f, out.f_1, out.f_2}) {
+    if (sag > p.deepest.sag) p.deepest = {.sag = sag, .x = out.x, .where = {}};
+  }
   return p;
 }
 

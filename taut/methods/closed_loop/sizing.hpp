@@ -29,12 +29,19 @@ struct Peak {
   double x = 0;        ///< position of the carriage, m
   std::string where;   ///< "lower branch at B"
 };
+/// The deepest sag at the carriage, of each section where it has two; 0: none is known.
+struct Deepest {
+  double sag = 0;     ///< m
+  double x = 0;       ///< position of the carriage, m
+  std::string where;  ///< ", hauled out"; empty: as the deck has it
+};
 struct Peaks {
   Peak return_rope;
   Peak traction_rope;
+  Deepest deepest;
 };
 
-/// The larger peaks of the two, each rope by itself.
+/// The larger peaks of the two, each rope by itself, and the deeper sag.
 Peaks larger(const Peaks& a, const Peaks& b);
 
 /// The largest tensions of one solved position: exact where known, else by the closed-form tier.

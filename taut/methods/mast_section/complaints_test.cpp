@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "taut/methods/mast_section/mast_section.hpp"
 #include "taut/methods/mast_section/plain_mast_test.hpp"
 
@@ -52,6 +54,29 @@ TEST(MastSectionComplaints, CarriageBeyondTheSpan) {
   EXPECT_EQ(paths(in), Paths{"span.carriage_position"});
   in.span = span_of({});
   EXPECT_EQ(paths(in), Paths{"span.carriage_position"});
+}
+
+// The span's skyline is that of the mast: H = 90 kN and a chord of tan(alpha) = (f_x + x tan(psi))/x.
+TEST(MastSectionComplaints, TheSpanPullsNoMoreThanTheLargestForce) {
+  Input in = plain_mast();
+  in.branch_angle.reset();
+  in.span = span_of({150, 10});
+  const double f_10 = 10.0 * 290 / (2 * 90e3) * (18 + 2 * 20e3 / 300), at_mast = 90e3 * std::hypot(1, f_10 / 10);
+  in.skyline_force = 1.001 * at_mast;
+  EXPECT_EQ(paths(in), Paths{});
+  in.skyline_force = 0.999 * at_mast;
+  EXPECT_EQ(paths(in), Paths{}) << "rounded";
+  in.skyline_force = 0.99 * at_mast;
+  ASSERT_EQ(paths(in), Paths{"skyline_force"});
+  EXPECT_NE(complaints(in)[0].message.find("at the mast with the carriage at 10 m"), std::string::npos);
+  in.span->chord_slope = -0.5;  // the span rises from the mast: the far end has the most
+  in.span->carriage_position = {10};
+  const double f_rising = 10.0 * 290 / (2 * 90e3) * (18 / std::cos(0.5) + 2 * 20e3 / 300);
+  in.skyline_force = 1.001 * 90e3 * std::hypot(1, std::tan(0.5) + f_rising / 290);
+  EXPECT_EQ(paths(in), Paths{});
+  in.skyline_force *= 0.98;
+  ASSERT_EQ(paths(in), Paths{"skyline_force"});
+  EXPECT_NE(complaints(in)[0].message.find("far end"), std::string::npos);
 }
 
 TEST(MastSectionComplaints, StressOrSteelWithSafety) {

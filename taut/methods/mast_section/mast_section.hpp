@@ -84,6 +84,7 @@ struct Guy {
   std::optional<double> attachment_height;  ///< m above the clamp; default: that of the higher block
   std::optional<GuyInstall> install;        ///< or
   std::optional<double> length;             ///< unstretched, m
+  bool may_slack = false;                   ///< it may go slack: no unsafe warning
 
   static const Description& describe();
 };

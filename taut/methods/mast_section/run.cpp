@@ -16,10 +16,6 @@
 namespace taut::mast_section {
 namespace {
 
-std::string position_words(const Input& in, const ClampForces& f) {
-  return in.span ? fmt::format("carriage at {:.4g} m", in.span->carriage_position.at(f.index)) : std::string();
-}
-
 /// Second order: the stress grows faster than the forces, so that a reserve n in the stress is a smaller one in them.
 const char* second_order_rule(const Input& in) {
   return in.safety ? "N/A + M/W <= [sigma] at every height, with the moments of the mast's own deflection, each rope "
@@ -49,12 +45,6 @@ constexpr std::array directions{
     Directions{.words = "one rope hauled in, the other paid out",
                .has = [](const ClampForces& f) { return f.skyline_out != f.mainline_out; }},
 };
-
-/// "carriage at 10 m, ropes paid out".
-std::string case_words(const Input& in, const ClampForces& f) {
-  const std::string at = position_words(in, f);
-  return fmt::format("{}{}{}", at, at.empty() ? "" : ", ", direction_words(f));
-}
 
 /// (12)-(14) for one section under the worst of some forces, as steps and as a check.
 void check_first_order(const Input& in, const Assessment& a, const std::vector<ClampForces>& all,
@@ -123,7 +113,7 @@ std::string stress_words(const Assessment& a) {
   if (a.buckling < a.least_buckling) {
     text += fmt::format(", and buckles at {:.3g} times its axial force against {:.3g}", a.buckling, a.least_buckling);
   }
-  return a.wall_yields ? text : text + ", and its wall buckles before it yields";
+  return a.wall_yields ? text : text + ", and its wall may buckle before it yields";
 }
 
 std::string none_passes(const Input& in, catalogue::SectionShape shape, const std::vector<ClampForces>& forces,

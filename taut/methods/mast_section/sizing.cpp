@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "taut/base/expects.hpp"
@@ -14,6 +15,9 @@ namespace {
 
 using catalogue::SectionRow;
 using catalogue::SectionShape;
+
+/// Series of standards whose hollow sections are made of their own steels.
+constexpr std::array own_steels{"EN 10210", "EN 10219", "GOST"};
 
 catalogue::Trust least_trust(LeastTrust t) {
   switch (t) {
@@ -99,6 +103,20 @@ std::optional<double> allowable_stress(const StressLimit& limit, double thicknes
   return *yield / limit.safety;
 }
 
+double largest_yield(const StressLimit& limit, const SectionRow& section, double allowable) {
+  double largest = allowable * limit.safety;
+  if (limit.steel) return largest;
+  const auto is_of = [](const std::string& standard, const char* series) { return standard.starts_with(series); };
+  for (const catalogue::SteelRow& steel : catalogue::steels()) {
+    const bool own = std::all_of(own_steels.begin(), own_steels.end(), [&](const char* series) {
+      return !is_of(section.standard, series) || is_of(steel.standard, series);
+    });
+    if (!own) continue;
+    if (const auto yield = catalogue::yield(steel, section.thickness)) largest = std::max(largest, *yield);
+  }
+  return largest;
+}
+
 std::string trust_of(const StressLimit& limit) { return limit.steel ? catalogue::trust_words(*limit.steel) : "user"; }
 
 ClampForces operator*(double factor, ClampForces f) {
@@ -109,8 +127,20 @@ ClampForces operator*(double factor, ClampForces f) {
 }
 
 const char* direction_words(const ClampForces& f) {
+  if (f.put_up) return "guys put up, no load";
   if (f.skyline_out) return f.mainline_out ? "ropes paid out" : "skyline paid out, mainline hauled in";
   return f.mainline_out ? "skyline hauled in, mainline paid out" : "ropes hauled in";
+}
+
+std::string position_words(const Input& in, const ClampForces& f) {
+  const bool at_position = in.span && !f.put_up;
+  return at_position ? fmt::format("carriage at {:.4g} m", in.span->carriage_position.at(f.index)) : std::string();
+}
+
+std::string case_words(const Input& in, const ClampForces& f) {
+  const std::string at = position_words(in, f);
+  const bool no_side = !f.put_up && f.lateral == 0 && in.lateral_force.value_or(0) != 0;
+  return fmt::format("{}{}{}{}", at, at.empty() ? "" : ", ", direction_words(f), no_side ? ", no side force" : "");
 }
 
 bool is_beyond_method(const Input& in) {
@@ -130,6 +160,15 @@ std::vector<ClampForces> clamp_forces(const Input& in, const std::vector<Positio
     geometric.wrap = Wrap::geometric;
     add(geometric, sweep(geometric));
   }
+  if (in.guys.empty() || all.empty()) return all;
+  if (in.lateral_force.value_or(0) != 0) {
+    for (std::size_t k = 0, with = all.size(); k < with; ++k) {
+      ClampForces without = all[k];
+      without.lateral = 0;
+      all.push_back(without);
+    }
+  }
+  all.push_back({.put_up = true});
   return all;
 }
 
@@ -150,8 +189,9 @@ void take_second_order(const StressLimit& limit, const std::vector<ClampForces>&
                        Assessment& a) {
   a.only_second_order = second.decides_alone;
   a.least_buckling = second.least_buckling;
+  const double yield = largest_yield(limit, a.section, a.allowable);
   for (const ClampForces& f : forces) {
-    if (second.wall_yields && !second.wall_yields(a.section, a.allowable * limit.safety, f)) a.wall_yields = false;
+    if (second.wall_yields && !second.wall_yields(a.section, yield, f)) a.wall_yields = false;
     const double stress = second.stress(a.section, f);
     const bool larger = !a.second_order || stress > *a.second_order || std::isnan(stress);
     if (larger) a.second_order = stress, a.second_order_worst = f;

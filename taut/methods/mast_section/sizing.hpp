@@ -24,17 +24,24 @@ struct ClampForces {
   std::size_t index = 0;                           ///< of the carriage position
   bool skyline_out = false, mainline_out = false;  ///< the rope runs out under load, else it is hauled in
   BlockForce skyline = {}, mainline = {};
-  double lateral = 0;  ///< across the span at the skyline block, N: not in the method
+  double lateral = 0;   ///< across the span at the skyline block, N: not in the method
+  bool put_up = false;  ///< no rope pulls and no force acts from the side: the mast stands with its guys alone
 };
 
 /// The same with every force of the ropes, and across the span, times `factor`.
 ClampForces operator*(double factor, ClampForces f);
 
-/// "ropes hauled in", "ropes paid out", "skyline hauled in, mainline paid out", ...
+/// "ropes hauled in", "ropes paid out", "skyline hauled in, mainline paid out", "guys put up, no load", ...
 const char* direction_words(const ClampForces& f);
+
+/// "carriage at 10 m"; empty where the span is not given.
+std::string position_words(const Input& in, const ClampForces& f);
+/// "carriage at 10 m, ropes paid out"; with ", no side force" where the deck has one that is left out.
+std::string case_words(const Input& in, const ClampForces& f);
 
 /// What a section must carry: at every carriage position that the method can do (`positions`: all of the deck) each
 /// rope hauled in and paid out, by the wrap as asked for and, where that is the paper's, by the geometric one as well.
+/// A mast with guys may be held by what loads it: it has the same without the side force too, and last its guys alone.
 /// Empty: no position is feasible.
 std::vector<ClampForces> clamp_forces(const Input& in, const std::vector<Position>& positions);
 
@@ -46,7 +53,7 @@ struct SecondOrder {
   /// The factor of its axial force at which the straight mast buckles; NaN: none is known.
   std::function<double(const catalogue::SectionRow& section, const ClampForces& forces)> buckling = {};
   double least_buckling = 0;  ///< what that factor must be of a section that is chosen
-  /// Whether its walls yield (at `yield`, Pa) before they buckle.
+  /// Whether its walls yield (at `yield`, Pa: the largest that it may have) before they buckle.
   std::function<bool(const catalogue::SectionRow& section, double yield, const ClampForces& forces)> wall_yields = {};
   /// Without solving: false where the mast surely buckles below `least_buckling` times its axial force.
   std::function<bool(const catalogue::SectionRow& section, const ClampForces& forces)> may_stand = {};
@@ -81,6 +88,10 @@ StressLimit limit_of(const Input& in);
 
 /// [sigma] for a wall of that thickness (m), Pa; nothing when the steel is not made so thick.
 std::optional<double> allowable_stress(const StressLimit& limit, double thickness);
+
+/// The largest yield stress that the section may have, Pa: that of the steel; with a given [sigma] the largest of the
+/// catalogue of which such sections are made, and no less than `allowable`.
+double largest_yield(const StressLimit& limit, const catalogue::SectionRow& section, double allowable);
 
 /// The trust of the limit: the steel's, or "user" for a given [sigma].
 std::string trust_of(const StressLimit& limit);

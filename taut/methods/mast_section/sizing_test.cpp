@@ -136,6 +136,32 @@ TEST(MastSectionSizing, EachRopeIsHauledInAndPaidOut) {
       1e-6 * 160e6);
 }
 
+// The guys are put up before the ropes are laid: that is a load case of its own, without a carriage. A force from the
+// side comes and goes, and may be what holds the mast against its guys.
+TEST(MastSectionSizing, TheGuysAloneAreALoadCase) {
+  Input in = plain_mast();
+  const std::size_t without = clamp_forces(in, sweep(in)).size();
+  in.guys.emplace_back();
+  in.lateral_force = 5e3;
+  const auto forces = clamp_forces(in, sweep(in));
+  ASSERT_EQ(forces.size(), 2 * without + 1);
+  for (std::size_t k = 0; k < without; ++k) {
+    const ClampForces &with_side = forces[k], &no_side = forces[without + k];
+    EXPECT_EQ(with_side.lateral, 5e3);
+    EXPECT_EQ(no_side.lateral, 0);
+    EXPECT_EQ(no_side.M, with_side.M);
+    EXPECT_EQ(case_words(in, no_side), case_words(in, with_side) + ", no side force");
+  }
+  const ClampForces& bare = forces.back();
+  EXPECT_TRUE(bare.put_up);
+  for (const double force : {bare.N, bare.M, bare.lateral, bare.skyline.across, bare.skyline.down, bare.mainline.down})
+    EXPECT_EQ(force, 0);
+  EXPECT_EQ(case_words(in, bare), "guys put up, no load");
+  EXPECT_TRUE(std::none_of(forces.begin(), forces.end() - 1, [](const ClampForces& f) { return f.put_up; }));
+  in.lateral_force.reset();
+  EXPECT_EQ(clamp_forces(in, sweep(in)).size(), without + 1);
+}
+
 // Where second order decides alone the method's own stress is that of another mast.
 TEST(MastSectionSizing, AnotherMastIsJudgedByItsOwnStress) {
   const Input in = plain_mast();

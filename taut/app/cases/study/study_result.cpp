@@ -366,6 +366,17 @@ void add_unasked(const Study& study, Result& r) {
   }
 }
 
+/// A study without a limit of its own is not judged, whatever its cases are; that they pass is said.
+void add_unlimited(const Study& study, const StudyData& data, Result& r) {
+  if (!study.limits.empty() || !r.checks.empty() || !r.unjudged.empty()) return;
+  const bool fails = std::any_of(data.flawed.begin(), data.flawed.end(), [](const FlawedCase& one) {
+    return one.flaw.kind == CaseFlaw::Kind::fails || one.flaw.kind == CaseFlaw::Kind::unmade;
+  });
+  if (fails || !data.failed.empty()) return;
+  r.unjudged.push_back(
+      fmt::format("what the study asks for; none of the {} cases fails a check of the deck", study.size()));
+}
+
 void add_given(const Study& study, Result& r) {
   Table t{.name = "inputs",
           .title = "What varies",
@@ -425,6 +436,7 @@ Result study_result(const Study& study, const StudyData& data, const StudyOption
   add_not_run(study, r);
   add_flaws(study, data, r);
   add_unasked(study, r);
+  add_unlimited(study, data, r);
   r.tables.push_back(std::move(summary).table());
   r.series.push_back(data.rows);
   add_study_figures(study, data, rest, r);

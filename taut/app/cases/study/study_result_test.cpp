@@ -179,6 +179,18 @@ struct OneLimit {
   bool counts;
 };
 
+// Its cases are checked each by itself: what it lacks is a limit of its own.
+TEST(StudyResult, AStudyWithoutALimitSaysThatItsCasesPass) {
+  const Study study = of_cases(10);
+  StudyData data;
+  data.outputs = {std::vector<double>(10, 1)};
+  const Result r = study_result(study, data, {});
+  EXPECT_EQ(verdict_of(r)->verdict_class, "unasked");
+  EXPECT_THAT(verdict_of(r)->reason, testing::HasSubstr("none of the 10 cases fails a check of the deck"));
+  data.flawed = {{.index = 3, .flaw = {.kind = CaseFlaw::Kind::fails, .check = "sky.T_max"}}};
+  EXPECT_THAT(verdict_of(study_result(study, data, {}))->reason, testing::Not(testing::HasSubstr("none of")));
+}
+
 // Each case alone is "not judged": no limit is given for that part.
 TEST(StudyResult, APartThatNeitherDeckNorStudyLimitsIsNotJudged) {
   using enum chance::Bound;

@@ -2,12 +2,21 @@
 
 #include <fmt/format.h>
 
-#include <optional>
-
 #include "taut/methods/boom_ropes/boom_ropes.hpp"
+#include "taut/methods/boom_ropes/sliding.hpp"
 #include "taut/units/display.hpp"
 
 namespace taut::boom_ropes {
+
+namespace {
+
+/// As the deck has it. Precondition: has_pretension(in).
+double pretension_of(const Input& in, Rope rope) {
+  if (in.sliding) return sliding_pretension(in, *in.sliding, rope);
+  return *(rope == Rope::extension ? in.S10 : in.S20);
+}
+
+}  // namespace
 
 std::vector<Answer> answers(const Input& in, const Result& r, const Display& display) {
   Result lines;
@@ -17,16 +26,18 @@ std::vector<Answer> answers(const Input& in, const Result& r, const Display& dis
   };
   const auto has = [&](const char* value) { return r.find_value(value) != nullptr; };
   if (has("S10_set") && has("S20_set")) {
-    const auto given = [&](const std::optional<double>& tension, const std::string& printed) {
-      if (!tension) return shown(printed.c_str(), Rounding::up);
+    const bool is_given = has_pretension(in);
+    const auto given = [&](Rope rope, const std::string& printed) {
+      if (!is_given) return shown(printed.c_str(), Rounding::up);
+      const double tension = pretension_of(in, rope);
       const std::string corrected = printed + "_corrected";
       const char* const set = has(corrected.c_str()) ? corrected.c_str() : printed.c_str();
-      const std::string own = display.brief(*tension, si::N.in("kN"));
+      const std::string own = display.brief(tension, si::N.in("kN"));
       return own == shown(set) ? own : fmt::format("{}, settles at {}", own, shown(set));
     };
-    add_answer_line(lines, in.S10 ? given_label : needs_label,
-                    {fmt::format("pretension of the extension rope {} (one branch)", given(in.S10, "S10_set")),
-                     fmt::format("of the retraction rope {}", given(in.S20, "S20_set"))});
+    add_answer_line(lines, is_given ? given_label : needs_label,
+                    {fmt::format("pretension of the extension rope {} (one branch)", given(Rope::extension, "S10_set")),
+                     fmt::format("of the retraction rope {}", given(Rope::retraction, "S20_set"))});
   }
   if (has("S10_min_corrected") && has("S20_min_corrected")) {
     add_answer_line(lines, "Least",

@@ -167,9 +167,10 @@ const Description& Input::describe() {
                  "static friction of the pads, for slip angles")
           .at_least(0)
           .field(&Input::S10, "S10", "S_10", si::N,
-                 "pretension of the extension rope (one branch), checked against (3)")
+                 "pretension of the extension rope (one branch), checked against (3); default: that of 'sliding'")
           .at_least(0)
-          .field(&Input::S20, "S20", "S_20", si::N, "pretension of the retraction rope, checked against (3)")
+          .field(&Input::S20, "S20", "S_20", si::N,
+                 "pretension of the retraction rope, checked against (3); default: that of 'sliding'")
           .at_least(0)
           .field(&Input::stiffness_ratio, "stiffness_ratio", "kappa", si::one,
                  "C_2/C_1 as measured (fall of S_2 per rise of S_1), for the corrected stiffness")

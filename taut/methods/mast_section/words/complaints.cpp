@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "taut/catalogue/rope_words.hpp"
 #include "taut/catalogue/section_search.hpp"
@@ -29,6 +30,45 @@ void branch_angle_rules(const Input& in, std::vector<Complaint>& all) {
     all.push_back({fmt::format("span.carriage_position{}", at),
                    fmt::format("the carriage at {:.6g} m is beyond the span of {:.6g} m", x, span.length)});
   }
+}
+
+/// The tension of the skyline at one end of it, with the carriage somewhere.
+struct EndTension {
+  double force = 0;  ///< N
+  double x = 0;      ///< of the carriage, m
+  const char* end = "";
+};
+
+/// The largest of all carriage positions: the horizontal tension along the chord between the carriage and an end, (10),
+/// (11), which is the least that a rope with weight has there.
+EndTension largest_by_span(const Span& span) {
+  const double l = span.length, H = span.horizontal_tension, slope = std::tan(span.chord_slope);
+  EndTension most;
+  const auto raise = [&](double rise, double run, double x, const char* end) {
+    if (!(run > 0)) return;
+    const double force = H * std::hypot(1, rise / run);
+    if (force > most.force) most = {.force = force, .x = x, .end = end};
+  };
+  for (const double x : span.carriage_position) {
+    if (!(x > 0) || x > l) continue;
+    const double sag = x * (l - x) / (2 * H) * (span.rope_weight / std::cos(span.chord_slope) + 2 * span.load / l);
+    raise(sag + x * slope, x, x, "at the mast");
+    raise((l - x) * slope - sag, l - x, x, "at its far end");
+  }
+  return most;
+}
+
+/// The skyline of the span is that of the mast: its largest force is no less than what the span asks of it.
+void skyline_rules(const Input& in, std::vector<Complaint>& all) {
+  constexpr double rounding = 0.005;  // forces are given with three digits
+  if (!in.span) return;
+  const EndTension most = largest_by_span(*in.span);
+  if (!(most.force > (1 + rounding) * in.skyline_force)) return;
+  all.push_back({"skyline_force",
+                 fmt::format("the skyline has {:.4g} kN {} with the carriage at {:.4g} m, by the span's "
+                             "horizontal_tension of {:.4g} kN: its largest force is no less; raise skyline_force, or "
+                             "lower horizontal_tension",
+                             most.force / 1e3, most.end, most.x, in.span->horizontal_tension / 1e3)});
 }
 
 void stress_rules(const Input& in, std::vector<Complaint>& all) {
@@ -106,6 +146,7 @@ void base_rules(const Input& in, std::vector<Complaint>& all) {
 std::vector<Complaint> complaints(const Input& in) {
   std::vector<Complaint> all;
   branch_angle_rules(in, all);
+  skyline_rules(in, all);
   stress_rules(in, all);
   section_rules(in, all);
   for (std::size_t i = 0; i < in.guys.size(); ++i) guy_rules(in, i, all);

@@ -105,6 +105,7 @@ const Description& Guy::describe() {
           .shorthand("tension")
           .field(&Guy::length, "length", "L_0", si::m, "unstretched length; or give install")
           .above(0)
+          .field(&Guy::may_slack, "may_slack", "true: it may go slack without an unsafe warning")
           .exactly_one({"install", "length"});
   return d;
 }

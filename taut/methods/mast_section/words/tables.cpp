@@ -52,8 +52,10 @@ const Quantities<LoadCase>& load_case_quantities() {
   const auto of = [](double ClampForces::*part) { return [part](const Row& r) { return r.f.*part; }; };
   static const Quantities<Row> all = {
       {"x", "x", si::m, "carriage position, where the span is given",
-       [](const Row& r) { return r.in.span ? r.in.span->carriage_position.at(r.f.index) : not_computed; }},
-      {"directions", "", si::one, "whether each rope is hauled in or paid out",
+       [](const Row& r) {
+         return r.in.span && !r.f.put_up ? r.in.span->carriage_position.at(r.f.index) : not_computed;
+       }},
+      {"directions", "", si::one, "whether each rope is hauled in or paid out; or the guys put up without a load",
        [](const Row& r) { return std::string(direction_words(r.f)); }},
       {"sky_across", "", si::N, "force on the skyline block, towards the span",
        [](const Row& r) { return r.f.skyline.across; }},
@@ -132,7 +134,8 @@ std::vector<TableWords> table_words() {
   return {{.name = "positions", .rows = "every carriage position", .columns = words_of(position_quantities())},
           {.name = "load_cases",
            .rows = "each rope hauled in and paid out, at every carriage position; with wrap: paper by the geometric "
-                   "wrap too",
+                   "wrap too; with guys the same without the side force, and "
+                   "the mast without a load",
            .columns = words_of(load_case_quantities())},
           {.name = "sections",
            .rows = "the section given, or the lightest of each shape that passes",

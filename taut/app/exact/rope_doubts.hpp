@@ -1,0 +1,23 @@
+#pragma once
+#include <optional>
+#include <string>
+
+#include "taut/calc/result.hpp"
+#include "taut/catalogue/rope_values.hpp"
+
+/// Values of a method's deck that contradict the rope of the catalogue that it names, as machine decks have them.
+namespace taut::app {
+
+/// A rope of a published method.
+struct MethodRope {
+  std::string name;
+  std::optional<std::string> rope;  ///< of the catalogue: id, or its properties in words
+  catalogue::OwnValues own;         ///< what the deck has in place of the row's values
+  double tension = 0;               ///< the largest of all states, N; 0 or NaN: not known
+};
+
+/// Unsafe warnings of values that no rope of the row has, and of a strain that no steel rope bears. Without a row the
+/// strain is a plain warning.
+void warn_of_rope(const MethodRope& rope, Result& r);
+
+}  // namespace taut::app

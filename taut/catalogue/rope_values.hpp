@@ -1,0 +1,42 @@
+#pragma once
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "taut/catalogue/rope.hpp"
+
+/// Values of a deck that contradict the row of the catalogue that it names: a slip of a unit (kN, MN).
+namespace taut::catalogue {
+
+/// A rope of a deck that is one of the catalogue.
+struct NamedRope {
+  std::string name;  ///< in the deck
+  RopeRow row;
+  std::string id;    ///< of the row, as the deck has it
+  std::string mend;  ///< what to do about a value that no such rope has
+};
+
+/// What the deck has in place of the row's values, SI; 0: nothing. No weight (0 kg/m) and no stretch (infinite) are
+/// ways to calculate.
+struct OwnValues {
+  double mass = 0;  ///< kg/m
+  double diameter = 0;
+  double breaking_force = 0;
+  double stiffness = 0;  ///< EA, N
+};
+
+/// A sentence about a value.
+struct ValueDoubt {
+  std::string words;
+  bool unsafe = true;  ///< else it is on the safe side
+};
+
+/// Values that no rope of the row has. The mass per metre, the diameter and the breaking force are compared with those
+/// of the row; the stiffness with its metallic area times the least modulus of a new rope and that of the wire. A
+/// breaking force that is far below that of the row is on the safe side.
+std::vector<ValueDoubt> doubts_of(const NamedRope& rope, const OwnValues& own);
+
+/// Where the largest tension (N) strains a rope of a stiffness (N) by more than a steel rope bears.
+std::optional<std::string> doubt_of_strain(const std::string& rope, double tension, double stiffness);
+
+}  // namespace taut::catalogue

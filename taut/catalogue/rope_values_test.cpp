@@ -1,0 +1,51 @@
+#include "taut/catalogue/rope_values.hpp"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <string>
+
+#include "taut/catalogue/rope_search.hpp"
+
+namespace taut::catalogue::rope_values_test {
+
+/// 6x36-IWRC of 20 mm and 1960 MPa: 1.636 kg/m, 279.1 kN, 184 mm2.
+std::vector<ValueDoubt> doubts(const OwnValues& own) {
+  const std::string id = "EN 12385-4|6x36-IWRC|20|1960";
+  return doubts_of({.name = "sky", .row = *find_rope(id), .id = id, .mend = "look at the unit"}, own);
+}
+
+TEST(RopeValues, AFactorOfOneAndAHalfIsAnotherRope) {
+  const RopeRow row = *find_rope("EN 12385-4|6x36-IWRC|20|1960");
+  EXPECT_TRUE(doubts({}).empty());
+  for (const double factor : {1 / 1.49, 1.0, 1.49}) {
+    EXPECT_TRUE(doubts({.mass = factor * row.mass_per_length,
+                        .diameter = factor * row.diameter,
+                        .breaking_force = factor * row.breaking_force,
+                        .stiffness = 0})
+                    .empty())
+        << factor;
+  }
+  EXPECT_TRUE(doubts({.mass = 1.51 * row.mass_per_length}).at(0).unsafe);
+  EXPECT_TRUE(doubts({.mass = row.mass_per_length / 1.51}).at(0).unsafe);
+  EXPECT_TRUE(doubts({.diameter = row.diameter / 1.51}).at(0).unsafe);
+  EXPECT_TRUE(doubts({.breaking_force = 1.51 * row.breaking_force}).at(0).unsafe);
+  EXPECT_FALSE(doubts({.breaking_force = row.breaking_force / 1.51}).at(0).unsafe) << "on the safe side";
+}
+
+// 184 mm2 of 0.6 x 95 GPa when new, and of 206 GPa, that of the wires: 10.49 and 37.9 MN.
+TEST(RopeValues, TheStiffnessIsThatOfARopeBetweenNewAndItsWires) {
+  EXPECT_EQ(doubts({.stiffness = 10.4e6}).size(), 1U);
+  EXPECT_TRUE(doubts({.stiffness = 10.6e6}).empty());
+  EXPECT_TRUE(doubts({.stiffness = 37.8e6}).empty());
+  EXPECT_EQ(doubts({.stiffness = 38.0e6}).size(), 1U);
+  EXPECT_TRUE(doubts({.stiffness = std::numeric_limits<double>::infinity()}).empty());
+}
+
+TEST(RopeValues, NoSteelRopeIsStrainedByMoreThanTwoPercent) {
+  EXPECT_FALSE(doubt_of_strain("sky", 19.9e3, 1e6));
+  EXPECT_TRUE(doubt_of_strain("sky", 20.1e3, 1e6));
+  EXPECT_FALSE(doubt_of_strain("sky", 20e3, std::numeric_limits<double>::infinity()));
+}
+
+}  // namespace taut::catalogue::rope_values_test
