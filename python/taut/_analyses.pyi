@@ -1,6 +1,6 @@
 """Made from the descriptions by python/tools/make_stub.py; do not edit. `./dev python stub` makes it again.
 
-schema: fbd13b12102df623159b94bd71fb2adf3f0ed204acdadff18e94f90dd812482f
+schema: 9f9ce8fe8a2c20e7ce05b938b41351970f7a13afb9c1d4ca594db483b701dea9
 """
 
 from collections.abc import Mapping, Sequence
@@ -218,7 +218,7 @@ class Analyses:
         steps: equal steps between them (at least 1 and at most 10000). Default: 48.
         along: as for a load path.
         held: as for an equilibrium, at every position. Default: false.
-        load_at: the body or carriage with the loads; default: the carriage.
+        load_at: the body or carriage with the loads, at its centre of mass, or a point of one; default: the carriage.
         loads: kg. loads, each in addition to those of the machine (at least 0 kg and at most 1e9 kg).
         motions: motions; default: at_rest: `at_rest`, `hoist`, `lower`, `in`, `out`.
         temperatures: K. temperatures; default: that of the machine (above -273.15 degC and at most 1726.8 degC).

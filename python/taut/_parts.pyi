@@ -1,6 +1,6 @@
 """Made from the descriptions by python/tools/make_stub.py; do not edit. `./dev python stub` makes it again.
 
-schema: fbd13b12102df623159b94bd71fb2adf3f0ed204acdadff18e94f90dd812482f
+schema: 9f9ce8fe8a2c20e7ce05b938b41351970f7a13afb9c1d4ca594db483b701dea9
 """
 
 from collections.abc import Mapping, Sequence
@@ -305,7 +305,7 @@ class Parts:
         install: in place of the length: tension when the line is put up; the length found there is kept.
         copies: number of equal parallel ropes (at least 1). Default: 1.
         haul: direction when hoisting or hauling in; default: to its drum or given tension, a mainline or haulback off from
-            its carriage, else to its start: `to_start`, `to_end`.
+            its carriage, others as these draw them along: `to_start`, `to_end`.
         segments: in motion the number of segments of each branch, with the mass of the rope at their joints, which may run
             over rounds and onto drums (at least 1 and at most 1000). Default: 1.
         may_slack: true: it may go slack without an unsafe warning. Default: false.

@@ -1,6 +1,6 @@
 """Made from the descriptions by python/tools/make_stub.py; do not edit. `./dev python stub` makes it again.
 
-schema: fbd13b12102df623159b94bd71fb2adf3f0ed204acdadff18e94f90dd812482f
+schema: 9f9ce8fe8a2c20e7ce05b938b41351970f7a13afb9c1d4ca594db483b701dea9
 """
 
 from collections.abc import Mapping, Sequence
@@ -283,8 +283,9 @@ def boom_ropes(
     tensioned_last: rope that was tensioned last: `extension`, `retraction`. Default: extension.
     tensioning_steps: steps of the alternating tensioning (at least 0 and at most 1000). Default: 4.
     slip_friction: static friction of the pads, for slip angles (at least 0). Default: 0.155.
-    S10: N. pretension of the extension rope (one branch), checked against (3) (at least 0 kN).
-    S20: N. pretension of the retraction rope, checked against (3) (at least 0 kN).
+    S10: N. pretension of the extension rope (one branch), checked against (3); default: that of 'sliding' (at least 0
+        kN).
+    S20: N. pretension of the retraction rope, checked against (3); default: that of 'sliding' (at least 0 kN).
     stiffness_ratio: C_2/C_1 as measured (fall of S_2 per rise of S_1), for the corrected stiffness (above 0).
     cases: load cases for which the ropes are tensioned.
     sliding: quasi-static model of sections 2 and 3 sliding on their pads.

@@ -152,6 +152,7 @@ class Judge {
   void take_off_line(const machine::Model& model, int reeving, const Vector3& place, const std::string& where);
   void add_off_line(Result& r) const;
   void warn_of_buried(const machine::Model& model, const std::string& words);
+  void warn_of_sunk(const machine::Model& m, const machine::State& state, const std::string& words);
   void take_beams(const solve::EquilibriumResult& state, const std::string& words);
   /// `once`: what it is of, whatever the state; of several states the one with the largest `size`, else the first.
   void warn(const std::string& once, const std::string& text, bool unsafe, double size = 0);

@@ -13,6 +13,8 @@
 namespace taut::checks {
 namespace {
 
+constexpr double rough = 0.1;  ///< m; a terrain is not surveyed better
+
 /// Whether the deck asks for the clearance of a rope: then its check tells where it is not known.
 bool asks_clearance(const std::optional<ChecksRequest>& checks, const std::string& rope) {
   return checks && std::any_of(checks->lines.begin(), checks->lines.end(), [&](const LineCheckRequest& one) {
@@ -110,11 +112,11 @@ void Judge::take_heights(const machine::Model& m, const solve::EquilibriumResult
                 rope_heights_);
   }
   warn_of_buried(m, words);
+  warn_of_sunk(m, e.state, words);
 }
 
 /// Supports, sheaves and drums that stand in the ground; an anchor may be buried.
 void Judge::warn_of_buried(const machine::Model& m, const std::string& words) {
-  constexpr double rough = 0.1;  // m; a terrain is not surveyed better
   for (const machine::Reeving& rope : m.reevings) {
     for (const machine::Node& node : rope.nodes) {
       const bool anchor = node.kind == machine::NodeKind::anchor && !node.drum;
@@ -124,6 +126,42 @@ void Judge::warn_of_buried(const machine::Model& m, const std::string& words) {
       warn(node.name + " buried", fmt::format("{}: '{}' is {:.3g} m below the ground", words, node.name, -height), true,
            -height);
     }
+  }
+}
+
+/// Bodies that move, by what is known of them: their origin, their centre of mass and where ropes hold them. Carriages
+/// have a check of their own; a beam is only where it is.
+void Judge::warn_of_sunk(const machine::Model& m, const machine::State& state, const std::string& words) {
+  struct Lowest {
+    double height = -rough;
+    std::string what;
+  };
+  std::map<int, Lowest> all;
+  const auto take = [&](int b, const Vector3& at, const std::string& what) {
+    const machine::Body& body = m.bodies[b];
+    const bool carriage = std::any_of(m.carriages.begin(), m.carriages.end(),
+                                      [&](const machine::Carriage& car) { return car.body == b; });
+    if (carriage || body.free.empty() || body.beam || body.of_rope) return;
+    const Vector3 place = state.bodies[b].position + state.bodies[b].orientation * at;
+    if (distance_off(m, place) > deck_->machine.terrain->corridor) return;
+    const double height = place.z() - study::ground_height(m.terrain, terrain_x(m, place));
+    if (height < all[b].height) all[b] = {.height = height, .what = what};
+  };
+  for (int b = 0; b < static_cast<int>(m.bodies.size()); ++b) {
+    take(b, Vector3::Zero(), "the origin");
+    take(b, m.bodies[b].centre, "the centre of mass");
+  }
+  for (const machine::Reeving& rope : m.reevings) {
+    for (const machine::Node& node : rope.nodes) {
+      if (node.at.body != machine::ground) take(node.at.body, node.at.at, "'" + node.name + "'");
+    }
+  }
+  for (const auto& [b, lowest] : all) {
+    if (!(lowest.height < -rough)) continue;
+    const std::string& name = m.bodies[b].name;
+    warn(name + " sunk",
+         fmt::format("{}: {} of '{}' is {:.3g} m below the ground", words, lowest.what, name, -lowest.height), true,
+         -lowest.height);
   }
 }
 

@@ -237,6 +237,29 @@ TEST(Judge, AMastThatFallsInAMotionIsUnsafe) {
   EXPECT_NE(verdict_of(falls)->kind, VerdictKind::passes) << verdict_of(falls)->reason;
 }
 
+// A load hangs at a lug 3 m above its origin; its centre of mass is 1 m below that.
+TEST(Judge, ABodyBelowTheGroundIsAWarning) {
+  const auto hung = [](const std::string& ground, const std::string& free) {
+    return run_text(R"(taut: 1
+machine:
+  points: {head: [0 m, 0 m, 10 m], lug: {body: load, at: [0 m, 0 m, 3 m]}}
+  ropes: {drop: {mass: 0.1 kg/m, stiffness: 26 MN, breaking_force: 1000 kN}}
+  bodies: {load: {mass: 1 t, at: [0 m, 0 m, 2 m], centre: [0 m, 0 m, -1 m], free: [)" +
+                    free + R"(]}}
+  reevings: [{rope: drop, path: [{anchor: head}, {anchor: lug}], length: 5 m}]
+  terrain: {x: [-10 m, 10 m], z: [)" +
+                    ground + ", " + ground + R"(]}
+checks: {ropes: {drop: {safety_factor: 2}}, confirmed: [elastic_limit]}
+analyses: [{equilibrium: {}}]
+)");
+  };
+  const Result in = hung("2.5 m", "x, y, z");
+  EXPECT_EQ(verdict_of(in)->kind, VerdictKind::passes_with_warnings) << verdict_of(in)->reason;
+  EXPECT_THAT(in.unsafe, Contains(HasSubstr("the centre of mass of 'load' is 1.5 m below the ground"))) << in.message;
+  EXPECT_THAT(hung("1.05 m", "x, y, z").unsafe, IsEmpty()) << "a terrain is not surveyed better";
+  EXPECT_THAT(hung("5.5 m", "x, y, z").unsafe, Contains(HasSubstr("of 'load' is 4.5 m below the ground")));
+}
+
 // The face of a slab that nothing moves is ground too.
 TEST(Judge, ACraneOnASlabTipsAsOnTheGround) {
   std::string deck = crane("2.5 t");

@@ -1,5 +1,7 @@
 #include "taut/machine/senses.hpp"
 
+#include <algorithm>
+
 namespace taut::machine {
 namespace {
 
@@ -71,10 +73,6 @@ bool rolls_on(const Reeving& rope, const Carriage& car) {
   return !rope.haul_is_told && rope.nodes.front().at.body != car.body && rope.nodes.back().at.body != car.body;
 }
 
-bool loses(const Node& node) {
-  return node.kind == NodeKind::contact && node.law.friction > 0 && node.law.efficiency < 1;
-}
-
 /// Over the supports beside a carriage's span, towards it.
 void set_creep(const Reeving& rope, const CarriageSpan& span, Array<int>& creep) {
   for (int n = 1; n + 1 < static_cast<int>(rope.nodes.size()); ++n) {
@@ -88,6 +86,23 @@ void set_creep(const Reeving& rope, const CarriageSpan& span, Array<int>& creep)
 
 }  // namespace
 
+bool loses(const Node& node) {
+  return node.kind == NodeKind::contact && node.law.friction > 0 && node.law.efficiency < 1;
+}
+
+bool is_taken_in(const Model& model, int reeving, bool at_end) {
+  const Reeving& rope = model.reevings[reeving];
+  if (rope.closed) return false;
+  const Given tension = at_end ? Given::tension_at_end : Given::tension_at_start;
+  if (rope.given == tension || (rope.also && rope.also->first == tension)) return true;
+  const Node& own = at_end ? rope.nodes.back() : rope.nodes.front();
+  const Node& other = at_end ? rope.nodes.front() : rope.nodes.back();
+  if (own.drum) return true;
+  return !other.drum && std::any_of(model.carriages.begin(), model.carriages.end(), [&](const Carriage& car) {
+    return (car.mainline == reeving || car.haulback == reeving) && other.at.body == car.body && own.at.body != car.body;
+  });
+}
+
 Senses hauling_in(const Model& model, const std::optional<Prescribed>& prescribed) {
   Senses all;
   for (const Reeving& rope : model.reevings) {
@@ -95,16 +110,19 @@ Senses hauling_in(const Model& model, const std::optional<Prescribed>& prescribe
     all.creep.emplace_back(rope.nodes.size(), 0);
     all.follows.push_back(false);
   }
+  all.moves.resize(model.carriages.size());
   for (int i = 0; i < static_cast<int>(model.carriages.size()); ++i) {
     const Carriage& car = model.carriages[i];
     const Reeving& rope = model.reevings[car.reeving];
     if (rope.closed) continue;
     const CarriageSpan span = carriage_span(model, i, prescribed);
-    for (const auto& tied : {std::optional(car.reeving), car.haulback}) {
-      if (tied && follows(model, car, span, model.reevings[*tied])) all.follows[*tied] = true;
+    all.moves[i] = moves(model, car, span);
+    for (int r = 0; r < static_cast<int>(model.reevings.size()); ++r) {
+      const bool pulls = r == car.reeving || is_taken_in(model, r, false) || is_taken_in(model, r, true);
+      if (pulls && follows(model, car, span, model.reevings[r])) all.follows[r] = true;
     }
     if (!rolls_on(rope, car)) continue;
-    const int sense = span.path * moves(model, car, span);
+    const int sense = span.path * all.moves[i];
     for (int n = span.before + 1; n < span.after && sense != 0; ++n) all.flow[car.reeving][n] = -sense;
     set_creep(rope, span, all.creep[car.reeving]);
   }

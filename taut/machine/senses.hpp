@@ -16,7 +16,17 @@ struct Senses {
   /// Whether a rope, [reeving], that ends at a carriage is drawn off its winch by the carriage's mainline: while the
   /// machine hauls in as a whole it runs against its `flow`.
   Array<bool> follows;
+  /// Which way each carriage moves along its `Prescribed::along`, else along the horizontal part of its span; 0:
+  /// nothing says it.
+  Array<int> moves;
 };
+
+/// Whether a rope is taken in at that end: on a drum, by a tension given there, or as the mainline or haulback of the
+/// carriage at its other end. An endless rope has no such end.
+bool is_taken_in(const Model& model, int reeving, bool at_end);
+
+/// Whether friction acts where a rope runs over a node.
+bool loses(const Node& node);
 
 /// While the machine hauls in. A rope runs as its `haul` says. A carriage moves to where its mainline (without one its
 /// haulback, or what it is fixed to) runs off from it, and the rope on which it rolls passes it the other way. That

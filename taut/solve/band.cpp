@@ -1,7 +1,7 @@
 #include "taut/solve/band.hpp"
 
 #include <algorithm>
-#include <iterator>
+#include <map>
 #include <utility>
 
 #include "taut/base/array.hpp"
@@ -10,6 +10,7 @@
 
 namespace taut::solve {
 namespace {
+using Flow = Array<Array<int>>;
 
 void widen(double& low, double& high, double other_low, double other_high) {
   low = std::min(low, other_low);
@@ -38,8 +39,6 @@ void widen(EquilibriumResult& result, const EquilibriumResult& other) {
   }
 }
 
-bool at_rest(const EquilibriumOptions& options) { return options.motion == Motion::at_rest && options.flow.empty(); }
-
 bool any_nonzero(const Array<Array<int>>& nodes) {
   return std::any_of(nodes.begin(), nodes.end(), [](const Array<int>& rope) {
     return std::any_of(rope.begin(), rope.end(), [](int node) { return node != 0; });
@@ -56,25 +55,97 @@ Array<Array<int>> crept(Array<Array<int>> flow, const Array<Array<int>>& creep, 
   return flow;
 }
 
-/// The motions that bound what is at rest: both of the machine as a whole, and both of each rope to its own winch where
-/// a carriage's mainline draws another one.
-Array<EquilibriumOptions> motions_at_rest(const machine::Model& model, const EquilibriumOptions& options) {
+constexpr int most_parts = 4;  ///< all combinations of their senses are solved; of more parts some
+
+/// Contacts that turn their sense together: their places, {reeving, node}.
+using Together = std::vector<std::pair<int, int>>;
+
+Flow turned(Flow flow, const Together& part) {
+  for (const auto& [r, n] : part) flow[r][n] = -flow[r][n];
+  return flow;
+}
+
+/// Without repetition.
+void add(Array<Flow>& all, Flow flow) {
+  if (std::find(all.begin(), all.end(), flow) == all.end()) all.push_back(std::move(flow));
+}
+
+/// Flows with all combinations of the senses of the parts; of many parts `first` and those in which one of them turns.
+/// `first`: some of the combinations, which come first.
+Array<Flow> combined(const Array<Flow>& first, const Array<Together>& parts) {
+  Array<Flow> all;
+  for (const Flow& flow : first) add(all, flow);
+  Array<Flow> wider = all;
+  const bool every = static_cast<int>(parts.size()) <= most_parts;
+  if (every) wider.resize(1);
+  for (const Together& part : parts) {
+    const Array<Flow> known = every ? wider : all;
+    for (const Flow& flow : known) wider.push_back(turned(flow, part));
+  }
+  for (Flow& flow : wider) add(all, std::move(flow));
+  return all;
+}
+
+bool runs_with_loss(const machine::Reeving& rope) {
+  return rope.mass * rope.speed > 0 || std::any_of(rope.nodes.begin(), rope.nodes.end(), machine::loses);
+}
+
+/// At rest each rope is held as it ran last, whatever the others did: one on which a carriage rolls at the carriage and
+/// on either side of it. Ropes of which the deck says how they run, run together.
+Array<Together> parts_at_rest(const machine::Model& model, const machine::Senses& in) {
+  Array<Together> all;
+  Together told;
+  for (int r = 0; r < static_cast<int>(model.reevings.size()); ++r) {
+    const machine::Reeving& rope = model.reevings[r];
+    if (!runs_with_loss(rope)) continue;
+    std::map<int, Together> by_side;
+    for (int n = 0; n < static_cast<int>(rope.nodes.size()); ++n) {
+      const bool counts = rope.mass * rope.speed > 0 || machine::loses(rope.nodes[n]);
+      if (counts) (rope.haul_is_told ? told : by_side[in.creep[r][n]]).emplace_back(r, n);
+    }
+    for (auto& [side, part] : by_side) all.push_back(std::move(part));
+  }
+  if (!told.empty()) all.push_back(std::move(told));
+  return all;
+}
+
+/// The flows that bound what is at rest. First both motions of the machine as a whole, and of each rope to its own
+/// winch.
+Array<Flow> flows_at_rest(const machine::Model& model, const EquilibriumOptions& options) {
+  const machine::Senses in = machine::hauling_in(model, options.prescribed);
   EquilibriumOptions moving = options;
-  moving.held = true;  // its friction holds it at rest
-  moving.creep.clear();
-  for (const machine::Reeving& rope : model.reevings) moving.creep.emplace_back(rope.nodes.size(), 0);
-  const Array<bool> follows = machine::hauling_in(model, options.prescribed).follows;
-  const bool draws = std::any_of(follows.begin(), follows.end(), [](bool one) { return one; });
-  Array<EquilibriumOptions> all;
-  for (const bool each_to_its_winch : {false, true}) {
-    if (each_to_its_winch && !draws) break;
-    moving.each_to_its_winch = each_to_its_winch;
-    for (const Motion motion : {Motion::in, Motion::out}) {
-      moving.motion = motion;
-      all.push_back(moving);
+  Array<Flow> first;
+  for (const Motion motion : {Motion::in, Motion::out}) {
+    moving.motion = motion;
+    first.push_back(flow_of(model, moving));
+  }
+  for (const int sense : {1, -1}) {
+    Flow& each = first.emplace_back(in.flow);
+    for (Array<int>& rope : each) {
+      for (int& node : rope) node *= sense;
     }
   }
-  return all;
+  return combined(first, parts_at_rest(model, in));
+}
+
+/// The flows of an answer in motion with what creeps drawn and let out. A support that a carriage comes to holds as the
+/// rope ran over it before: each side of a carriage for itself, and each rope.
+Array<Flow> flows_in_motion(const Flow& flow, const Flow& creep) {
+  Array<Together> parts;
+  for (std::size_t r = 0; r < creep.size(); ++r) {
+    for (const int side : {1, -1}) {
+      Together part;
+      for (std::size_t n = 0; n < creep[r].size(); ++n) {
+        if (creep[r][n] == side) part.emplace_back(static_cast<int>(r), static_cast<int>(n));
+      }
+      if (!part.empty()) parts.push_back(std::move(part));
+    }
+  }
+  Array<Flow> first;
+  for (const auto& [before, after] : {std::pair{1, 1}, {1, -1}, {-1, 1}, {-1, -1}}) {
+    first.push_back(crept(flow, creep, before, after));
+  }
+  return combined(first, parts);
 }
 
 }  // namespace
@@ -82,47 +153,36 @@ Array<EquilibriumOptions> motions_at_rest(const machine::Model& model, const Equ
 bool differs_in_motion(const machine::Model& model) {
   for (const machine::Reeving& rope : model.reevings) {
     if (rope.mass * rope.speed > 0) return true;
-    for (const machine::Node& node : rope.nodes) {
-      if (node.kind == machine::NodeKind::contact && node.law.efficiency < 1 && node.law.friction > 0) return true;
-    }
+    if (std::any_of(rope.nodes.begin(), rope.nodes.end(), machine::loses)) return true;
   }
   return false;
 }
 
-void add_band(const machine::Model& model, const EquilibriumOptions& options, EquilibriumResult& result) {
-  const Array<Array<int>> creep = creep_of(model, options);
+void add_band(const machine::Model& model, const EquilibriumOptions& options, const Array<Array<int>>& creep,
+              EquilibriumResult& result) {
   const bool creeps = any_nonzero(creep);
-  if (!options.band || (!creeps && !at_rest(options)) || !differs_in_motion(model)) return;
+  const bool at_rest = options.motion == Motion::at_rest && options.flow.empty() && !creeps;
+  if (!options.band || (!creeps && !at_rest) || !differs_in_motion(model)) return;
   result.band = true;
-  const auto take = [&](const machine::Model& moved, const EquilibriumOptions& moving) {
-    EquilibriumResult other = equilibrium(moved, moving, result.state);
+  EquilibriumOptions moving = options;
+  moving.creep.clear();
+  moving.creep_without_loss = false;
+  moving.band = false;
+  if (at_rest) moving.held = true;  // its friction holds it at rest
+  const machine::Model held = at_rest ? with_loads_held(model) : model;
+  for (Flow& flow : at_rest ? flows_at_rest(model, options) : flows_in_motion(result.flow, creep)) {
+    if (flow == result.flow) continue;  // it is the answer
+    moving.flow = std::move(flow);
+    EquilibriumResult other = equilibrium(held, moving, result.state);
     const bool same = other.outcome.ok() && other.branches.size() == result.branches.size() &&
                       other.contacts.size() == result.contacts.size();
     if (!same) {
       result.band = false;
       result.unbounded = other.outcome.ok() ? "it touches other supports there" : other.outcome.message;
-      return;
+      continue;
     }
-    if (result.unbounded.empty()) result.unbounded = other.unbounded;
-    result.band = result.band && other.unbounded.empty();
     widen(result, other);
-    std::move(other.bounds.begin(), other.bounds.end(), std::back_inserter(result.bounds));
-    other.bounds.clear();
     result.bounds.push_back(std::move(other));
-  };
-  if (!creeps) {
-    const machine::Model held = with_loads_held(model);
-    for (const EquilibriumOptions& moving : motions_at_rest(model, options)) take(held, moving);
-    return;
-  }
-  EquilibriumOptions moving = options;
-  moving.creep.clear();
-  moving.creep_without_loss = false;
-  moving.band = false;
-  // a support that the carriage comes to holds as the rope ran over it before: each side for itself
-  for (const auto& [before, after] : {std::pair{1, 1}, {1, -1}, {-1, 1}, {-1, -1}}) {
-    moving.flow = crept(result.flow, creep, before, after);
-    if (moving.flow != result.flow) take(model, moving);  // else it is the answer
   }
 }
 

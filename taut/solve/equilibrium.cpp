@@ -575,25 +575,25 @@ EquilibriumResult equilibrium(const machine::Model& model, const EquilibriumOpti
     result.outcome = taut::infeasible(*open);
     return result;
   }
-  const Flow flow = flow_of(model, options);
+  const RopesRun run = ropes_run(model, options, start);
   bool runs = false;
-  for (std::size_t r = 0; r < model.reevings.size(); ++r) runs = runs || centrifugal(model.reevings[r], flow[r]) > 0;
+  for (std::size_t r = 0; r < run.flow.size(); ++r) runs = runs || centrifugal(model.reevings[r], run.flow[r]) > 0;
   const auto solve_on = [&](const machine::Model& on, const std::optional<machine::State>& near) {
-    return standing(on, options, flow, near);
+    return standing(on, options, run.flow, near);
   };
   if (runs) {
-    const auto moving = running(model, flow);
+    const auto moving = running(model, run.flow);
     if (!moving) {
       result.outcome = taut::infeasible(moving.error());
       return result;
     }
     result = on_inner_sides(*moving, start, solve_on);
-    if (result.outcome.ok()) add_centrifugal(model, flow, result);
+    if (result.outcome.ok()) add_centrifugal(model, run.flow, result);
   } else {
     result = on_inner_sides(model, start, solve_on);
   }
-  result.flow = flow;
-  if (result.outcome.ok()) add_band(model, options, result);
+  result.flow = run.flow;
+  if (result.outcome.ok()) add_band(model, options, run.creep, result);
   return result;
 }
 

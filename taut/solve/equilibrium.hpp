@@ -14,8 +14,9 @@
 namespace taut::solve {
 
 /// Direction in which the ropes run over their contacts; it sets the direction of every loss. hoist and in mean the
-/// same: each rope flows as machine::hauling_in says; lower and out are the opposite. at_rest: the equilibrium without
-/// losses and, with `band`, the band of each tension between both directions.
+/// same: each rope flows as machine::hauling_in says, others as these draw them along (docs/theory/senses.md); lower
+/// and out are the opposite. at_rest: the equilibrium without losses and, with `band`, the band of each tension over
+/// all directions.
 enum class Motion { at_rest, hoist, lower, in, out };
 
 struct EquilibriumOptions {
@@ -23,10 +24,9 @@ struct EquilibriumOptions {
   /// Flow at single contacts, [reeving][node]: +1 along the path, -1 against it, 0 none. Empty: by `motion`.
   Array<Array<int>> flow;
   /// Contacts over which a rope creeps, [reeving][node]: its flow when it is drawn to its carriage, else 0. The band
-  /// has both directions. Empty: none where `flow` is given, else by `motion`.
+  /// has both directions. Empty: none where `flow` is given, else by `motion`. The same for a rope of which nothing
+  /// says which way it runs.
   Array<Array<int>> creep;
-  /// While `motion` hauls, a rope runs to its own winch also where the mainline of its carriage draws it off.
-  bool each_to_its_winch = false;
   bool creep_without_loss = false;  ///< the answer has no loss where a rope creeps
   /// Also solve both directions of what is at rest, for the bands of the tensions: of all ropes at rest, of those that
   /// creep in motion.

@@ -127,7 +127,7 @@ class Combination {
   void solve(const RopeMotion& motion, const EnvelopeState& where) {
     machine::Model model = model_;
     if (!std::isnan(where.temperature)) set_temperature(model, *run_.machine, where.temperature);
-    if (!std::isnan(where.load)) model.bodies[*run_.load_body].mass += where.load;
+    if (!std::isnan(where.load)) put_load(model, where.load);
     if (!run_.carriage) {
       if (!watch_.go_on(motion.words)) return;
       model = machine::with_guides_at_start(std::move(model));
@@ -175,6 +175,14 @@ class Combination {
   }
 
  private:
+  void put_load(machine::Model& model, double mass) const {
+    if (run_.load_point) {
+      model.loads.push_back({.at = *run_.load_point, .force = -mass * model.gravity * Vector3::UnitZ(), .mass = mass});
+    } else {
+      model.bodies[*run_.load_body].mass += mass;
+    }
+  }
+
   solve::EquilibriumOptions options_for(const RopeMotion& motion, const machine::Model& model) const {
     solve::EquilibriumOptions options = motion.options(model);
     options.held = run_.held;
@@ -237,26 +245,36 @@ class Combination {
   std::set<std::string> warned_;  ///< motions
 };
 
+/// The loads are put on a body, at its centre of mass, or at a point of one.
+void put_loads_at(const std::string& name, const std::string& path, Names& p, EnvelopeRun& run) {
+  std::vector<std::string> names;
+  for (std::size_t b = 0; b < p.model.bodies.size(); ++b) {
+    if (p.model.bodies[b].name == name) run.load_body = static_cast<int>(b);
+    names.push_back(p.model.bodies[b].name);
+  }
+  for (const machine::NamedPlace& one : p.model.places) {
+    if (one.place.body == machine::ground) continue;
+    names.push_back(one.name);
+    if (run.load_body || one.name != name) continue;
+    run.load_body = one.place.body;
+    run.load_point = one.place;
+  }
+  if (!run.load_body) {
+    p.complaints.push_back({path, fmt::format("there is no body or carriage '{}', and no point of one{}", name,
+                                              did_you_mean(name, names))});
+  } else if (machine::stands_fast(p.model.bodies[*run.load_body])) {
+    p.complaints.push_back(
+        {path, fmt::format("'{}' cannot move: no rope feels a load on it; say what is 'free' of it", name)});
+  }
+}
+
 void resolve_loads(const EnvelopeRequest& request, const std::string& path, Names& p, EnvelopeRun& run) {
   run.loads = request.loads;
   if (request.load_at && request.loads.empty()) {
     p.complaints.push_back({path + ".load_at", "there are no 'loads' to put there"});
   }
   if (request.load_at) {
-    std::vector<std::string> names;
-    for (std::size_t b = 0; b < p.model.bodies.size(); ++b) {
-      if (p.model.bodies[b].name == *request.load_at) run.load_body = static_cast<int>(b);
-      names.push_back(p.model.bodies[b].name);
-    }
-    if (!run.load_body) {
-      p.complaints.push_back({path + ".load_at", fmt::format("there is no body or carriage '{}'{}", *request.load_at,
-                                                             did_you_mean(*request.load_at, names))});
-    } else if (machine::stands_fast(p.model.bodies[*run.load_body])) {
-      p.complaints.push_back(
-          {path + ".load_at", fmt::format("'{}' cannot move: no rope feels a load on it; say what is "
-                                          "'free' of it",
-                                          *request.load_at)});
-    }
+    put_loads_at(*request.load_at, path + ".load_at", p, run);
   } else if (run.carriage) {
     run.load_body = p.model.carriages[*run.carriage].body;
   } else if (!request.loads.empty()) {
@@ -286,7 +304,8 @@ const Description& EnvelopeRequest::describe() {
           .at_most(10000)
           .field(&EnvelopeRequest::along, "along", "", si::one, "as for a load path")
           .field(&EnvelopeRequest::held, "held", "as for an equilibrium, at every position")
-          .field(&EnvelopeRequest::load_at, "load_at", "the body or carriage with the loads; default: the carriage")
+          .field(&EnvelopeRequest::load_at, "load_at",
+                 "the body or carriage with the loads, at its centre of mass, or a point of one; default: the carriage")
           .field(&EnvelopeRequest::loads, "loads", "m", si::kg, "loads, each in addition to those of the machine")
           .at_least(0)
           .at_most(heaviest)

@@ -25,7 +25,7 @@ struct EnvelopeRequest {
   std::optional<double> from, to;
   int steps = 48;
   std::vector<double> along = {1, 0};  ///< direction of from and to
-  std::optional<std::string> load_at;  ///< a body or carriage
+  std::optional<std::string> load_at;  ///< a body or carriage, or a point of one
   std::vector<double> loads;           ///< kg
   std::vector<std::string> motions;
   std::vector<double> temperatures;  ///< K
@@ -63,7 +63,8 @@ struct EnvelopeRun {
   std::string ending;
   std::optional<int> carriage;  ///< empty: the machine as it stands
   Way way;
-  std::optional<int> load_body;  ///< empty: there are no loads
+  std::optional<int> load_body;              ///< empty: there are no loads
+  std::optional<machine::Place> load_point;  ///< of that body; empty: the loads are at its centre of mass
   bool held = false;
   std::vector<double> loads;             ///< kg
   std::vector<std::string> motions;      ///< as the deck has them

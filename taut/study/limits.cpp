@@ -69,14 +69,16 @@ void add_supports(const machine::Model& model, const PayloadLimits& limits, cons
   }
 }
 
-/// What hangs on a carriage by other ropes, in kilograms.
+/// What other ropes load on a carriage, in kilograms: what hangs on them, and those that pull it down to what stands.
 double hung_load(const machine::Model& model, const machine::Carriage& car, const solve::EquilibriumResult& r) {
   double pull = 0;
   for (const solve::BranchResult& branch : r.branches) {
-    if (!hung_on(model, car, branch.reeving, branch.from, branch.to)) continue;
+    const bool down = holds_down(model, car, branch.reeving, branch.from, branch.to);
+    if (!down && !hung_on(model, car, branch.reeving, branch.from, branch.to)) continue;
     const machine::Reeving& rope = model.reevings[branch.reeving];
     const bool starts_there = rope.nodes[branch.from].at.body == car.body;
-    pull -= rope.copies * (starts_there ? rope::force_on_start(branch.shape) : rope::force_on_end(branch.shape)).z();
+    const Vector3 force = starts_there ? rope::force_on_start(branch.shape) : rope::force_on_end(branch.shape);
+    pull += rope.copies * (down ? std::max(0.0, -force.z()) : -force.z());
   }
   return model.gravity > 0 ? pull / model.gravity : 0;
 }
@@ -163,6 +165,16 @@ std::optional<int> hung_on(const machine::Model& model, const machine::Carriage&
                                        [&](const machine::Carriage& one) { return one.body == other; });
   if (is_carriage || body.of_rope || body.beam || body.free.empty()) return std::nullopt;
   return other;
+}
+
+bool holds_down(const machine::Model& model, const machine::Carriage& carriage, int reeving, int from, int to) {
+  if (reeving == carriage.reeving || carriage.mainline == reeving || carriage.haulback == reeving) return false;
+  if (carriage.grip && carriage.grip->reeving == reeving) return false;
+  const Array<machine::Node>& nodes = model.reevings[reeving].nodes;
+  const int first = nodes[from].at.body, last = nodes[to].at.body;
+  if (first == last || (first != carriage.body && last != carriage.body)) return false;
+  const int other = first == carriage.body ? last : first;
+  return other == machine::ground || model.bodies[other].beam || model.bodies[other].free.empty();
 }
 
 double load_on(const machine::Model& model, const machine::Carriage& carriage, std::optional<double> t) {

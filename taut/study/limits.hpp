@@ -45,6 +45,10 @@ double load_on(const machine::Model& model, const machine::Carriage& carriage, s
 std::optional<int> hung_on(const machine::Model& model, const machine::Carriage& carriage, int reeving, int from,
                            int to);
 
+/// Whether the free rope pulls a carriage to what stands: the ground, a fixed body or a beam. Not the rope on which the
+/// carriage rides, nor its mainline, its haulback and the rope to which it is fixed: these draw it along its line.
+bool holds_down(const machine::Model& model, const machine::Carriage& carriage, int reeving, int from, int to);
+
 /// Kind of a limit.
 enum class LimitKind {
   none,

@@ -99,20 +99,26 @@ double hung_weight(const CheckState& state, const machine::Carriage& car, int bo
   return weight;
 }
 
-/// What hangs on a carriage by other ropes, kg. A rating is one of loads at rest: in a motion, where it may bounce, it
-/// counts with no more than its weight.
+/// What other ropes load on a carriage, kg: what hangs on them, and those that pull it down to what stands. A rating is
+/// one of loads at rest: in a motion, where what hangs may bounce, it counts with no more than its weight.
 double hung_load(const CheckState& state, const machine::Carriage& car) {
   const machine::Model& model = *state.model;
   if (!(model.gravity > 0)) return 0;
   std::map<int, double> pulls;  // by the body that hangs
+  double all = 0;
   for (const CheckBranch& branch : state.branches) {
     const auto hangs = study::hung_on(model, car, branch.reeving, branch.from, branch.to);
-    if (!hangs) continue;
+    const bool down = study::holds_down(model, car, branch.reeving, branch.from, branch.to);
+    if (!hangs && !down) continue;
     const machine::Reeving& rope = model.reevings[branch.reeving];
     const bool starts_there = rope.nodes[branch.from].at.body == car.body;
-    pulls[*hangs] -= rope.copies * (starts_there ? branch.on_start : branch.on_end).z();
+    const double pull = -rope.copies * (starts_there ? branch.on_start : branch.on_end).z();
+    if (hangs) {
+      pulls[*hangs] += pull;
+    } else {
+      all += std::max(0.0, pull);
+    }
   }
-  double all = 0;
   for (const auto& [body, pull] : pulls) {
     all += state.rest == nullptr ? std::min(pull, hung_weight(state, car, body)) : pull;
   }

@@ -49,6 +49,28 @@ TEST(CarriageChecks, WhatHangsOnAnotherRopeCounts) {
   }
 }
 
+// A rope that pulls the carriage down to a stump loads it as a load does; a mainline draws it along its line.
+TEST(CarriageChecks, ARopeThatPullsItDownCounts) {
+  const auto held_down = [](bool mainline) {
+    std::string deck =
+        skyline(mainline ? "rated_payload: 1300 kg, mainline: down" : "rated_payload: 1300 kg", R"(  reevings:
+    - {rope: sky, path: [{anchor: a}, {through: car}, {anchor: b}], length: 202 m}
+    - {rope: drop, name: down, path: [{anchor: stump}, {anchor: car}], tension_at_end: 20 kN}
+analyses: [{equilibrium: {}}]
+)");
+    const std::string points = "points: {";
+    deck.insert(deck.find(points) + points.size(), "stump: [100 m, 0 m, 0 m], ");
+    return run_text(deck);
+  };
+  const Result r = held_down(false);
+  ASSERT_EQ(r.status, Status::ok) << r.message << to_text(r.errors);
+  EXPECT_NEAR(check_of(r, "car.payload").value, 20e3 / 9.80665, 1);
+  EXPECT_EQ(verdict_of(r)->kind, VerdictKind::fails);
+  const Result along = held_down(true);
+  ASSERT_EQ(along.status, Status::ok) << along.message << to_text(along.errors);
+  EXPECT_NEAR(check_of(along, "car.payload").value, 0, 1e-6);
+}
+
 // The rating is one of loads at rest: the log falls into its rope, and the rope pulls with more than its weight.
 TEST(CarriageChecks, InAMotionALoadThatBouncesCountsWithItsWeight) {
   std::string deck = skyline("rated_payload: 6 t", with_log("[{anchor: car}, {anchor: log}]"));

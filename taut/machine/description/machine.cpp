@@ -252,8 +252,7 @@ const Description& Reeving::describe() {
           .at_least(1)
           .choice(&Reeving::haul, "haul", {{"to_start", Haul::to_start}, {"to_end", Haul::to_end}},
                   "direction when hoisting or hauling in; default: to its drum or given tension, a mainline or "
-                  "haulback off "
-                  "from its carriage, else to its start")
+                  "haulback off from its carriage, others as these draw them along")
           .field(&Reeving::segments, "segments", "n", si::one,
                  "in motion the number of segments of each branch, with the mass of the rope at their joints, which "
                  "may run over rounds and onto drums")

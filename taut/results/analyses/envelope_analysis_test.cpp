@@ -92,13 +92,33 @@ TEST(EnvelopeAnalysis, SaysWhereAndTheOrderDoesNotCount) {
   EXPECT_NEAR(cell(there, i, "max_temperature"), 253.15, 1e-9);
 }
 
+// At a point of a body: as a load that the deck has there, not at the body's centre of mass.
+TEST(EnvelopeAnalysis, PutsItsLoadsAtAPoint) {
+  const auto boom = [](const std::string& load, const std::string& analysis) {
+    return run_text(R"(taut: 1
+machine:
+  points: {tip: {body: boom, at: [8 m, 0 m, 0 m]}, head: [0 m, 0 m, 6 m]}
+  ropes: {stay: {mass: 0 kg/m, stiffness: 20 MN}}
+  bodies: {boom: {mass: 500 kg, at: [0 m, 0 m, 0 m], centre: [4 m, 0 m, 0 m], free: [ry]}}
+  reevings: [{rope: stay, path: [{anchor: head}, {anchor: tip}], length: 10 m}]
+)" + load + "analyses: [{" +
+                    analysis + "}]\n");
+  };
+  const Result at_tip = boom("", "envelope: {load_at: tip, loads: [2 t]}");
+  const Result hung = boom("  loads: [{at: tip, mass: 2 t}]\n", "equilibrium: {}");
+  const Result in_it = boom("", "envelope: {load_at: boom, loads: [2 t]}");
+  EXPECT_NEAR(value_of(at_tip, "stay.T_max_envelope") / value_of(hung, "stay.T_max"), 1, 1e-9);
+  EXPECT_NEAR(value_of(in_it, "stay.T_max_envelope") / value_of(hung, "stay.T_max"), (250 + 1000) / (250 + 2000.0),
+              1e-3);
+}
+
 TEST(EnvelopeAnalysis, TellsEachMistakeAtItsPlace) {
   const std::string good = skyline_deck(asked);
   const std::vector<std::pair<std::string, std::string>> rows = {
       {"analyses[0].envelope.carriage=cra", "there is no carriage 'cra'"},
       {"analyses[0].envelope.motions=[inn]", "motions: 'inn' is not a choice"},
       {"analyses[0].envelope.loads=[5]", "loads: a mass needs its unit"},
-      {"analyses[0].envelope.load_at=mast", "there is no body or carriage 'mast'"},
+      {"analyses[0].envelope.load_at=mast", "there is no body or carriage 'mast', and no point of one"},
       {"analyses[0].envelope.to=140 m", "is the same place as 'from'"},
       {"analyses[0].envelope={carriage: car}", "'carriage', 'from' and 'to' belong together"},
       {"analyses[0].envelope={loads: [1 t]}", "say where: 'load_at' a body, or a 'carriage'"},

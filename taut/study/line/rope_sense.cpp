@@ -8,6 +8,8 @@
 #include <numeric>
 #include <set>
 
+#include "taut/solve/running.hpp"
+
 namespace taut::study {
 namespace {
 
@@ -28,66 +30,6 @@ std::optional<int> still_node(const machine::Reeving& rope, int reeving, const s
   };
   if (has(false) == has(true)) return std::nullopt;
   return has(true) ? 0 : static_cast<int>(rope.nodes.size()) - 1;
-}
-
-/// Unstretched rope between two nodes of its path, m, without the arcs at them.
-double between(const solve::EquilibriumResult& e, int reeving, int first, int last) {
-  double length = 0;
-  for (const auto& s : e.branches) {
-    if (s.reeving == reeving && s.from >= first && s.from < last) length += s.unstretched;
-  }
-  for (const auto& c : e.contacts) {
-    if (c.reeving == reeving && c.node > first && c.node < last) length += c.unstretched;
-  }
-  return length;
-}
-
-/// Where a rope comes onto a round, or leaves it: its place from the centre and the way of its path, both in the frame
-/// of the round's body.
-struct Tangent {
-  Vector3 arm, along;
-  double tension = 0;
-};
-
-std::optional<Tangent> tangent_of(const solve::EquilibriumResult& e, int reeving, int node, const machine::Node& round,
-                                  bool leaves) {
-  for (const solve::BranchResult& s : e.branches) {
-    if (s.reeving != reeving || (leaves ? s.from : s.to) != node) continue;
-    Tangent t{.arm = leaves ? s.start : s.end, .along = s.end - s.start, .tension = leaves ? s.T_from : s.T_to};
-    if (round.at.body != machine::ground) {
-      const machine::Pose& body = e.state.bodies[round.at.body];
-      t.arm = body.orientation.transpose() * (t.arm - body.position);
-      t.along = body.orientation.transpose() * t.along;
-    }
-    t.arm -= round.at.at;
-    return t;
-  }
-  return std::nullopt;
-}
-
-/// By how much the place moves along the path at which a rope comes onto a round, or leaves it: the arc between, m of
-/// unstretched rope.
-double moved(const std::optional<Tangent>& before, const std::optional<Tangent>& now, const machine::Reeving& rope,
-             double radius) {
-  if (!before || !now || radius == 0) return 0;
-  const Vector3 way = now->arm - before->arm;
-  const double arc = 2 * radius * std::asin(std::min(1.0, way.norm() / (2 * radius)));
-  return std::copysign(arc, way.dot(before->along + now->along)) / (1 + now->tension / rope.stiffness);
-}
-
-/// Rope that runs along the path over a place of the round of a node that stays where it is on it, m: an arc may grow
-/// by rope that comes from both sides, as its ends move, and none of it runs.
-double passed(const machine::Model& m, const solve::EquilibriumResult& before, const solve::EquilibriumResult& now,
-              int reeving, int node, int still) {
-  const machine::Reeving& rope = m.reevings[reeving];
-  const machine::Node& round = rope.nodes[node];
-  const bool leaves = node < still;
-  const auto at = [&](const solve::EquilibriumResult& e) { return tangent_of(e, reeving, node, round, leaves); };
-  const auto grown = [&](int first, int last) {
-    return between(now, reeving, first, last) - between(before, reeving, first, last);
-  };
-  const double end = moved(at(before), at(now), rope, round.radius);
-  return leaves ? grown(node, still) + end : end - grown(still, node);
 }
 
 const solve::ContactResult* contact_of(const solve::EquilibriumResult& e, int reeving, int node) {
@@ -162,7 +104,7 @@ void RopeSenses::take(const machine::Model& m, const Running& of, const LoadPath
     const solve::ContactResult* const was = contact_of(before.at, reeving, c.node);
     const int declared = sense_of(c);
     if (was == nullptr || declared == 0 || sense_of(*was) != declared) continue;
-    const double runs = passed(m, before.at, now.at, reeving, c.node, still);
+    const double runs = solve::passed(m, before.at, now.at, reeving, c.node, still);
     if (runs == 0) continue;
     auto known = std::find_if(all_.begin(), all_.end(), [&](const RopeSense& s) {
       return s.rope == rope.name && s.contact == node.name && s.declared == declared;
