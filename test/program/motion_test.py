@@ -435,10 +435,7 @@ analyses:
             with self.subTest(deck):
                 slips = deck == "motion/rope_saw_paper.yaml"  # its drive has no grip: a check fails
                 self.assertEqual(run.code, 4 if slips else 0, run.screen)
-                all_warnings = run.result["warnings"]
-                warnings = [one for one in all_warnings if "along itself is not counted" not in one]
-                long_ropes = ("longspan_sag", "rope_saw", "rope_saw_fixed", "rope_saw_paper", "two_motors")
-                self.assertEqual(len(all_warnings) - len(warnings), 1 if deck[7:-5] in long_ropes else 0, all_warnings)
+                warnings = run.result["warnings"]
                 self.assertEqual(len(warnings), 1 if slips else 0, warnings)
                 self.assertTrue(all("the rope slips on 'drive'" in one for one in warnings), warnings)
                 self.assertLess(len(run.report), 500_000)
