@@ -62,6 +62,7 @@ MadeCases method_cases(const MethodDeck& deck, const CaseQuestion& question,
   for (const CaseName& one : question.outputs) made.outputs.push_back({.name = one.name, .unit = {}, .label = {}});
   if (wrong.complaints.empty()) add_outputs(model->deck.calculate(), model->wanted, made, wrong);
   if (!wrong.complaints.empty() || !wrong.outcome.ok()) return tl::unexpected(std::move(wrong));
+  made.unasked = [model = std::shared_ptr<const MethodModel>(model)] { return model->deck.calculate().unjudged; };
   made.answer = [model = std::shared_ptr<const MethodModel>(model)](std::span<const double> values) {
     return answer_of(*model, values);
   };

@@ -123,6 +123,18 @@ TEST(MethodCases, ACaseWithoutAnAnswerTellsWhyAndHasNoNumbers) {
   EXPECT_THAT(none.error().outcome.message, HasSubstr("the deck as it is has no answer"));
 }
 
+TEST(MethodCases, PartsWithoutALimitAreTold) {
+  const auto parts_of = [](const std::string& more) {
+    const auto made = cases_of(read(more), {"input.friction"}, {"takeup_no_slip"});
+    EXPECT_TRUE(made.has_value()) << lines_of(made)[0];
+    return made->unasked();
+  };
+  const std::string rope = "  rope: 6x36-IWRC 20 mm 1960 MPa\n";
+  EXPECT_THAT(parts_of(""), testing::IsEmpty());
+  EXPECT_THAT(parts_of(rope), testing::ElementsAre("rope"));
+  EXPECT_THAT(parts_of(rope + "checks: {ropes: {rope: {safety_factor: 3}}}\n"), testing::IsEmpty());
+}
+
 TEST(MethodCases, ANumberWithAndWithoutInputBeforeItIsTheSame) {
   const std::vector<std::string> lines =
       lines_of(cases_of(read(), {"input.friction", "input.wrap", "friction"}, {"c"}));

@@ -143,16 +143,21 @@ void add_surge(const Mechanism& m, const Scheme& s, const Values& before, std::s
     is.surge[end] = is.surge_share[end] = 0;
     if (s.at_rest || (!line.rim[end] && !line.held[end])) continue;
     const Contact& contact = m.contacts[line.contact[end]];
-    if (line.rim[end] && !turns_with_rope(m, contact, before, now)) continue;
-    const Vector3& t = line.rim[end] ? direction(m, now, static_cast<int>(i), end) : is.t;
-    double along = t.dot(at_place(m, line.body[end], is.touch[end], now).a);
-    if (line.rim[end]) along += lever(contact, is, end) * now.spins[contact.spin].alpha;
-    const double asked = rope_at(m, line, is, end) * along, most = most_hung * std::max(0.0, is.end_T[end]);
-    const double carried = std::clamp(asked, -most, most);
-    is.surge_share[end] = asked == 0 ? 1 : carried / asked;
-    if (!line.rim[end]) continue;
-    is.surge[end] = carried;
-    is.end_T[end] += sign_at(end) * carried;
+    if (line.held[end]) {
+      // where it sticks, or lies slack on both sides, the rope goes with the body
+      const bool passes = before.contacts[line.contact[end]].grip != Grip::stuck && !loose(contact, before);
+      is.surge_share[end] = passes ? is.gone : 0;
+      continue;
+    }
+    if (!turns_with_rope(m, contact, before, now)) continue;
+    const Vector3& t = direction(m, now, static_cast<int>(i), end);
+    const double carried = t.dot(at_place(m, line.body[end], is.touch[end], now).a);
+    const double asked =
+        rope_at(m, line, is, end) * (lever(contact, is, end) * now.spins[contact.spin].alpha + carried);
+    const double most = most_hung * std::max(0.0, is.end_T[end]);
+    is.surge[end] = std::clamp(asked, -most, most);
+    is.surge_share[end] = asked == 0 ? 1 : is.surge[end] / asked;
+    is.end_T[end] += sign_at(end) * is.surge[end];
   }
 }
 
@@ -178,19 +183,13 @@ void bound_by_tension(const Line& line, double by_tension, std::array<double, 14
 }
 
 /// The row of a freedom of a body at the end of a line that is held. `along`: how it moves the place along the line.
-void add_held_row(Mechanism& m, std::size_t i, std::size_t end, int freedom, double along, const Values& now,
-                  const Work& w) {
+void add_held_row(Mechanism& m, std::size_t i, std::size_t end, int freedom, double along, const Values& now) {
   const Line& line = m.lines[i];
   const LineValues& is = now.lines[i];
   auto& values = m.solver.values();
   const int first = end == 0 ? 0 : line.freedoms[0];
   const int* const row = line.places.data() + static_cast<std::ptrdiff_t>(first + freedom) * line.columns;
-  if (is.surge_share[end] < 1) {
-    const double by_tension = std::copysign(most_hung, force_along(m, i, end, now).dot(is.t));
-    for (int k = 0; k < line.columns; ++k) values[row[k]] -= along * by_tension * w.tangents[i].end_T[end][as_size(k)];
-    return;
-  }
-  const double mass = rope_at(m, line, is, end);
+  const double mass = is.surge_share[end] * rope_at(m, line, is, end);
   for (int g = 0; g < line.freedoms[end]; ++g) {
     values[row[first + g]] -= mass * along * is.t.dot(moves(m, line, is, end, g, now));
   }
@@ -215,7 +214,7 @@ void assemble_end(Mechanism& m, std::size_t i, std::size_t end, const Values& no
     if (!w.tangent) continue;
     const double along = line.copies * is.t.dot(V);
     if (line.held[end]) {
-      add_held_row(m, i, end, f, along, now, w);
+      add_held_row(m, i, end, f, along, now);
       continue;
     }
     const Contact& contact = m.contacts[line.contact[end]];
