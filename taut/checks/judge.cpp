@@ -136,10 +136,7 @@ void Judge::take_beams(const solve::EquilibriumResult& e, const std::string& wor
 
 void Judge::take_contacts(const machine::Model& m, const solve::EquilibriumResult& e, const std::string& words) {
   if (!e.unbounded.empty()) {
-    warn("band",
-         fmt::format("{}: friction may hold more than what is judged: one direction of the motion has no answer ({})",
-                     words, e.unbounded),
-         true);
+    warn("band", fmt::format("{}: friction may hold more than what is judged: {}", words, e.unbounded), true);
   }
   for (const solve::ContactResult& c : e.contacts) {
     const machine::Node& node = m.reevings[c.reeving].nodes[c.node];

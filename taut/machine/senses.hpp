@@ -30,8 +30,8 @@ bool loses(const Node& node);
 
 /// While the machine hauls in. A rope runs as its `haul` says. A carriage moves to where its mainline (without one its
 /// haulback, or what it is fixed to) runs off from it, and the rope on which it rolls passes it the other way. That
-/// rope creeps over its other contacts, unless its `haul` is told. `prescribed`: the place of its carriage; the others
-/// stand as at the start. docs/theory/senses.md.
+/// rope creeps over its other contacts, unless the deck gives its `haul`. `prescribed`: the place of its carriage; the
+/// others stand as at the start. docs/theory/senses.md.
 Senses hauling_in(const Model& model, const std::optional<Prescribed>& prescribed = std::nullopt);
 
 }  // namespace taut::machine

@@ -1,5 +1,7 @@
 #include "taut/solve/band.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <map>
 #include <utility>
@@ -70,9 +72,15 @@ void add(Array<Flow>& all, Flow flow) {
   if (std::find(all.begin(), all.end(), flow) == all.end()) all.push_back(std::move(flow));
 }
 
+/// Flows that bound an answer.
+struct Bounding {
+  Array<Flow> flows;
+  std::string left_out = {};  ///< of their combinations; empty: none is
+};
+
 /// Flows with all combinations of the senses of the parts; of many parts `first` and those in which one of them turns.
 /// `first`: some of the combinations, which come first.
-Array<Flow> combined(const Array<Flow>& first, const Array<Together>& parts) {
+Bounding combined(const Array<Flow>& first, const Array<Together>& parts) {
   Array<Flow> all;
   for (const Flow& flow : first) add(all, flow);
   Array<Flow> wider = all;
@@ -83,7 +91,11 @@ Array<Flow> combined(const Array<Flow>& first, const Array<Together>& parts) {
     for (const Flow& flow : known) wider.push_back(turned(flow, part));
   }
   for (Flow& flow : wider) add(all, std::move(flow));
-  return all;
+  if (every) return {.flows = std::move(all)};
+  return {.flows = std::move(all),
+          .left_out = fmt::format("{} ropes, or sides of carriages on them, may run each its own way, and some "
+                                  "combinations alone are solved; say by 'haul' how ropes run",
+                                  parts.size())};
 }
 
 bool runs_with_loss(const machine::Reeving& rope) {
@@ -111,7 +123,7 @@ Array<Together> parts_at_rest(const machine::Model& model, const machine::Senses
 
 /// The flows that bound what is at rest. First both motions of the machine as a whole, and of each rope to its own
 /// winch.
-Array<Flow> flows_at_rest(const machine::Model& model, const EquilibriumOptions& options) {
+Bounding at_rest(const machine::Model& model, const EquilibriumOptions& options) {
   const machine::Senses in = machine::hauling_in(model, options.prescribed);
   EquilibriumOptions moving = options;
   Array<Flow> first;
@@ -130,7 +142,7 @@ Array<Flow> flows_at_rest(const machine::Model& model, const EquilibriumOptions&
 
 /// The flows of an answer in motion with what creeps drawn and let out. A support that a carriage comes to holds as the
 /// rope ran over it before: each side of a carriage for itself, and each rope.
-Array<Flow> flows_in_motion(const Flow& flow, const Flow& creep) {
+Bounding in_motion(const Flow& flow, const Flow& creep) {
   Array<Together> parts;
   for (std::size_t r = 0; r < creep.size(); ++r) {
     for (const int side : {1, -1}) {
@@ -150,6 +162,8 @@ Array<Flow> flows_in_motion(const Flow& flow, const Flow& creep) {
 
 }  // namespace
 
+Array<Array<Array<int>>> flows_at_rest(const machine::Model& model) { return at_rest(model, {}).flows; }
+
 bool differs_in_motion(const machine::Model& model) {
   for (const machine::Reeving& rope : model.reevings) {
     if (rope.mass * rope.speed > 0) return true;
@@ -161,16 +175,18 @@ bool differs_in_motion(const machine::Model& model) {
 void add_band(const machine::Model& model, const EquilibriumOptions& options, const Array<Array<int>>& creep,
               EquilibriumResult& result) {
   const bool creeps = any_nonzero(creep);
-  const bool at_rest = options.motion == Motion::at_rest && options.flow.empty() && !creeps;
-  if (!options.band || (!creeps && !at_rest) || !differs_in_motion(model)) return;
+  const bool rests = options.motion == Motion::at_rest && options.flow.empty() && !creeps;
+  if (!options.band || (!creeps && !rests) || !differs_in_motion(model)) return;
   result.band = true;
   EquilibriumOptions moving = options;
   moving.creep.clear();
   moving.creep_without_loss = false;
   moving.band = false;
-  if (at_rest) moving.held = true;  // its friction holds it at rest
-  const machine::Model held = at_rest ? with_loads_held(model) : model;
-  for (Flow& flow : at_rest ? flows_at_rest(model, options) : flows_in_motion(result.flow, creep)) {
+  if (rests) moving.held = true;  // its friction holds it at rest
+  const machine::Model held = rests ? with_loads_held(model) : model;
+  Bounding bounding = rests ? at_rest(model, options) : in_motion(result.flow, creep);
+  result.unbounded = std::move(bounding.left_out);
+  for (Flow& flow : bounding.flows) {
     if (flow == result.flow) continue;  // it is the answer
     moving.flow = std::move(flow);
     EquilibriumResult other = equilibrium(held, moving, result.state);
@@ -178,7 +194,8 @@ void add_band(const machine::Model& model, const EquilibriumOptions& options, co
                       other.contacts.size() == result.contacts.size();
     if (!same) {
       result.band = false;
-      result.unbounded = other.outcome.ok() ? "it touches other supports there" : other.outcome.message;
+      result.unbounded = fmt::format("one direction of the motion has no answer ({})",
+                                     other.outcome.ok() ? "it touches other supports there" : other.outcome.message);
       continue;
     }
     widen(result, other);

@@ -127,7 +127,7 @@ struct EquilibriumResult {
   /// The answers that bound the band, whole: what friction at rest may load a support, a body or a beam with. They
   /// have no bounds of their own.
   std::vector<EquilibriumResult> bounds;
-  std::string unbounded;   ///< why a direction of the band that was asked for has no answer; empty: all have one
+  std::string unbounded;   ///< what the band that was asked for leaves out, and why; empty: nothing
   Array<Array<int>> flow;  ///< flow at every node, [reeving][node], for which the tensions hold
 };
 

@@ -27,11 +27,11 @@ constexpr double nudge = 1e-6;           ///< of a rope's length, for difference
 constexpr double longest_change = 0.02;  ///< of a rope's length, in one round
 constexpr int most_halves = 12;
 
-/// A case at rest without loss, or with the losses of one direction of motion: friction may hold the machine in any
-/// state between them.
+/// A case at rest without loss, or with the losses of one combination of the ropes' directions: friction may hold the
+/// machine in any state between them.
 struct StateOfCase {
-  int of = 0;  ///< the case
-  solve::Motion motion = solve::Motion::at_rest;
+  int of = 0;                   ///< the case
+  Array<Array<int>> flow = {};  ///< [reeving][node]; empty: without loss
 };
 
 /// All cases with the lengths as they are.
@@ -43,19 +43,24 @@ struct CaseSet {
 
 solve::EquilibriumOptions options_of(const StateOfCase& state) {
   solve::EquilibriumOptions options;
-  options.motion = state.motion;
+  options.flow = state.flow;
   options.band = false;
+  options.held = !state.flow.empty();  // its friction holds it at rest
   return options;
 }
 
 /// `cases`: those at rest first.
 CaseSet all_states(const Array<machine::Model>& cases) {
   CaseSet set;
-  for (const solve::Motion motion : {solve::Motion::at_rest, solve::Motion::in, solve::Motion::out}) {
-    for (std::size_t c = 0; c < cases.size(); ++c) {
-      if (motion != solve::Motion::at_rest && !solve::differs_in_motion(cases[c])) continue;
-      set.states.push_back({.of = static_cast<int>(c), .motion = motion});
-      set.models.push_back(motion == solve::Motion::at_rest ? cases[c] : solve::with_loads_held(cases[c]));
+  for (std::size_t c = 0; c < cases.size(); ++c) {
+    set.states.push_back({.of = static_cast<int>(c)});
+    set.models.push_back(cases[c]);
+  }
+  for (std::size_t c = 0; c < cases.size(); ++c) {
+    if (!solve::differs_in_motion(cases[c])) continue;
+    for (Array<Array<int>>& flow : solve::flows_at_rest(cases[c])) {
+      set.states.push_back({.of = static_cast<int>(c), .flow = std::move(flow)});
+      set.models.push_back(solve::with_loads_held(cases[c]));
     }
   }
   set.results.resize(set.states.size());

@@ -7,6 +7,7 @@
 #include <map>
 #include <memory>
 #include <numbers>
+#include <optional>
 #include <tuple>
 
 #include "taut/app/exact/mast_machine.hpp"
@@ -317,13 +318,13 @@ struct SlackGuys {
   std::string where;
 };
 
-/// Of the guys for which `of` is true, by the deck, those that hang in a load case, or with the guys alone (`put_up`).
-template <class Of>
+/// Those that hang in a load case, or with the guys alone (`put_up`). `may_slack`: of the guys of which the deck says
+/// so, or does not; none: of all.
 SlackGuys slack_guys(const Input& in, const Solved& method, const Section& section, EngineMasts& masts, bool put_up,
-                     Of&& of) {
+                     std::optional<bool> may_slack) {
   SlackGuys slack;
   for (std::size_t i = 0; i < masts.guys().size(); ++i) {
-    if (!of(in.guys[i])) continue;
+    if (may_slack && in.guys[i].may_slack != *may_slack) continue;
     for (const ClampForces& f : method.forces) {
       if (f.put_up != put_up) continue;
       const LoadedMast& at = masts.under(f, section.full_name, section.beam);
@@ -363,10 +364,9 @@ void warn_of_values(const Input& in, const Solved& method, const Section& sectio
 void warn_of_guys(const Input& in, const Solved& method, const Section& section, EngineMasts& masts, Result& r) {
   if (r.status != Status::ok) return;
   warn_of_values(in, method, section, masts, r);
-  const auto slack = [&](bool put_up, auto&& of) { return slack_guys(in, method, section, masts, put_up, of); };
-  const SlackGuys open = slack(false, [](const Guy&g) { return !g.may_slack; }),
-                  declared = slack(false, [](const Guy&g) { return g.may_slack; }),
-                  alone = slack(true, [](const Guy&) { return true; });
+  const SlackGuys open = slack_guys(in, method, section, masts, false, false),
+                  declared = slack_guys(in, method, section, masts, false, true),
+                  alone = slack_guys(in, method, section, masts, true, std::nullopt);
   if (!open.names.empty()) {
     warn_unsafe(r, fmt::format("slack guys: {} (first: {}); a slack guy does not hold the mast: tighten it, or declare "
                                "it by 'may_slack: true'",

@@ -25,7 +25,7 @@ structure::WallClass worst_wall(const mast_section::Input& in, const mast_sectio
 
 /// The yield stress up to which no wall is of class 4, of a steel that has at least `least` and at most `most`, Pa.
 double yield_of_class_3(const mast_section::Input& in, const mast_section::Solved& method, double least, double most) {
-  constexpr double step = 1e6;  // as grades are told apart
+  constexpr double step = 1e6;  // Pa: steels are graded by whole MPa
   const int steps = static_cast<int>((most - least) / step);
   for (int k = 1; k <= steps; ++k) {
     if (worst_wall(in, method, least + k * step).value > 3) return least + (k - 1) * step;

@@ -133,7 +133,7 @@ TEST(BoomRopesComplaints, TwoPretensionsOfOneRope) {
   EXPECT_THAT(all[0].message, testing::HasSubstr("180 kN"));
 }
 
-// The ropes are put up once: what is said of the sliding sections is that of the cases, and its checks are the same.
+// The cases and the sliding sections have the same ropes: they have the same pretension and the same checks.
 TEST(BoomRopesResult, ThePretensionOfTheSlidingSectionsIsThatOfTheCases) {
   Input of_input = crane(), of_sliding = crane();
   of_input.S10 = of_sliding.sliding->S10 = 20e3;

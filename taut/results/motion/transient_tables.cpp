@@ -351,17 +351,7 @@ std::string weight_words(const study::TransientRun& run, std::size_t reeving) {
       much);
 }
 
-/// How fast a rope runs over a round of its path, m/s; 0 where it ends at a body.
-double runs_at(const study::TransientRun& run, const solve::TransientFrame& frame, int reeving, int node) {
-  const Array<machine::Node>& nodes = run.model.reevings[reeving].nodes;
-  node %= static_cast<int>(nodes.size());
-  if (const auto& drum = nodes[node].drum) return frame.drums[*drum].speed;
-  const auto found = std::find_if(frame.contacts.begin(), frame.contacts.end(),
-                                  [&](const auto& c) { return c.reeving == reeving && c.node == node; });
-  return found == frame.contacts.end() ? 0 : found->flow;
-}
-
-/// Kinetic energy that a rope would have by the halves of its free parts at rounds whose inertia along itself does not
+/// Kinetic energy that a rope would have by the motion along itself of the halves of its free parts that does not
 /// count, J. One that is torn whips as it will.
 double energy_along(const study::TransientRun& run, const solve::TransientFrame& frame, int reeving) {
   const machine::Reeving& rope = run.model.reevings[reeving];
@@ -369,9 +359,7 @@ double energy_along(const study::TransientRun& run, const solve::TransientFrame&
   for (const auto& branch : frame.branches) {
     if (branch.reeving != reeving) continue;
     if (!branch.whole) return 0;
-    for (const std::size_t end : {0U, 1U}) {
-      if (branch.along[end]) continue;
-      const double speed = runs_at(run, frame, reeving, end == 0 ? branch.from : branch.to);
+    for (const double speed : branch.uncounted) {
       energy += rope.copies * rope.mass * branch.unstretched / 2 * speed * speed / 2;
     }
   }
@@ -395,8 +383,10 @@ void warn_of_mass_along(const study::TransientRun& run, Result& r) {
     }
     if (share <= much || most <= of_turnover * run.result.frames.back().energy.turnover) continue;
     r.warnings.push_back(fmt::format(
-        "{}: the inertia of '{}' along itself is not counted at rounds without inertia of their own; at t = {:.4g} s "
-        "that is {:.0f} % of what moves: give the sheaves that it runs over their 'inertia'",
+        "{}: the inertia of '{}' along itself is not counted where it slips on a rim, has hardly any tension, or runs "
+        "over rounds without inertia of their own; at t = {:.4g} s that is {:.0f} % of what moves: give the sheaves "
+        "that "
+        "it runs over their 'inertia'",
         words_of(run), rope.name, t, 100 * share));
   }
 }

@@ -70,7 +70,7 @@ checks: {ropes: {r: {dynamic_safety_factor: 3}}}
 )");
   EXPECT_EQ(r.status, Status::ok) << r.message << to_text(r.errors);
   return std::any_of(r.warnings.begin(), r.warnings.end(), [](const std::string& words) {
-    return words.find("the inertia of 'r' along itself is not counted at rounds without inertia") != std::string::npos;
+    return words.find("the inertia of 'r' along itself is not counted where") != std::string::npos;
   });
 }
 

@@ -159,8 +159,9 @@ struct TransientFrame {
     Vector3 start, end;                     ///< m
     Vector3 leaves, arrives;                ///< directions along the path there
     bool whole = true;
-    std::array<bool, 2> along{false, false};  ///< whether the inertia along itself of its half there counts
-    Array<Vector3> curve;                     ///< of one that sags: points between start and end, m
+    /// Speed along itself of the half there that its inertia does not count with, m/s: all, or what it slips on a rim.
+    std::array<double, 2> uncounted{0, 0};
+    Array<Vector3> curve;  ///< of one that sags: points between start and end, m
   };
   struct Contact {
     int reeving = 0, node = 0;

@@ -290,6 +290,19 @@ double observe_as_it_is(const Run& run, const Values& v, const machine::Observab
   return observe_couple(run.m, v, what);
 }
 
+namespace {
+
+double uncounted_speed(const Mechanism& m, const Values& v, std::size_t i, std::size_t end) {
+  const Line& line = m.lines[i];
+  if (line.contact[end] < 0) return 0;
+  const ContactValues& contact = v.contacts[line.contact[end]];
+  const bool in_full = line.rim[end] ? v.lines[i].surge_share[end] == 1 : line.along[end];
+  if (!in_full) return contact.flow * contact.lambda;
+  return line.rim[end] ? contact.slip_rate * contact.lambda : 0;
+}
+
+}  // namespace
+
 TransientFrame frame_of(const Mechanism& m, const Values& v) {
   TransientFrame f;
   f.t = v.t;
@@ -318,7 +331,7 @@ TransientFrame frame_of(const Mechanism& m, const Values& v) {
                           is.t,
                           is.t,
                           is.gone > 0,
-                          line.along,
+                          {uncounted_speed(m, v, i, 0), uncounted_speed(m, v, i, 1)},
                           {}});
     if (!sags(line, is)) continue;
     const SagValues& shape = v.sags[line.sag];
