@@ -378,6 +378,8 @@ void Judge::take_moment(const machine::Model& m, const solve::TransientResult& s
     take_carriage(m, car, moment.bodies[car.body].position, when);
   }
   if (begins) warn_of_buried(m, words);
+  // what a break throws about falls without end, as nothing of the machine is the ground
+  if (broken_.empty()) warn_of_sunk(m, places, when);
   for (const solve::TransientFrame::Branch& branch : moment.branches) {
     const std::string& rope = m.reevings[branch.reeving].name;
     const bool slack = branch.whole && std::max(branch.T_from, branch.T_to) <= 0;

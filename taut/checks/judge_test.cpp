@@ -260,6 +260,28 @@ analyses: [{equilibrium: {}}]
   EXPECT_THAT(hung("5.5 m", "x, y, z").unsafe, Contains(HasSubstr("of 'load' is 4.5 m below the ground")));
 }
 
+// Paid out by 1.5 m, its centre of mass comes to 0.5 m below the ground, 1 m below its rope. What a break throws about
+// does not count.
+TEST(Judge, ABodyThatAMotionLowersIntoTheGroundIsAWarning) {
+  const auto lowered = [](const std::string& events) {
+    return run_text(R"(taut: 1
+machine:
+  signals: {out: {table: {t: [0 s, 1 s, 3 s, 4 s], value: [0 m/s, -0.5 m/s, -0.5 m/s, 0 m/s]}}}
+  ropes: {drop: {mass: 0.1 kg/m, stiffness: 2 MN, breaking_force: 1000 kN, damping_ratio: 0.1}}
+  drums: {winch: {at: [0 m, 0 m, 10 m], core_diameter: 400 mm, drive: {speed: out}}}
+  bodies: {load: {mass: 1 t, at: [0 m, 0 m, 4 m], centre: [0 m, 0 m, -1 m], free: [x, y, z]}}
+  reevings: [{rope: drop, path: [{drum: winch}, {anchor: load}], length: 6 m}]
+  terrain: {x: [-10 m, 10 m], z: [2 m, 2 m]}
+)" + events + R"(checks: {ropes: {drop: {dynamic_safety_factor: 2}}, confirmed: [elastic_limit]}
+analyses: [{transient: {duration: 5 s, output_step: 50 ms, tolerance: 1e-3}}]
+)");
+  };
+  const Result in = lowered("");
+  ASSERT_EQ(in.status, Status::ok) << in.message << to_text(in.errors);
+  EXPECT_THAT(in.unsafe, Contains(HasSubstr("the centre of mass of 'load' is 0.53"))) << in.message;
+  EXPECT_THAT(lowered("  events: [{at: 1.5 s, break: drop}]\n").unsafe, Not(Contains(HasSubstr("below the ground"))));
+}
+
 // The face of a slab that nothing moves is ground too.
 TEST(Judge, ACraneOnASlabTipsAsOnTheGround) {
   std::string deck = crane("2.5 t");

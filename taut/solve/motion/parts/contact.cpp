@@ -93,21 +93,22 @@ void pull_row(Mechanism& m, const Contact& contact, double given, const Values& 
   });
 }
 
-constexpr double slack_share = 1e-6;        ///< of its stiffness that a slack branch keeps in derivatives
-constexpr double rough_slack_share = 1e-4;  ///< the same where ropes have to find their places anew
+constexpr double slack_share = 1e-6;  ///< of its stiffness that a slack branch keeps in derivatives
 
 /// A branch without tension does not answer to its rope. Where it lies on both sides of a taut one, their two contacts
 /// would not know which of them passes rope on: neither does, by the little stiffness that is left in the derivatives.
-/// The damper counts: in short steps it makes the taut one far stiffer than it is.
+/// The damper counts: in short steps it makes the taut one far stiffer than it is. Without losses the energy along an
+/// iteration tells how far it may go, and the less is left the fewer of them are needed.
 void keep_slack_apart(Mechanism& m, const Scheme& s, const Contact& contact, const Values& now) {
   const auto spare_of = [&](int i) {
     const Line& line = m.lines[i];
     if (now.lines[i].T > 0) return 0.0;
-    return line.stiffness * (1 + (s.undamped ? 0 : line.damping) * s.slip_now) / some_length(now.lines[i]);
+    if (s.losses == 0) return line.stiffness / std::max(now.lines[i].L, now.lines[i].l);
+    return line.stiffness * (1 + line.damping * s.slip_now) / some_length(now.lines[i]);
   };
   const double spare = spare_of(contact.in) + spare_of(contact.out);
   if (spare == 0) return;
-  const double share = s.fresh ? rough_slack_share : slack_share;
+  const double share = s.fresh && s.losses > 0 ? rough_slack_share : slack_share;
   m.solver.values()[contact.row[own_column(m, contact)]] -= share * spare;
 }
 
@@ -256,7 +257,7 @@ void decide_grip(const Mechanism& m, const Scheme& s, std::size_t i, const Value
     return;
   }
   // what has slipped in the step, as a force; at an unchanged time what slips goes on slipping
-  const double damping = s.undamped ? 0 : m.lines[contact.in].damping;
+  const double damping = m.lines[contact.in].damping;
   double slip = 0;
   if (is.grip != Grip::stuck) {
     const double stiffness = stiffness_at(m, contact, now) * (1 + damping * std::max(0.0, s.slip_now));

@@ -125,10 +125,10 @@ struct Scheme {
   double slip_now = 0, slip_before = 0;  ///< slip_rate = slip_now * (slipped since the start of the step) + slip_before
                                          ///< * slip_mean of the step before
   bool lossless = false;                 ///< no friction: looking for the start
+  double losses = 1;                     ///< share of their losses that contacts have
   bool at_rest = false;                  ///< without velocities: looking for the start, or quasi-static
   bool creeps = false;                   ///< quasi-static: from rest to rest, with friction
   double elapsed = 0;                    ///< then: the time in which drives and signals go on, s
-  bool undamped = false;                 ///< ropes without their damping
   bool only_rates = false;  ///< at an unchanged time: ropes with dampers begin to slip, none has slipped yet
   bool fresh = false;       ///< what lies loose does not go on as it went before
 };
@@ -222,6 +222,8 @@ bool decide(const Mechanism& m, const Scheme& s, const Values& before, Values& n
 struct Pressure {
   double in = 0, out = 0;
 };
+/// Of its stiffness that a slack branch keeps in derivatives where ropes have to find their places anew.
+constexpr double rough_slack_share = 1e-4;
 /// Whether the rope has no tension on either side of a contact.
 bool loose(const Contact& contact, const Values& now);
 /// With which flow a rope goes on that nothing holds: as it went, but where it lies slack on both sides, m/s.
@@ -245,11 +247,11 @@ inline Pressure pressure(const Mechanism& m, int contact, const Values& now) {
 
 /// Rope between slack branches that an iteration has moved farther from where it lay than need be goes back, as long as
 /// both stay slack: their lengths have no other law. Whether any did.
-bool put_loose_back(const Mechanism& m, const Scheme& s, const Values& before, Values& now);
+bool put_loose_back(const Mechanism& m, const Values& before, Values& now);
 
 /// Takes the slack lines of a run of rope together with its taut ones, before an iteration: where all of the run will
 /// be taut, or none of it, they pull as springs that may push. docs/theory/motion-steps.md.
-void decide_runs(const Mechanism& m, const Scheme& s, const Values& before, Values& now);
+void decide_runs(const Mechanism& m, const Values& before, Values& now);
 
 /// Keeps the rope that an iteration lets run round a closed rope (`step`, by column, to be taken off) within bounds.
 void hold_circulation(const Mechanism& m, const Scheme& s, const Values& before, const Values& now,

@@ -76,7 +76,6 @@ struct Tries {
   double error = 0, h = 0;  ///< of the last one
   bool kink = false;        ///< a law changes in it
   bool rough = false;       ///< by implicit Euler
-  bool undamped = false;  ///< and without the ropes' dampers: their bounds are what has no common answer in short steps
 };
 
 /// A step of h to the time t, which is before.t + h but for rounding.
@@ -88,7 +87,6 @@ StepEnd try_step(Run& run, double h, double t, const Tries& tries) {
   const bool rough = tries.rough;
   s = rough ? scheme_of_euler() : scheme_of(run.options.rho);
   s.h = h;
-  s.undamped = tries.undamped;
   s.fresh = rough || run.fresh;
   run.newton.rough = rough;
   s.reach = h * s.gamma * s.alpha_f / s.alpha_m;
@@ -183,8 +181,6 @@ bool try_shorter(Run& run, double h, Tries& tries) {
     go_roughly(run, tries);
     return true;
   }
-  tries.undamped = tries.rough && !tries.undamped;
-  if (tries.undamped) return true;
   run.h = h / 4;
   return run.h >= smallest_share * run.options.duration;
 }

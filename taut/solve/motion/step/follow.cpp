@@ -205,11 +205,15 @@ void bound(const Mechanism& m, const Scheme& s, const Values& before, std::size_
   if (contact.bearing_log <= grip) {
     is.log_ratio = contact.bearing_log;
     is.ratio = contact.bearing_ratio;
-    return;
+  } else {
+    is.log_ratio = grip;
+    is.ratio = std::exp(grip);
+    if (is.wrap > 0 && is.wrap < contact.working_arc) is.log_by_wrap = contact.friction;
   }
-  is.log_ratio = grip;
-  is.ratio = std::exp(grip);
-  if (is.wrap > 0 && is.wrap < contact.working_arc) is.log_by_wrap = contact.friction;
+  if (s.losses == 1 || std::isinf(is.log_ratio)) return;
+  is.log_ratio *= s.losses;
+  is.log_by_wrap *= s.losses;
+  is.ratio = std::exp(is.log_ratio);
 }
 
 [[gnu::always_inline]] inline void flow(const Mechanism& m, const Scheme& s, const Values& before, const Work& w,
@@ -317,10 +321,10 @@ void steady_flow(const Mechanism& m, const Scheme& s, const Values& before, std:
     if (sagging) now.sags[line.sag].chord_rate = (dot(is.t, is.apart) - is.l / is.hung * flows) / is.L;
   }
   if (sagging) {
-    pull_sagging(line, s.undamped ? 0 : line.damping, is, now.sags[line.sag]);
+    pull_sagging(line, line.damping, is, now.sags[line.sag]);
     return;
   }
-  s.only_rates ? pull_without_bounds(line, line.damping, is) : pull(line, s.undamped ? 0 : line.damping, is);
+  s.only_rates ? pull_without_bounds(line, line.damping, is) : pull(line, is);
   is.end_T[0] = is.end_T[1] = is.T;
   if (line.weight == 0) return;
   const double hangs = hung_at_ends(line.weight * free_rope(is) * is.t.z() / 2, is.T);

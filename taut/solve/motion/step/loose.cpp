@@ -22,7 +22,7 @@ double spare(const LineValues& line) {
 
 }  // namespace
 
-bool put_loose_back(const Mechanism& m, const Scheme& s, const Values& before, Values& now) {
+bool put_loose_back(const Mechanism& m, const Values& before, Values& now) {
   bool any = false;
   for (const bool back : {false, true}) {
     if (back && !any) break;
@@ -33,9 +33,7 @@ bool put_loose_back(const Mechanism& m, const Scheme& s, const Values& before, V
       LineValues &in = now.lines[contact.in], &out = now.lines[contact.out];
       if (!has_no_tension(m.lines[contact.in], in) || !has_no_tension(m.lines[contact.out], out)) continue;
       double& q = now.q[contact.column];
-      const double lay =
-          before.q[contact.column] + (s.fresh || s.at_rest ? 0 : s.h * loose_flow(contact, before.contacts[i], before));
-      const double by = std::clamp(lay - q, -spare(out), spare(in));
+      const double by = std::clamp(before.q[contact.column] - q, -spare(out), spare(in));
       if (std::abs(by) <= hardly * (in.l + out.l)) continue;
       q += by;
       in.L -= by;

@@ -63,7 +63,7 @@ double miss_at(const Mechanism& m, std::size_t i, const Values& now) {
 
 }  // namespace
 
-void decide_runs(const Mechanism& m, const Scheme& s, const Values& before, Values& now) {
+void decide_runs(const Mechanism& m, const Values& before, Values& now) {
   const auto slack = [](const LineValues& line) { return !(line.T > 0); };
   if (m.contacts.empty() || std::none_of(now.lines.begin(), now.lines.end(), slack)) return;
   Array<char> seen(m.lines.size(), 0);
@@ -85,7 +85,7 @@ void decide_runs(const Mechanism& m, const Scheme& s, const Values& before, Valu
     if (!taut || loosens) continue;
     for (const int i : run.lines) {
       LineValues& is = now.lines[i];
-      if (slack(is) && !sags(m.lines[i], is)) may_push(m.lines[i], m.lines[i].damping > 0 && !s.undamped, is);
+      if (slack(is) && !sags(m.lines[i], is)) may_push(m.lines[i], m.lines[i].damping > 0, is);
     }
   }
 }

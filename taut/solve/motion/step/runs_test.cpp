@@ -53,7 +53,7 @@ struct Rope {
     }
   }
   Array<double> after_runs() {
-    decide_runs(is, Scheme{}, before, now);
+    decide_runs(is, before, now);
     Array<double> T;
     for (const LineValues& line : now.lines) T.push_back(line.T);
     return T;

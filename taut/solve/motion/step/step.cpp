@@ -7,6 +7,7 @@
 #include "taut/base/array.hpp"
 #include "taut/math/index.hpp"
 #include "taut/solve/motion/parts/couple.hpp"
+#include "taut/solve/motion/step/downhill.hpp"
 
 namespace taut::solve::dynamics {
 namespace {
@@ -22,7 +23,7 @@ constexpr int most_trusted = 15;           ///< steps until it is looked at agai
 constexpr double least_contraction = 1e-7, caution = 8;
 constexpr double small_misfit = 1e-4;  ///< of the largest tension: of the laws of contacts that slip
 constexpr int most_put_back = 4;       ///< times that loose rope is put back where it lay, in one step
-constexpr int most_retreats = 8;       ///< halvings of an iteration that goes where there is no rope
+constexpr int most_retreats = 8;       ///< halvings of an iteration that goes where there is no rope, of growing losses
 
 /// The flow of a contact in the step, if it goes on as before: what slips between taut branches with the change of its
 /// rate.
@@ -48,13 +49,6 @@ void guess_flows(const Mechanism& m, const Scheme& s, const Values& before, cons
                : s.fresh && kept(i)    ? before.q[c]
                                        : before.q[c] + h * flow_ahead(s, m.contacts[i], was, before);
   }
-}
-
-/// A share of the step; of the ropes' flows that share of it.
-void apply(const Mechanism& m, const Array<double>& step, double share, double of_flows, Values& now) {
-  for (std::size_t c = 0; c < as_size(m.body_columns); ++c) now.rate[c] -= share * step[c];
-  for (const Contact& contact : m.contacts) now.q[contact.column] -= share * of_flows * step[contact.column];
-  for (const Spin& spin : m.spins) now.rate[spin.column] -= share * step[spin.column];
 }
 
 /// Two branches that are slack and taut in turn: half a step finds the place between.
@@ -105,7 +99,7 @@ bool retreat(const Mechanism& m, const Array<double>& step, Taken& taken, Values
 /// Puts loose rope back where it lay; drums and rims at its ends have to answer that by one more iteration.
 bool puts_back(const Mechanism& m, const Scheme& s, const Values& before, double t, const Work& w, Taken& taken,
                Values& now) {
-  if (taken.put_back >= most_put_back || !put_loose_back(m, s, before, now)) return false;
+  if (taken.put_back >= most_put_back || !put_loose_back(m, before, now)) return false;
   ++taken.put_back;
   if (!follow(m, s, before, w, t, now)) return false;
   decide(m, s, before, now);
@@ -134,7 +128,7 @@ void learn(Newton& newton, int iterations, bool laws_changed, double contraction
 /// What rounding leaves of a tension, N.
 double rounding_of_tensions(const Mechanism& m, const Scheme& s, bool rough) {
   double floor = step_rounding * m.stiffest;
-  if (!rough || s.undamped) return floor;
+  if (!rough) return floor;
   // a rate is the difference of two nearly equal lengths over a short time
   for (const Line& line : m.lines) floor = std::max(floor, step_rounding * line.stiffness * line.damping * s.slip_now);
   return floor;
@@ -158,14 +152,14 @@ bool has_loops(const Mechanism& m) {
   return std::any_of(ropes.begin(), ropes.end(), [](const machine::Reeving& rope) { return rope.closed; });
 }
 
+/// The iteration from `now` on.
 StepEnd iterations(Mechanism& m, const Scheme& s, const Values& before, double t, Values& now, Work& w,
                    Newton& newton) {
-  guess_flows(m, s, before, w, now);
   w.tension.resize(m.lines.size());
   double last_change = std::numeric_limits<double>::infinity(), change_before = 0, moved = 0;
   bool laws_changed = false;
   Taken taken;
-  const bool moves = s.h > 0 && !s.at_rest, loops = has_loops(m);
+  const bool moves = s.h > 0 && !s.at_rest, loops = has_loops(m), downhill = s.losses == 0;
   for (int i = 0; i <= newton.most; ++i) {
     if (!follow(m, s, before, w, t, now)) {
       if (!retreat(m, w.residual, taken, now)) return StepEnd::no_place;
@@ -182,15 +176,15 @@ StepEnd iterations(Mechanism& m, const Scheme& s, const Values& before, double t
     if (!std::isfinite(change)) return StepEnd::not_converged;
     // without masses what has begun to slide may go far: its own tangent has to say so
     const bool begins = s.creeps && pushed.turned && i < turns_until;
-    const bool at_its_limit = (s.creeps || s.h > 0) && i >= turns_until;  // it sticks or slides: tensions are the same
+    const bool at_its_limit = (s.creeps || s.h > 0) && i >= turns_until;
     if (i > 0 && taken.retreats == 0 && (!changed || at_its_limit) && !begins) {
       const double floor = rounding_of_tensions(m, s, newton.rough);
       const double expected = moves && !turned && !newton.rough ? newton.contraction : first_contraction;
       const double contraction = std::isinf(last_change) ? expected : std::min(1.0, change / last_change);
       const bool close = change * contraction <= std::max(newton.tolerance * newton.largest, 4 * floor);
       const bool holds = !close || !(moves || (loops && !s.at_rest)) || laws_hold(m, now, small_misfit, 4 * floor);
-      const bool there =
-          close && holds && moved * contraction <= std::max(newton.tolerance, step_rounding) * m.size_of_machine;
+      const bool there = close && holds && taken.share >= 1 &&
+                         moved * contraction <= std::max(newton.tolerance, step_rounding) * m.size_of_machine;
       const bool again = there && puts_back(m, s, before, t, w, taken, now);
       turned = turned || again;
       if (there && !again) {
@@ -203,17 +197,25 @@ StepEnd iterations(Mechanism& m, const Scheme& s, const Values& before, double t
     if (i == newton.most) break;
     laws_changed = laws_changed || (i > 0 && turned);
     const double small = i == 1 ? small_change * newton.largest : good_contraction * change_before;
-    w.tangent = i == 0 || turned || change > small;
+    w.tangent = i == 0 || turned || change > small || s.losses < 1;
     change_before = change;
     m.solver.hold(!w.tangent);
-    if (moves) decide_runs(m, s, before, now);
+    if (moves && s.losses == 1) decide_runs(m, before, now);
     assemble(m, s, before, now, w);
     if (w.tangent && !m.solver.factor()) return StepEnd::singular;
+    const Array<double> out_of_balance = downhill ? w.residual : Array<double>();
     m.solver.solve(w.residual);
     if (loops) hold_circulation(m, s, before, now, w.residual);
-    taken = {.share = 1, .of_flows = share_of_flows(newton, i), .put_back = taken.put_back};
-    apply(m, w.residual, 1, taken.of_flows, now);
     moved = move_of(m, s, w.residual);
+    taken = {.share = 1, .of_flows = share_of_flows(newton, i), .put_back = taken.put_back};
+    if (!downhill || moved <= step_rounding * m.size_of_machine) {
+      apply(m, w.residual, 1, taken.of_flows, now);
+      continue;
+    }
+    const Array<double> step = w.residual;
+    w.residual = out_of_balance;
+    taken.share = go_downhill({m, s, before, t, now, w}, step, m.size_of_machine / moved);
+    w.residual = step;
   }
   newton.used += newton.most;
   return StepEnd::not_converged;
@@ -236,8 +238,54 @@ StepEnd solve_step(Mechanism& m, const Scheme& s, const Values& before, double t
   return iterate(m, s, before, t, now, w, newton);
 }
 
+namespace {
+
+/// Whether a loss would change anything: contacts have one, and ropes a tension.
+bool loses(const Mechanism& m, const Scheme& s, const Values& now) {
+  const double nothing = rounding_of_tensions(m, s, true) / rough_slack_share;
+  const auto pulls = [&](const LineValues& line) { return line.T > nothing; };
+  const auto rubs = [](const Contact& contact) { return std::min(contact.bearing_log, contact.friction) > 0; };
+  return std::any_of(now.lines.begin(), now.lines.end(), pulls) &&
+         std::any_of(m.contacts.begin(), m.contacts.end(), rubs);
+}
+
+/// Begins where the machine without losses would be, which is where its energy is least, and lets the losses grow from
+/// there.
+StepEnd iterate_from_no_losses(Mechanism& m, const Scheme& s, const Values& before, double t, Values& now, Work& w,
+                               Newton& newton) {
+  Scheme part = s;
+  part.losses = 0;
+  Newton downhill = newton;
+  downhill.most = 2 * 2 * newton.most;
+  now.rate = before.rate;
+  guess_flows(m, part, before, w, now);
+  StepEnd end = iterations(m, part, before, t, now, w, downhill);
+  newton.largest = downhill.largest;
+  newton.used = downhill.used;
+  if (end != StepEnd::ok || !loses(m, s, now)) return end;
+  Values from = now;
+  double reached = 0, more = 1;
+  for (int halves = 0; reached < 1 && halves <= most_retreats;) {
+    part.losses = std::min(1.0, reached + more);
+    now = from;
+    end = iterations(m, part, before, t, now, w, newton);
+    if (end == StepEnd::ok) {
+      from = now;
+      reached = part.losses;
+    }
+    halves += end == StepEnd::ok ? -1 : 1;
+    more = end == StepEnd::ok ? 2 * more : more / 2;
+  }
+  return end;
+}
+
+}  // namespace
+
 StepEnd iterate(Mechanism& m, const Scheme& s, const Values& before, double t, Values& now, Work& w, Newton& newton) {
-  const StepEnd end = iterations(m, s, before, t, now, w, newton);
+  guess_flows(m, s, before, w, now);
+  StepEnd end = iterations(m, s, before, t, now, w, newton);
+  if (end != StepEnd::ok && end != StepEnd::interrupted && newton.rough)
+    end = iterate_from_no_losses(m, s, before, t, now, w, newton);
   m.solver.hold(false);
   w.tangent = true;
   if (end != StepEnd::ok) newton.forget();
