@@ -144,10 +144,15 @@ Result solve_more(const std::vector<study::Asked>& asked, results::MachineRun& r
   return more;
 }
 
-/// Guys, lines and screws. In a load case guys and lines are as on the machine that they were put up on. `moments`: of
-/// guys and screws.
-Outcome put_up(const MachineDeck& deck, machine::Model& model, std::vector<study::PutUpLine>& lines,
-               std::vector<study::PutUpMoment>& moments) {
+/// How a machine was put up.
+struct PutUpStates {
+  std::vector<study::PutUpLine> lines;
+  std::vector<study::PutUpMoment> moments;           ///< of guys and screws
+  std::optional<study::PutUpMoment> stands_on_guys;  ///< of guys that have a tension
+};
+
+/// Guys, lines and screws. In a load case guys and lines are as on the machine that they were put up on.
+Outcome put_up(const MachineDeck& deck, machine::Model& model, PutUpStates& states) {
   const machine::Machine& machine = deck.put_up_on ? *deck.put_up_on : deck.machine;
   machine::Model other;
   if (deck.put_up_on) {
@@ -156,15 +161,16 @@ Outcome put_up(const MachineDeck& deck, machine::Model& model, std::vector<study
     other = std::move(*compiled);
   }
   machine::Model& built = deck.put_up_on ? other : model;
-  if (Outcome outcome = study::install_guys(built, &moments); !outcome.ok()) return outcome;
-  if (Outcome outcome = study::put_up_lines(built, lines); !outcome.ok()) return outcome;
-  if (!deck.put_up_on) return study::set_screws(model, &moments);
+  if (Outcome outcome = study::install_guys(built, &states.moments); !outcome.ok()) return outcome;
+  if (!states.moments.empty()) states.stands_on_guys = study::stand_on_guys(built, machine.reevings.size());
+  if (Outcome outcome = study::put_up_lines(built, states.lines); !outcome.ok()) return outcome;
+  if (!deck.put_up_on) return study::set_screws(model, &states.moments);
   study::keep_guys(machine, built, model);
   study::keep_lines(built, model);
   // on the ropes of the case, at the temperature at which the others are put up
   machine::Model set = model;
   if (machine.temperature) study::set_temperature(set, deck.machine, *machine.temperature);
-  if (Outcome outcome = study::set_screws(set, &moments); !outcome.ok()) return outcome;
+  if (Outcome outcome = study::set_screws(set, &states.moments); !outcome.ok()) return outcome;
   study::keep_screws(set, model);
   return {};
 }
@@ -233,14 +239,19 @@ Result described(const MachineDeck& deck, const machine::Model& model, bool repo
 }
 
 /// What holds its ropes and bears its loads otherwise than one may think.
-void warn_of_machine(const MachineDeck& deck, const results::MachineRun& run, Result& r) {
+void warn_of_machine(const MachineDeck& deck, const results::MachineRun& run, const PutUpStates& states, Result& r) {
   for (std::string& text : results::held_tension_warnings(deck.machine, run.model))
     r.warnings.push_back(std::move(text));
   for (std::string& text : results::fixed_load_warnings(run.model)) warn_unsafe(r, std::move(text));
+  for (results::LoadAcross& one : results::load_across_warnings(run.model))
+    one.unsafe ? warn_unsafe(r, std::move(one.text)) : r.warnings.push_back(std::move(one.text));
   for (std::string& text : results::fixed_guy_warnings(run.model, deck.machine.reevings.size()))
     warn_unsafe(r, std::move(text));
   for (std::string& text : results::rope_beside_beam_warnings(run.model)) warn_unsafe(r, std::move(text));
   if (!run.judges || !run.tells) return;
+  if (states.stands_on_guys) {
+    if (auto text = results::unbalanced_guys(deck.machine, *states.stands_on_guys)) r.warnings.push_back(*text);
+  }
   add_pulls(deck, r);
   add_screws(deck.machine, r);
 }
@@ -258,20 +269,20 @@ Result compute(const MachineDeck& deck, machine::Model model, study::AskedAll as
   run.progress = progress;
   run.display = deck.display;
   Result r = described(deck, run.model, report);
-  std::vector<study::PutUpLine> lines;
-  std::vector<study::PutUpMoment> moments;
-  study::note_failure(r, put_up(deck, run.model, lines, moments), "installation");
+  PutUpStates built;
+  study::note_failure(r, put_up(deck, run.model, built), "installation");
   if (r.status != Status::ok) {
     if (report) results::add_described_figures(run, "no equilibrium was found", r);
     return r;
   }
-  warn_of_machine(deck, run, r);
+  warn_of_machine(deck, run, built, r);
   solve_states(deck, run, r);
   if (run.judges || !asked.more.empty()) run.checked = std::make_shared<checks::CheckedParts>(deck, run.model);
   add_payload_limits(asked.more, run);
   if (run.judges) {
-    results::show_put_up(run.model, lines, *run.checked);
-    for (const study::PutUpMoment& one : moments) run.checked->take_put_up(one.model, one.state, one.words);
+    results::show_put_up(run.model, built.lines, *run.checked);
+    for (const study::PutUpMoment& one : built.moments) run.checked->take_put_up(one.model, one.state, one.words);
+    if (built.stands_on_guys) results::show_stand_on_guys(deck.machine, *built.stands_on_guys, *run.checked);
     results::show_answers(run, *run.checked);
   }
   Result more = solve_more(asked.more, run, r);
@@ -284,7 +295,7 @@ Result compute(const MachineDeck& deck, machine::Model model, study::AskedAll as
   results::warn_of_strain(deck.machine, deck.chosen, run.model, r);
   if (run.judges) run.checked->drives.add_checks(r);
   results::warn_of_friction(run.model, r);
-  results::add_put_up(run.model, lines, r);
+  results::add_put_up(run.model, built.lines, r);
   results::add_beam_values(deck.machine, run, r);
   if (report) {
     add_steps(deck, run, r);

@@ -81,6 +81,14 @@ std::string unanswered_in_words(const DesignFound& found) {
   return words;
 }
 
+/// What no trial has been spent on, and what that means.
+std::string aside_in_words(std::size_t aside, const char* of) {
+  return fmt::format(
+      "{} {}choices were set aside without a trial, because a part of each failed by far with other choices: that none "
+      "of them passes is likely, not proven; narrow the candidates down to have all tried",
+      aside, of);
+}
+
 Result no_design(const DesignTask& task, const DesignFound& found) {
   Result r;
   r.method_title = task.method_title;
@@ -97,6 +105,10 @@ Result no_design(const DesignTask& task, const DesignFound& found) {
     r.status = Status::not_converged;
     why = fmt::format("interrupted after {:.0f} trials, before any choice passed", found.trials);
   }
+  std::size_t aside = 0;
+  for (const DesignPoint& point : found.points) aside += point.answer.aside.size();
+  if (aside > 0) r.warnings.push_back("design: " + aside_in_words(aside, ""));
+  if (aside > 0 && !found.ended) why += fmt::format(" of those tried ({} were set aside, see the warning)", aside);
   r.message = "design: " + why + unanswered_in_words(found);
   const DesignPlace nearest =
       found.all_but_unanswered.value_or(DesignPlace{.choice = found.nearest.choice, .values = found.nearest_values});
@@ -138,6 +150,8 @@ void add_warnings(const DesignTask& task, const DesignFound& found, Result& r) {
       r.warnings.push_back(fmt::format("design: there is no check '{}' to disregard", name));
     }
   }
+  if (const std::size_t aside = found.best.answer.aside.size(); aside > 0)
+    r.warnings.push_back("design: " + aside_in_words(aside, is_measured(task.request.seek) ? "" : "cheaper "));
   if (r.checks.empty()) r.warnings.emplace_back("design: no check holds the choice; the deck asks for none");
 }
 

@@ -26,7 +26,8 @@ constexpr double near_enough = 3;            // utilisation up to which a choice
 constexpr int trials_of_near_miss = 60;
 constexpr double coarse = 1e-3;  // as finest_share, but where a choice is only moved to see whether it passes
 constexpr int most_rounds = 3;
-constexpr double trials_between = 600;  // about, between the places of the grid
+constexpr double trials_between = 600;   // about, between the places of the grid
+constexpr double least_for_aside = 400;  // trials of what was set aside; as many as the search has needed where more
 
 std::vector<std::vector<double>> costs_of(const DesignTask& task, const DesignLengths& lengths) {
   std::vector<std::vector<double>> costs;
@@ -59,6 +60,8 @@ class Searching {
 
   DesignFound search() {
     over_the_grid();
+    try_what_was_set_aside();
+    find_best();
     if (task_.request.refine && !task_.space.unknowns.empty() && !found_.ended) move_on();
     find_unanswered();
     if (!found_.feasible && found_.unanswered.empty() && task_.space.cases.size() > 1) look_at_nearest();
@@ -126,7 +129,7 @@ class Searching {
   }
 
   SizingTrial try_one(const DesignPlace& place) {
-    if (const auto known = record_.hopeless(place.choice)) {
+    if (const auto known = record_.hopeless(place.choice); known && !sets_nothing_aside_) {
       // it may be near to passing between the places of the grid
       if (!place.values.empty() && known->utilisation < near_enough)
         remember({.choice = place.choice, .cost = 0, .trial = *known}, place.values);
@@ -151,10 +154,15 @@ class Searching {
     if (!is_new && better(one, known->second.first)) known->second = {std::move(one), values};
   }
 
-  SizingAnswer least_at(const std::vector<double>& values) {
+  design::SizingOptions sizing_options() const {
     design::SizingOptions options;
     options.most_trials = static_cast<std::size_t>(task_.request.most_trials);
     options.neighbours = static_cast<std::size_t>(task_.request.runner_ups);
+    return options;
+  }
+
+  SizingAnswer least_at(const std::vector<double>& values) {
+    const design::SizingOptions options = sizing_options();
     record_ = CandidateRecord(task_.list_of);
     tried_here_ = 0;
     most_here_ = 1;
@@ -170,6 +178,7 @@ class Searching {
       SizingAnswer answer = design::cheapest(costs, one, options);
       // to the last bit what is compared with it later
       const auto weigh = [&](SizingCandidate& c) { c.cost = cost_of({.choice = c.choice, .values = values}); };
+      std::for_each(answer.aside.begin(), answer.aside.end(), weigh);
       if (answer.outcome.ok()) weigh(answer.best);
       std::for_each(answer.below.begin(), answer.below.end(), weigh);
       std::for_each(answer.above.begin(), answer.above.end(), weigh);
@@ -179,6 +188,35 @@ class Searching {
     counts.reserve(costs.size());
     for (const auto& list : costs) counts.push_back(list.size());
     return design::least_measured(counts, one, options);
+  }
+
+  /// Tries what was set aside at a place, as long as there are trials left for it.
+  void try_aside(DesignPoint& point) {
+    if (found_.ended || point.answer.aside.empty()) return;
+    const double most = std::max(least_for_aside, found_.trials - spent_on_aside_) - spent_on_aside_;
+    const double before = found_.trials;
+    sets_nothing_aside_ = true;
+    design::try_aside(
+        point.answer,
+        [&](const std::vector<std::size_t>& choice) { return try_one({.choice = choice, .values = point.values}); },
+        static_cast<std::size_t>(std::max(most, 0.0)), sizing_options());
+    sets_nothing_aside_ = false;
+    spent_on_aside_ += found_.trials - before;
+    if (point.answer.best.trial.passes && !measured_)
+      point.answer.best.cost = cost_of({.choice = point.answer.best.choice, .values = point.values});
+  }
+
+  /// Where a place of the grid has an answer, at the best of them; else "none passes" is said of all.
+  void try_what_was_set_aside() {
+    DesignPoint* best = nullptr;
+    for (DesignPoint& point : found_.points) {
+      if (!point.answer.outcome.ok()) continue;
+      if (best == nullptr || better(point.answer.best, best->answer.best)) best = &point;
+    }
+    if (best != nullptr) return try_aside(*best);
+    for (DesignPoint& point : found_.points) {
+      if (point.answer.outcome.status == Status::infeasible) try_aside(point);
+    }
   }
 
   void over_the_grid() {
@@ -199,6 +237,9 @@ class Searching {
       if (found_.ended && point.answer.trials == 0) break;
       found_.points.push_back(std::move(point));
     }
+  }
+
+  void find_best() {
     for (const DesignPoint& point : found_.points) {
       if (!point.answer.outcome.ok() || !point.answer.best.trial.passes) continue;
       if (found_.feasible && !better(point.answer.best, found_.best.answer.best)) continue;
@@ -330,12 +371,15 @@ class Searching {
     use_the_rest();
     for (int round = 0; round < most_rounds && !found_.ended; ++round) {
       words_ = "at the values found";
-      SizingAnswer answer = least_at(found_.best.values);
+      DesignPoint here{.values = found_.best.values, .answer = least_at(found_.best.values)};
+      try_aside(here);
+      SizingAnswer& answer = here.answer;
       if (answer.ended || !answer.outcome.ok()) return;
       const bool is_better =
           answer.best.choice != found_.best.answer.best.choice && better(answer.best, found_.best.answer.best);
       found_.best.answer.below = std::move(answer.below);
       found_.best.answer.above = std::move(answer.above);
+      found_.best.answer.aside = std::move(answer.aside);
       if (!is_better) return;
       take(answer.best, found_.best.values);
       move_near_miss(answer.best.choice, found_.best.values);
@@ -420,6 +464,8 @@ class Searching {
   double part_ = 0, share_ = 1;  // how far the search is, and what the place it is at adds to it
   int tried_here_ = 0;
   double most_here_ = 1;
+  bool sets_nothing_aside_ = false;
+  double spent_on_aside_ = 0;  // trials
   std::string words_;
 };
 

@@ -160,14 +160,16 @@ struct TradeOff {
   const DesignSpace& space;
   const DesignPoint& point;
   bool found() const { return point.answer.outcome.ok(); }
-  /// Where none passes: the last that fails, if any was tried.
+  /// Where none passes: the one that fails by least, if any was tried.
   const SizingTrial* trial() const {
     const SizingAnswer& answer = point.answer;
     if (found()) return &answer.best.trial;
     return answer.below.empty() ? nullptr : &answer.below.back().trial;
   }
   std::string choice() const {
-    const std::string words = found() ? names_of(space, point.answer.best.choice) : point.answer.outcome.message;
+    const SizingAnswer& answer = point.answer;
+    if (!found()) return answer.outcome.message + (answer.aside.empty() ? "" : " of those tried");
+    const std::string words = names_of(space, answer.best.choice);
     return words.empty() ? "passes" : words;
   }
 };

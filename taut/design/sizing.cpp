@@ -66,6 +66,42 @@ void keep_last(const SizingCandidate& one, std::size_t most, std::vector<SizingC
   kept.push_back(one);
 }
 
+double use_of(const SizingCandidate& one) {
+  return std::isnan(one.trial.utilisation) ? HUGE_VAL : one.trial.utilisation;
+}
+
+/// The `most` that fail by least stay, the nearest last; of equal ones the later.
+void keep_nearest(const SizingCandidate& one, std::size_t most, std::vector<SizingCandidate>& kept) {
+  const auto place =
+      std::find_if(kept.begin(), kept.end(), [&](const auto& other) { return use_of(other) < use_of(one); });
+  kept.insert(place, one);
+  if (kept.size() > most) kept.erase(kept.begin());
+}
+
+/// Whether it stands before an answer: it costs less, or as much and comes first (measured: has more reserve).
+bool precedes(const SizingCandidate& one, const SizingCandidate& other, bool measured) {
+  if (one.cost != other.cost) return one.cost < other.cost;
+  if (measured && use_of(one) != use_of(other)) return use_of(one) < use_of(other);
+  return one.choice < other.choice;
+}
+
+/// Puts one that passes where it belongs.
+void take_passing(const SizingCandidate& one, std::size_t neighbours, SizingAnswer& answer) {
+  const auto before = [&](const SizingCandidate& a, const SizingCandidate& b) {
+    return precedes(a, b, answer.measured);
+  };
+  if (!answer.outcome.ok()) {
+    answer.outcome = {};
+    answer.best = one;
+    if (!answer.measured) answer.below.clear();  // those that fail by least, at whatever cost
+    return;
+  }
+  answer.above.push_back(one);
+  if (before(one, answer.best)) std::swap(answer.best, answer.above.back());
+  std::sort(answer.above.begin(), answer.above.end(), before);
+  if (answer.above.size() > neighbours) answer.above.resize(neighbours);
+}
+
 }  // namespace
 
 SizingAnswer cheapest(const std::vector<std::vector<double>>& costs,
@@ -75,6 +111,7 @@ SizingAnswer cheapest(const std::vector<std::vector<double>>& costs,
   SizingAnswer answer;
   InOrder order(costs);
   SizingCandidate one;
+  std::vector<SizingCandidate> nearest;
   bool found = false;
   std::size_t behind = 0;
   while (order.next(one.choice, one.cost)) {
@@ -82,6 +119,7 @@ SizingAnswer cheapest(const std::vector<std::vector<double>>& costs,
     if (!found && answer.trials >= options.most_trials) {
       answer.outcome = not_converged(
           fmt::format("no choice has passed within {} trials; narrow the candidates down", options.most_trials));
+      answer.below = std::move(nearest);
       return answer;
     }
     one.trial = try_one(one.choice);
@@ -89,7 +127,10 @@ SizingAnswer cheapest(const std::vector<std::vector<double>>& costs,
       answer.ended = true;
       break;
     }
-    if (one.trial.skipped) continue;
+    if (one.trial.skipped) {
+      if (!found) answer.aside.push_back(one);
+      continue;
+    }
     ++(found ? behind : answer.trials);
     if (one.trial.passes && !found) {
       found = true;
@@ -98,8 +139,10 @@ SizingAnswer cheapest(const std::vector<std::vector<double>>& costs,
       answer.above.push_back(one);
     } else if (!found) {
       keep_last(one, options.neighbours, answer.below);
+      keep_nearest(one, options.neighbours, nearest);
     }
   }
+  if (!found) answer.below = std::move(nearest);
   if (!found) answer.outcome = answer.ended ? not_converged("ended") : infeasible("no choice passes all checks");
   return answer;
 }
@@ -108,6 +151,7 @@ SizingAnswer least_measured(const std::vector<std::size_t>& counts,
                             const std::function<SizingTrial(const std::vector<std::size_t>&)>& try_one,
                             const SizingOptions& options) {
   SizingAnswer answer;
+  answer.measured = true;
   double choices = 1;
   for (const std::size_t n : counts) choices *= static_cast<double>(n);
   if (choices > static_cast<double>(options.most_trials)) {
@@ -126,7 +170,9 @@ SizingAnswer least_measured(const std::vector<std::size_t>& counts,
       answer.ended = true;
       break;
     }
-    if (!trial.skipped) {
+    if (trial.skipped) {
+      answer.aside.push_back({choice, 0, trial});
+    } else {
       ++answer.trials;
       (trial.passes ? passed : failed).push_back({choice, trial.measured, trial});
     }
@@ -139,11 +185,8 @@ SizingAnswer least_measured(const std::vector<std::size_t>& counts,
   std::stable_sort(passed.begin(), passed.end(), [](const SizingCandidate& a, const SizingCandidate& b) {
     return a.cost != b.cost ? a.cost < b.cost : a.trial.utilisation < b.trial.utilisation;
   });
-  const auto use = [](const SizingCandidate& c) {
-    return std::isnan(c.trial.utilisation) ? HUGE_VAL : c.trial.utilisation;
-  };
   std::stable_sort(failed.begin(), failed.end(),
-                   [&](const SizingCandidate& a, const SizingCandidate& b) { return use(a) > use(b); });
+                   [](const SizingCandidate& a, const SizingCandidate& b) { return use_of(a) > use_of(b); });
   const auto last = [&](std::size_t n) { return static_cast<std::ptrdiff_t>(std::min(n, options.neighbours)); };
   answer.below.assign(failed.end() - last(failed.size()), failed.end());
   if (passed.empty()) {
@@ -153,6 +196,40 @@ SizingAnswer least_measured(const std::vector<std::size_t>& counts,
   answer.best = passed.front();
   answer.above.assign(passed.begin() + 1, passed.begin() + 1 + last(passed.size() - 1));
   return answer;
+}
+
+void try_aside(SizingAnswer& answer, const std::function<SizingTrial(const std::vector<std::size_t>&)>& try_one,
+               std::size_t most, const SizingOptions& options) {
+  std::vector<SizingCandidate> aside = std::move(answer.aside);
+  if (aside.size() > most) std::reverse(aside.begin(), aside.end());
+  const auto is_dear = [&](const SizingCandidate& one) {
+    return answer.outcome.ok() && !answer.measured && !precedes(one, answer.best, false);
+  };
+  answer.aside.clear();
+  for (SizingCandidate& one : aside) {
+    if (is_dear(one)) continue;
+    if (most == 0 || answer.ended) {
+      answer.aside.push_back(std::move(one));
+      continue;
+    }
+    one.trial = try_one(one.choice);
+    if (one.trial.ended) {
+      answer.ended = true;
+      answer.aside.push_back(std::move(one));
+      continue;
+    }
+    --most;
+    ++answer.trials;
+    if (answer.measured) one.cost = one.trial.measured;
+    if (one.trial.passes) {
+      take_passing(one, options.neighbours, answer);
+    } else if (!answer.outcome.ok()) {
+      keep_nearest(one, options.neighbours, answer.below);
+    }
+  }
+  std::erase_if(answer.aside, is_dear);
+  if (answer.outcome.ok() && !answer.measured)
+    std::erase_if(answer.below, [&](const auto& one) { return one.cost > answer.best.cost; });
 }
 
 }  // namespace taut::design

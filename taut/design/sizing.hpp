@@ -15,7 +15,7 @@ struct SizingTrial {
   std::string governs;     ///< its name, or why there is no equilibrium
   double measured = 0;     ///< what it costs, where only the trial tells
   bool ended = false;      ///< the search is to end; nothing else counts then
-  bool skipped = false;    ///< known to fail without a trial: does not count as one, and is not reported
+  bool skipped = false;    ///< set aside without a trial: does not count as one, and is not reported
 };
 
 struct SizingOptions {
@@ -33,10 +33,15 @@ struct SizingCandidate {
 struct SizingAnswer {
   Outcome outcome;  ///< infeasible: none passes, or the trials are spent
   SizingCandidate best;
-  std::vector<SizingCandidate> below;  ///< cheaper ones that fail, nearest to the answer last
+  /// Cheaper ones that fail, nearest to the answer last; without an answer those that fail by least, the nearest last.
+  std::vector<SizingCandidate> below;
   std::vector<SizingCandidate> above;  ///< the next ones that pass
   std::size_t trials = 0;              ///< up to the answer
   bool ended = false;                  ///< by a trial; the answer is that of the trials before
+  bool measured = false;               ///< the costs are those that the trials tell
+  /// Set aside without a trial, not costlier than the answer, in the order of the search: that none of them passes is
+  /// not known.
+  std::vector<SizingCandidate> aside;
 };
 
 /// The cheapest choice of one candidate from each list that passes: all choices are tried in the order of the sum of
@@ -52,5 +57,10 @@ SizingAnswer cheapest(const std::vector<std::vector<double>>& costs,
 SizingAnswer least_measured(const std::vector<std::size_t>& counts,
                             const std::function<SizingTrial(const std::vector<std::size_t>&)>& try_one,
                             const SizingOptions& options = {});
+
+/// Tries what was set aside, at most so many: then the answer is that of all choices, or `aside` has those that are
+/// left. Where there are more, the costliest come first: their parts help each other most.
+void try_aside(SizingAnswer& answer, const std::function<SizingTrial(const std::vector<std::size_t>&)>& try_one,
+               std::size_t most, const SizingOptions& options = {});
 
 }  // namespace taut::design

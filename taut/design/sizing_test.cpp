@@ -143,6 +143,92 @@ TEST(Sizing, what_is_skipped_does_not_count) {
   EXPECT_EQ(a.below.size(), 1U);
 }
 
+// Whatever is set aside, the answer after its trials is that of counting.
+TEST(Sizing, what_is_set_aside_is_tried_after_all) {
+  std::mt19937 random(11);
+  for (int run = 0; run < 200; ++run) {
+    std::vector<std::vector<double>> costs(1 + random() % 3);
+    for (auto& list : costs) {
+      list.resize(1 + random() % 5);
+      for (double& one : list) one = static_cast<double>(random() % 9);
+      std::sort(list.begin(), list.end());
+    }
+    const std::vector<Choice> all = all_of(costs);
+    std::vector<SizingTrial> trials(all.size());
+    for (SizingTrial& t : trials) {
+      t.passes = random() % 6 == 0;
+      t.utilisation = static_cast<double>(random() % 100) / 50;
+      t.measured = static_cast<double>(random() % 20);
+      t.skipped = random() % 3 == 0;
+    }
+    std::vector<std::size_t> counts;
+    counts.reserve(costs.size());
+    for (const auto& list : costs) counts.push_back(list.size());
+    const bool measured = run % 2 == 0;
+    const auto first = [&](const Choice& c) {
+      SizingTrial t = trials[static_cast<std::size_t>(std::find(all.begin(), all.end(), c) - all.begin())];
+      t.passes = t.passes && !t.skipped;
+      return t;
+    };
+    const auto after = [&](const Choice& c) {
+      SizingTrial t = trials[static_cast<std::size_t>(std::find(all.begin(), all.end(), c) - all.begin())];
+      t.skipped = false;
+      return t;
+    };
+    auto answer = measured ? least_measured(counts, first) : cheapest(costs, first);
+    try_aside(answer, after, all.size());
+    EXPECT_TRUE(answer.aside.empty());
+    double least = HUGE_VAL;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      if (trials[i].passes) least = std::min(least, measured ? trials[i].measured : cost_of(costs, all[i]));
+    }
+    ASSERT_EQ(answer.outcome.ok(), least < HUGE_VAL) << run;
+    if (!answer.outcome.ok()) continue;
+    EXPECT_EQ(answer.best.cost, least) << run;
+    EXPECT_TRUE(answer.best.trial.passes);
+    for (const auto& other : answer.above) EXPECT_GE(other.cost, least);
+    if (measured) continue;
+    for (const auto& other : answer.below) EXPECT_LE(other.cost, least);
+  }
+}
+
+TEST(Sizing, what_is_left_aside_is_told) {
+  const auto first = [](const Choice& c) {
+    SizingTrial t;
+    t.skipped = c[0] < 3;
+    t.passes = c[0] == 4;
+    return t;
+  };
+  const auto after = [](const Choice& c) {
+    SizingTrial t;
+    t.passes = c[0] == 2;
+    return t;
+  };
+  auto a = cheapest({{1, 2, 3, 4, 5}}, first);
+  ASSERT_EQ(a.aside.size(), 3U);
+  try_aside(a, after, 1);  // the costliest comes first
+  EXPECT_EQ(a.best.choice, Choice{2});
+  EXPECT_EQ(a.above.front().choice, Choice{4});
+  EXPECT_EQ(a.aside.size(), 2U);
+  EXPECT_TRUE(a.below.empty());  // it was costlier
+}
+
+// Without an answer those that are left are the nearest to it, not the last.
+TEST(Sizing, without_an_answer_the_nearest_are_kept) {
+  SizingOptions options;
+  options.neighbours = 2;
+  const std::vector<double> use = {5, 1.2, 7, 1.1, std::nan(""), 9};
+  const auto one = [&](const Choice& c) {
+    SizingTrial t;
+    t.utilisation = use[c[0]];
+    return t;
+  };
+  const auto a = cheapest({{1, 2, 3, 4, 5, 6}}, one, options);
+  ASSERT_EQ(a.below.size(), 2U);
+  EXPECT_EQ(a.below[0].choice, Choice{1});
+  EXPECT_EQ(a.below[1].choice, Choice{3});
+}
+
 TEST(Sizing, ends_when_a_trial_says_so) {
   int calls = 0;
   const auto one = [&](const Choice&) {

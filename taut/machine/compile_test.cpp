@@ -197,6 +197,12 @@ TEST(Compile, TellsEachMistakeAtItsPath) {
        .expected = "carriages.car: the path of the rope it rides on goes past"},
       {.spoil = [](Machine& m) { m.supports[0].motor.emplace(); },
        .expected = "reevings[0]: runs over a sheave with a motor: needs two of"},
+      {.spoil =
+           [](Machine& m) {
+             m.supports[0].motor.emplace();
+             m.supports[0].motor->speed = "3 m/s";
+           },
+       .expected = "or the motor's 'torque' in place of its 'speed'; it has"},
       {.spoil = [](Machine& m) { m.carriages[0].rides = "main"; },
        .expected = "carriages.car: rides on 'main', but the path of 'skyline'"},
       {.spoil = [](Machine& m) { m.carriages[0].mainline = "skyline"; },

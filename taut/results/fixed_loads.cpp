@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <optional>
 #include <set>
+#include <vector>
 
 #include "taut/base/array.hpp"
 
@@ -61,7 +62,79 @@ std::optional<Upright> upright(const machine::Model& m, const machine::Beam& bea
   return Upright{.foot = described(m, foot), .top = described(m, top)};
 }
 
+constexpr double of_load = 0.01;       ///< share of a load below which nobody asks who bears it
+constexpr double no_direction = 1e-9;  ///< of a unit vector, or of metres: what is shorter points nowhere
+
+/// Takes a direction in which a force does work out of what is left of space.
+void take_out(const Vector3& way, std::vector<Vector3>& done) {
+  Vector3 left = way;
+  for (const Vector3& one : done) left -= one.dot(left) * one;
+  if (left.norm() > no_direction) done.push_back(left.normalized());
+}
+
+/// Directions in which a place of a body can go, orthogonal unit vectors: along its slides, and across its axes where
+/// the place is off the axis. A body that turns about one axis goes everywhere across it.
+std::vector<Vector3> ways_of(const machine::Body& body, const Vector3& at) {
+  std::vector<Vector3> ways;
+  const Vector3 arm = body.orientation * at;
+  std::vector<Vector3> axes;
+  for (const machine::Freedom& one : body.free) {
+    take_out(one.along, ways);
+    take_out(one.about, axes);
+  }
+  const bool off_axis = axes.size() == 1 ? axes.front().cross(arm).norm() > no_direction : arm.norm() > no_direction;
+  if (axes.empty() || !off_axis) return ways;
+  for (const Vector3& unit : {Vector3(Vector3::UnitX()), Vector3(Vector3::UnitY()), Vector3(Vector3::UnitZ())}) {
+    take_out(axes.size() == 1 ? Vector3(unit - axes.front().dot(unit) * axes.front()) : unit, ways);
+  }
+  return ways;
+}
+
+/// What of the loads on a body does no work in its freedoms, and their sizes, N.
+struct BorneAcross {
+  Vector3 across = Vector3::Zero();
+  double size = 0;
+};
+
+BorneAcross borne_across(const machine::Model& model, int body) {
+  BorneAcross all;
+  for (const machine::Load& load : model.loads) {
+    if (load.at.body != body || load.tightens) continue;
+    Vector3 left = load.force;
+    for (const Vector3& way : ways_of(model.bodies[body], load.at.at)) left -= way.dot(left) * way;
+    all.across += left;
+    all.size += load.force.norm();
+  }
+  return all;
+}
+
+/// Whether its freedoms are those that its ropes leave it, and not a drive, a beam or a screw bears what pulls there.
+bool hangs_free(const machine::Model& model, int i) {
+  const machine::Body& body = model.bodies[i];
+  return !body.free.empty() && body.driven.empty() && !body.beam && !body.of_rope && !model.is_on_screw(i);
+}
+
 }  // namespace
+
+std::vector<LoadAcross> load_across_warnings(const machine::Model& model) {
+  std::vector<LoadAcross> all;
+  for (int i = 0; i < static_cast<int>(model.bodies.size()); ++i) {
+    if (!hangs_free(model, i)) continue;
+    const BorneAcross borne = borne_across(model, i);
+    const double share = borne.size > 0 ? borne.across.norm() / borne.size : 0;
+    if (share < of_load) continue;
+    // rails bear what presses on them, and the rest moves the body along them
+    const bool whole = share > 1 - of_load;
+    const bool guided = model.bodies[i].free.size() == 1 && !whole;
+    all.push_back({.text = fmt::format("'{}' bears {} by itself, [{:.4g}, {:.4g}, {:.4g}] kN: it cannot move that way, "
+                                       "and no rope feels it; z points up; say what is 'free' where the ropes have to "
+                                       "hold the body",
+                                       model.bodies[i].name, whole ? "its load" : "a part of its load",
+                                       borne.across.x() / 1e3, borne.across.y() / 1e3, borne.across.z() / 1e3),
+                   .unsafe = !guided});
+  }
+  return all;
+}
 
 std::vector<std::string> rope_beside_beam_warnings(const machine::Model& model) {
   std::vector<std::string> all;

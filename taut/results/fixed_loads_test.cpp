@@ -64,6 +64,48 @@ TEST(FixedLoads, driven_bodies_and_bodies_without_load) {
   EXPECT_EQ(fixed_load_warnings(model).size(), 1u);
 }
 
+/// What is told of a load on a body with these freedoms, 2 m along x from its origin.
+std::vector<LoadAcross> told_of(const std::vector<machine::Freedom>& free, const Vector3& force) {
+  machine::Model model;
+  model.bodies.resize(1);
+  model.bodies[0].name = "b";
+  model.bodies[0].free.assign(free.begin(), free.end());
+  model.loads.push_back({{.body = 0, .at = {2, 0, 0}}, force});
+  return load_across_warnings(model);
+}
+
+// A y axis that was meant to be the vertical: the load does no work, and nobody feels it.
+TEST(FixedLoads, a_load_across_what_is_free_is_told) {
+  const Vector3 x = Vector3::UnitX(), z = Vector3::UnitZ();
+  const std::vector<machine::Freedom> plane = {{.along = x}, {.along = z}};
+  EXPECT_TRUE(told_of(plane, {3e3, 0, -5e3}).empty());
+  EXPECT_TRUE(told_of(plane, {3e3, 20, -5e3}).empty());
+  const auto up_is_y = told_of(plane, {0, -49e3, 0});
+  ASSERT_EQ(up_is_y.size(), 1U);
+  EXPECT_TRUE(up_is_y[0].unsafe);
+  EXPECT_THAT(up_is_y[0].text, HasSubstr("'b' bears its load by itself, [0, -49, 0] kN"));
+  const auto part = told_of(plane, {3e3, 1e3, -5e3});
+  ASSERT_EQ(part.size(), 1U);
+  EXPECT_TRUE(part[0].unsafe);
+  EXPECT_THAT(part[0].text, HasSubstr("a part of its load by itself, [0, 1, 0] kN"));
+  // rails bear what presses on them
+  const auto slope = told_of({{.along = (x + z).normalized()}}, {0, 0, -5e3});
+  ASSERT_EQ(slope.size(), 1U);
+  EXPECT_FALSE(slope[0].unsafe);
+  EXPECT_TRUE(told_of({{.along = x}}, {0, 0, -5e3})[0].unsafe);
+}
+
+// Also along the arm: as soon as the body has turned it does work.
+TEST(FixedLoads, a_load_on_what_turns_is_borne_along_its_axis_alone) {
+  const Vector3 x = Vector3::UnitX(), y = Vector3::UnitY(), z = Vector3::UnitZ();
+  EXPECT_TRUE(told_of({{.about = y}}, {3e3, 0, -5e3}).empty());
+  EXPECT_TRUE(told_of({{.about = y}}, {3e3, 0, 0}).empty());
+  EXPECT_EQ(told_of({{.about = y}}, {0, 3e3, 0}).size(), 1U);
+  EXPECT_EQ(told_of({{.about = x}}, {0, 0, -5e3}).size(), 1U);  // it is on the axis
+  EXPECT_TRUE(told_of({{.about = x}, {.about = y}, {.about = z}}, {3e3, 4e3, -5e3}).empty());
+  EXPECT_TRUE(told_of({{.along = y}, {.about = y}}, {3e3, 4e3, -5e3}).empty());
+}
+
 /// A hook of 3 t on two falls, 9 m below its head; `body`: what is said of it.
 std::string hook(const char* body) {
   return fmt::format(R"(taut: 1

@@ -4,13 +4,17 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "taut/checks/checked_parts.hpp"
+#include "taut/math/index.hpp"
 #include "taut/results/described.hpp"
 #include "taut/solve/drives.hpp"
 
 namespace taut::results {
 namespace {
+
+constexpr double in_balance = 0.05;  ///< share of its tension that a guy may have more or less, let go
 
 /// A tension that a rope has at one of its ends in every state.
 struct HeldTension {
@@ -76,6 +80,52 @@ void show_put_up(const machine::Model& model, const std::vector<study::PutUpLine
     checked.take_empty(one.at.at.model, one.at.at.result, model.reevings[one.reeving].name, put_up_words(model, one),
                        true);
   }
+}
+
+namespace {
+
+/// The guy of that name of a machine that stands on its guys: its tension where it is put up, N. None where it has a
+/// length, or balances lines and not other guys.
+std::optional<double> tension_of(const machine::description::Guy& guy, const study::PutUpMoment& stand) {
+  if (!guy.install) return std::nullopt;
+  const bool at_anchor = guy.install->at == machine::description::InstallAt::anchor;
+  for (const solve::BranchResult& one : stand.state.branches) {
+    if (stand.model.reevings[one.reeving].name != guy.name) continue;
+    if (!study::has_guys_around(stand.model, 0, as_size(one.reeving))) return std::nullopt;
+    return at_anchor ? one.T_to : one.T_from;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+void show_stand_on_guys(const machine::Machine& machine, const study::PutUpMoment& stand,
+                        checks::CheckedParts& checked) {
+  checked.take_put_up(stand.model, stand.state, stand.words);
+  for (checks::GuyStates& one : checked.guys) {
+    const std::string& name = checked.reevings[as_size(one.reeving)];
+    const auto guy =
+        std::find_if(machine.guys.begin(), machine.guys.end(), [&](const auto& each) { return each.name == name; });
+    if (guy == machine.guys.end()) continue;
+    if (const auto T = tension_of(*guy, stand)) one.pulled.emplace_back(*T, stand.words);
+  }
+}
+
+std::optional<std::string> unbalanced_guys(const machine::Machine& machine, const study::PutUpMoment& stand) {
+  std::vector<std::string> all;
+  for (const auto& guy : machine.guys) {
+    const auto T = tension_of(guy, stand);
+    if (!T) continue;
+    const double more = *T / guy.install->tension - 1;
+    if (std::abs(more) <= in_balance) continue;
+    all.push_back(fmt::format("'{}' has {:.4g} kN in place of {:.4g} kN ({:+.0f} %)", guy.name, *T / 1e3,
+                              guy.install->tension / 1e3, 100 * more));
+  }
+  if (all.empty()) return std::nullopt;
+  return fmt::format(
+      "the guys are not in balance as they are put up: when the unloaded machine is let go on them, {}. Give them "
+      "'install' tensions that balance, where these are to be the tensions of the machine as it stands",
+      fmt::join(all, ", "));
 }
 
 std::vector<std::string> tension_assumptions(const machine::Machine& machine) {

@@ -1,4 +1,5 @@
 #pragma once
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,6 +19,13 @@ void add_put_up(const machine::Model& model, const std::vector<study::PutUpLine>
 /// Shows their states to the checks.
 void show_put_up(const machine::Model& model, const std::vector<study::PutUpLine>& lines,
                  checks::CheckedParts& checked);
+
+/// Shows the guys of the unloaded machine, let go, to the checks: their tensions there are pretensions too.
+void show_stand_on_guys(const machine::Machine& machine, const study::PutUpMoment& stand,
+                        checks::CheckedParts& checked);
+
+/// Names the guys that have another tension there than they are put up with: they are not in balance.
+std::optional<std::string> unbalanced_guys(const machine::Machine& machine, const study::PutUpMoment& stand);
 
 /// What a deck's `install:` and given tensions mean, for the assumptions.
 std::vector<std::string> tension_assumptions(const machine::Machine& machine);

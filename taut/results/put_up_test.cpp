@@ -252,4 +252,42 @@ TEST(PutUp, RefusesWhatCanNotBePutUp) {
   EXPECT_NE(r.message.find("'skyline' can't be put up with 0.5 kN at its start"), std::string::npos) << r.message;
 }
 
+/// Two cars on two tracks of their own, a haul rope from one over a sheave to the other.
+std::string jig_back(const std::string& first, const std::string& second) {
+  return R"(taut: 1
+machine:
+  ropes:
+    track: {mass: 3 kg/m, stiffness: 40 MN, breaking_force: 500 kN, diameter: 28 mm}
+    haul: {mass: 0.6 kg/m, stiffness: 8 MN, breaking_force: 100 kN, diameter: 12 mm}
+  points: {tA: [0 m, 1 m, 100 m], bA: [200 m, 1 m, 0 m], tB: [0 m, -1 m, 100 m], bB: [200 m, -1 m, 0 m]}
+  sheaves:
+    top: {at: [-2 m, 0 m, 100 m], diameter: 2 m, axis: [0.4472, 0, 0.8944], friction: 0.3, motor: {}}
+  carriages:
+    down: {mass: 100 kg, rides: trackA, hold: rolling, mainline: haul}
+    up: {mass: 100 kg, rides: trackB, hold: rolling, haulback: haul}
+  reevings:
+    - {rope: track, name: trackA, path: [{anchor: tA}, {through: down}, {anchor: bA}], )" +
+         first + R"(}
+    - {rope: track, name: trackB, path: [{anchor: tB}, {through: up}, {anchor: bB}], )" +
+         second + R"(}
+    - {rope: haul, path: [{anchor: down}, {over: top}, {anchor: up}], tension_at_start: 3 kN, length: 225 m}
+  loads: [{at: down, mass: 600 kg}]
+analyses: [equilibrium: {motion: at_rest}]
+)";
+}
+
+// With its own car the haul rope goes, and with that the other car, which nothing holds on its track; the tracks are
+// equal, so they get one length, also where the other one is there already.
+TEST(PutUp, TheTracksOfAJigBackRopeway) {
+  const Result both = run_text(jig_back("install: {tension: 100 kN}", "install: {tension: 100 kN}"));
+  expect_ok(both);
+  EXPECT_NEAR(value_of(both, "trackA.base_tension"), 100e3, 1e-3);
+  EXPECT_NEAR(value_of(both, "trackB.base_tension"), 100e3, 1e-3);
+  const double cut = value_of(both, "trackA.cut_length");
+  EXPECT_NEAR(value_of(both, "trackB.cut_length"), cut, 1e-6);
+  const Result second = run_text(jig_back("length: 223.2 m", "install: {tension: 100 kN}"));
+  expect_ok(second);
+  EXPECT_NEAR(value_of(second, "trackB.cut_length"), cut, 1e-6);
+}
+
 }  // namespace put_up_test

@@ -313,7 +313,8 @@ class RopeChecker {
     const bool bent = std::any_of(use_.bends.begin(), use_.bends.end(),
                                   [](const Bend& bend) { return bend.kind != BendKind::saddle; });
     if (rules_.runs && bent && rules_.sheave_ratios.empty() && rules_.drum_ratios.empty()) {
-      out_.remarks.push_back(fmt::format(
+      auto& told = rules_.ratio_asked ? out_.left_out : out_.remarks;
+      told.push_back(fmt::format(
           "{}: D/d is not checked: no rule is for its construction: give 'construction', 'class' or 'diameter_ratio'",
           use_.name));
     }

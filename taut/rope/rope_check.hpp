@@ -38,9 +38,9 @@ struct RopeRules {
   std::optional<Limit> hottest_end;        ///< K, by the termination
   std::optional<Limit> heat_strength;      ///< share of the strength at its temperature
   std::vector<Limit> sheave_ratios, compensating_ratios, drum_ratios;  ///< least D/d
-  bool runs = false;                      ///< a D/d is expected: where no rule has one, that is reported
-  bool ratio_asked = false;               ///< a D/d by the deck's own number or class
-  std::optional<Limit> resistance;        ///< EN 13001-3-2, static: F_min gamma_rb; value not used
+  bool runs = false;                ///< a D/d is expected: where no rule has one, that is reported
+  bool ratio_asked = false;         ///< a D/d by the deck's own number or class, or because it says that the rope runs
+  std::optional<Limit> resistance;  ///< EN 13001-3-2, static: F_min gamma_rb; value not used
   std::optional<double> fatigue_history;  ///< s_r of EN 13001-3-2
   double fatigue_factor = 1;              ///< f_f
   std::optional<Limit> groove_pressure;   ///< Pa

@@ -17,9 +17,28 @@
 namespace taut::study {
 namespace {
 
+bool is_on(const machine::Node& node, const Array<bool>& bodies) {
+  return node.at.body != machine::ground && bodies[node.at.body];
+}
+
 bool touches(const machine::Reeving& rope, const Array<bool>& bodies) {
-  return std::any_of(rope.nodes.begin(), rope.nodes.end(),
-                     [&](const machine::Node& n) { return n.at.body != machine::ground && bodies[n.at.body]; });
+  return std::any_of(rope.nodes.begin(), rope.nodes.end(), [&](const machine::Node& n) { return is_on(n, bodies); });
+}
+
+/// Whether a node of a rope is the wheel or the clamp of a carriage that rides on it: without the carriage the rope is
+/// empty there.
+bool is_riding(const machine::Model& model, std::size_t reeving, const machine::Node& node) {
+  if (node.kind != machine::NodeKind::contact && node.kind != machine::NodeKind::clamp) return false;
+  return std::any_of(model.carriages.begin(), model.carriages.end(), [&](const machine::Carriage& car) {
+    return as_size(car.reeving) == reeving && car.body == node.at.body;
+  });
+}
+
+/// Whether a rope ends on what is gone, or runs over it, and does not only lose a carriage that rides on it.
+bool goes_with(const machine::Model& model, std::size_t reeving, const Array<bool>& gone) {
+  const auto& nodes = model.reevings[reeving].nodes;
+  return std::any_of(nodes.begin(), nodes.end(),
+                     [&](const machine::Node& n) { return is_on(n, gone) && !is_riding(model, reeving, n); });
 }
 
 bool holds(const machine::Reeving& rope, int body) {
@@ -41,18 +60,36 @@ bool has_lost_its_ropes(const machine::Model& model, int body, const Array<bool>
   return had;
 }
 
+/// A carriage that rolls on a rope, and of which every other rope is gone: nothing holds it along the line.
+bool has_lost_its_pull(const machine::Model& model, int body, const Array<bool>& ropes_gone) {
+  for (const machine::Carriage& car : model.carriages) {
+    const machine::Reeving& line = model.reevings[car.reeving];
+    if (car.body != body || line.nodes[as_size(car.node)].kind != machine::NodeKind::contact) continue;
+    bool had = false;
+    for (std::size_t r = 0; r < model.reevings.size(); ++r) {
+      if (static_cast<int>(r) == car.reeving || !holds(model.reevings[r], body)) continue;
+      if (!ropes_gone[r]) return false;
+      had = true;
+    }
+    if (had) return true;
+  }
+  return false;
+}
+
 /// Which bodies and ropes go, until nothing more does. `gone` bodies and ropes are given; those in `with` stay.
 void spread(const machine::Model& model, int kept, const PutUpWith& with, Array<bool>& gone, Array<bool>& ropes_gone) {
   for (bool changed = true; changed;) {
     changed = false;
     for (std::size_t r = 0; r < model.reevings.size(); ++r) {
-      if (static_cast<int>(r) == kept || ropes_gone[r] || !touches(model.reevings[r], gone)) continue;
+      if (static_cast<int>(r) == kept || ropes_gone[r] || !goes_with(model, r, gone)) continue;
       changed = ropes_gone[r] = true;
     }
     for (std::size_t b = 0; b < model.bodies.size(); ++b) {
       if (gone[b] || model.bodies[b].free.empty() || is_in(with.bodies, b)) continue;
       if (model.bodies[b].beam) continue;  // its beam holds a section
-      if (has_lost_its_ropes(model, static_cast<int>(b), ropes_gone)) changed = gone[b] = true;
+      const int body = static_cast<int>(b);
+      if (has_lost_its_ropes(model, body, ropes_gone) || has_lost_its_pull(model, body, ropes_gone))
+        changed = gone[b] = true;
     }
   }
 }
@@ -80,17 +117,16 @@ double on_contacts(const machine::Model& model, const solve::EquilibriumResult& 
 
 /// Leaves the carriages that are still there, with their ropes and nodes by the numbers that these will have.
 template <class Taken>
-void keep_carriages(machine::Model& model, int reeving, const Array<bool>& gone, const Array<bool>& ropes_gone,
-                    const Taken& taken) {
+void keep_carriages(machine::Model& model, const Array<bool>& gone, const Array<bool>& ropes_gone, const Taken& taken) {
   const auto rope = [&](int r) {
     return ropes_gone[r]
                ? std::nullopt
                : std::optional(static_cast<int>(std::count(ropes_gone.begin(), ropes_gone.begin() + r, false)));
   };
   const auto node = [&](int r, int k) {
-    if (r != reeving) return k;
     const auto& nodes = model.reevings[r].nodes;
-    return k - static_cast<int>(std::count_if(nodes.begin(), nodes.begin() + k, taken));
+    return k - static_cast<int>(std::count_if(nodes.begin(), nodes.begin() + k,
+                                              [&](const machine::Node& n) { return taken(as_size(r), n); }));
   };
   std::erase_if(model.carriages,
                 [&](const machine::Carriage& car) { return gone[car.body] || ropes_gone[car.reeving]; });
@@ -172,11 +208,14 @@ EmptyLine emptied(const machine::Model& model, int reeving, const PutUpWith& wit
   spread(model, reeving, with, gone, ropes_gone);
   line.model = model;
   machine::Reeving& own = line.model.reevings[reeving];
-  const auto taken = [&](const machine::Node& n) {
-    return n.kind != machine::NodeKind::anchor && n.at.body != machine::ground && gone[n.at.body];
+  const auto taken = [&](std::size_t r, const machine::Node& n) {
+    const bool empties = static_cast<int>(r) == reeving ? n.kind != machine::NodeKind::anchor : is_riding(model, r, n);
+    return empties && is_on(n, gone);
   };
-  keep_carriages(line.model, reeving, gone, ropes_gone, taken);
-  std::erase_if(own.nodes, taken);
+  keep_carriages(line.model, gone, ropes_gone, taken);
+  for (std::size_t r = 0; r < line.model.reevings.size(); ++r) {
+    std::erase_if(line.model.reevings[r].nodes, [&](const machine::Node& n) { return taken(r, n); });
+  }
   const bool loses_drive = own.closed && (own.nodes.empty() || own.nodes.front().kind != machine::NodeKind::drive);
   if (touches(own, gone) || own.nodes.size() < 2 || loses_drive) {
     line.outcome = infeasible(fmt::format("'{}' ends on what rides on it: it is never empty", own.name));

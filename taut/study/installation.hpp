@@ -50,7 +50,8 @@ struct PutUpWith {
 };
 
 /// Removes the carriages that ride on the rope, the ropes that end on them or run through them (a mainline is not
-/// rigged yet), and bodies that then hang on nothing. Everything else (masts, guys, other ropes) stays.
+/// rigged yet), bodies that then hang on nothing, and carriages on other ropes that roll there without any rope that
+/// pulls them. Everything else (masts, guys, other ropes) stays.
 EmptyLine empty_line(const machine::Model& model, int reeving, const PutUpWith& with = {});
 
 /// Results of an empty rope as it is put up.

@@ -4,6 +4,9 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
 
 #include "taut/base/array.hpp"
 #include "taut/machine/compile/guides.hpp"
@@ -181,6 +184,84 @@ Outcome install_guys(machine::Model& model, std::vector<PutUpMoment>* moments) {
     if (rope.is_to_install) rope = *next++;
   }
   return {};
+}
+
+namespace {
+
+constexpr double fallen = std::numbers::pi / 3;  ///< rad: what is turned by more does not stand any more
+
+bool has_fallen(const machine::Model& model, const machine::State& state) {
+  for (std::size_t b = 0; b < model.bodies.size(); ++b) {
+    const Matrix3 turned = state.bodies[b].orientation * model.bodies[b].orientation.transpose();
+    if (turned.trace() < 1 + 2 * std::cos(fallen)) return true;
+  }
+  return false;
+}
+
+/// The body or beam that holds a place, numbered together; empty on what stands fast.
+std::optional<std::size_t> mast_at(const machine::Model& model, const machine::Place& place) {
+  if (place.body == machine::ground || machine::stands_fast(model.bodies[place.body])) return std::nullopt;
+  const std::optional<int>& beam = model.bodies[place.body].beam;
+  return beam ? model.bodies.size() + as_size(*beam) : as_size(place.body);
+}
+
+Vector3 place_as_described(const machine::Model& model, const machine::Place& place) {
+  if (place.body == machine::ground) return place.at;
+  const machine::Body& body = model.bodies[place.body];
+  return body.position + body.orientation * place.at;
+}
+
+/// Directions in plan in which guys pull at a mast, rad, in order.
+std::vector<double> azimuths_at(const machine::Model& model, std::size_t first_guy, std::size_t mast) {
+  std::vector<double> all;
+  for (std::size_t r = first_guy; r < model.reevings.size(); ++r) {
+    const machine::Place &start = model.reevings[r].nodes.front().at, &end = model.reevings[r].nodes.back().at;
+    const Vector3 way = place_as_described(model, end) - place_as_described(model, start);
+    if (mast_at(model, start) == mast) all.push_back(std::atan2(way.y(), way.x()));
+    if (mast_at(model, end) == mast) all.push_back(std::atan2(-way.y(), -way.x()));
+  }
+  std::sort(all.begin(), all.end());
+  return all;
+}
+
+/// Whether directions in order leave no half of the plan free.
+bool go_around(const std::vector<double>& azimuths) {
+  constexpr double rounding = 1e-6;  // of guys that are exactly opposite
+  double gap = azimuths.front() + 2 * std::numbers::pi - azimuths.back();
+  for (std::size_t i = 1; i < azimuths.size(); ++i) gap = std::max(gap, azimuths[i] - azimuths[i - 1]);
+  return gap <= std::numbers::pi + rounding;
+}
+
+}  // namespace
+
+bool has_guys_around(const machine::Model& model, std::size_t first_guy, std::size_t guy) {
+  const auto& nodes = model.reevings[guy].nodes;
+  bool on_mast = false;
+  for (const machine::Node* end : {&nodes.front(), &nodes.back()}) {
+    const auto mast = mast_at(model, end->at);
+    if (!mast) continue;
+    if (!go_around(azimuths_at(model, first_guy, *mast))) return false;
+    on_mast = true;
+  }
+  return on_mast;
+}
+
+std::optional<PutUpMoment> stand_on_guys(const machine::Model& model, std::size_t first_guy) {
+  bool any = false;
+  for (std::size_t r = first_guy; r < model.reevings.size() && !any; ++r) any = has_guys_around(model, first_guy, r);
+  if (!any) return std::nullopt;
+  PutUpWith alone;
+  for (std::size_t r = 0; r < first_guy; ++r) alone.absent.push_back(static_cast<int>(r));
+  EmptyLine line = empty_line(without_loads(model), static_cast<int>(first_guy), alone);
+  // a guy on what hangs on another rope is not the mast's alone
+  if (!line.outcome.ok() || line.model.reevings.size() != model.reevings.size() - first_guy) return std::nullopt;
+  solve::EquilibriumOptions options;
+  options.band = options.beam_factors = false;
+  solve::EquilibriumResult found = solve::equilibrium(line.model, options);
+  if (!found.outcome.ok() || has_fallen(line.model, found.state)) return std::nullopt;
+  return PutUpMoment{.model = std::move(line.model),
+                     .state = std::move(found),
+                     .words = "as the machine stands on its guys alone, unloaded"};
 }
 
 void keep_guys(const machine::Machine& machine, const machine::Model& installed, machine::Model& model) {

@@ -1,4 +1,5 @@
 #pragma once
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -48,6 +49,15 @@ Outcome set_screws(machine::Model& model, std::vector<PutUpMoment>* moments = nu
 /// Puts up the guys that have a tension: on the machine with its bodies held and nothing but the guys; each of them
 /// then keeps its length. `moments`: gets the guys at that moment.
 Outcome install_guys(machine::Model& model, std::vector<PutUpMoment>* moments = nullptr);
+
+/// The machine on its guys alone (the reevings from `first_guy` on, which have their lengths), its bodies let go:
+/// without loads, other ropes and what hangs on those. Empty where no mast has guys around it or where it does not
+/// stand so.
+std::optional<PutUpMoment> stand_on_guys(const machine::Model& model, std::size_t first_guy);
+
+/// Whether the guys of the masts that hold this one (a reeving) pull to all sides in plan, as described, so that they
+/// can balance each other. Where all pull to one side it is the lines that they balance.
+bool has_guys_around(const machine::Model& model, std::size_t first_guy, std::size_t guy);
 
 /// Gives the guys of a model the lengths that they have in another one of the same machine.
 void keep_guys(const machine::Machine& machine, const machine::Model& installed, machine::Model& model);

@@ -158,4 +158,75 @@ TEST(DrawEqual, ALineIsPutUpWithoutTheRopesThatAreDrawnLater) {
   EXPECT_NEAR(r.branches[3].T_from / r.branches[2].T_from, 1, 1e-8);
 }
 
+/// A pole of 12 m on a joint at the origin without weight, a guy at its head to each of these x on the ground, put up
+/// with tensions, N.
+machine::Model pole_on(const std::vector<std::pair<double, double>>& guys) {
+  machine::Model m;
+  m.bodies.push_back(body("pole", {0, 0, 0}, 0, ""));
+  m.bodies[0].free = {{.along = {0, 0, 0}, .about = {0, 1, 0}}};
+  for (const auto& [x, T] : guys) {
+    machine::Node head = anchor_on("pole", 0);
+    head.at.at = {0, 0, 12};
+    m.reevings.push_back(reeve("guy", {head, anchor("stump", {x, 0, 0})}, T, 0, 8e6));
+    m.reevings.back().given = machine::Given::tension_at_start;
+    m.reevings.back().is_to_install = true;
+  }
+  return m;
+}
+
+// Two guys of stiffness k on one side with T1 each, one on the other side with T2, all at 45 deg: the head moves until
+// 2 (T1 - k e) = T2 + k e with e by which a guy shortens: e = (2 T1 - T2)/(3 k).
+TEST(StandOnGuys, OfABalanceThatIsNotTheOnePutUp) {
+  machine::Model m = pole_on({{-12, 14.5e3}, {-12, 14.5e3}, {12, 14.5e3}});
+  ASSERT_TRUE(install_guys(m).ok());
+  const auto stand = stand_on_guys(m, 0);
+  ASSERT_TRUE(stand);
+  const auto& at = stand->state.branches;
+  EXPECT_NEAR(at[0].T_from, (14.5e3 + 14.5e3) / 3, 20);  // of the second order: the guys turn
+  EXPECT_NEAR(at[2].T_from, 2 * 14.5e3 * 2 / 3, 20);
+  machine::Model balanced = pole_on({{-12, 10e3}, {-12, 10e3}, {12, 20e3}});
+  ASSERT_TRUE(install_guys(balanced).ok());
+  const auto still = stand_on_guys(balanced, 0);
+  ASSERT_TRUE(still);
+  EXPECT_NEAR(still->state.branches[2].T_from, 20e3, 0.1);
+}
+
+// The ropes beside the guys, what hangs on them and the loads are not there.
+TEST(StandOnGuys, WithoutTheOtherRopes) {
+  const machine::Model alone = pole_on({{-12, 10e3}, {12, 10e3}});
+  machine::Model m = alone;
+  machine::Node head = anchor_on("pole", 0);
+  head.at.at = {0, 0, 12};
+  m.bodies.push_back(body("hook", {20, 0, 2}, 500, "xz"));
+  m.reevings.insert(m.reevings.begin(), reeve("line", {head, anchor_on("hook", 1)}, 25, 10, 8e6));
+  m.loads.push_back({.at = {0, {0, 0, 12}}, .force = {8e3, 0, 0}});
+  ASSERT_TRUE(install_guys(m).ok());
+  const auto stand = stand_on_guys(m, 1);
+  ASSERT_TRUE(stand);
+  ASSERT_EQ(stand->model.reevings.size(), 2U);
+  for (const auto& one : stand->state.branches) EXPECT_NEAR(one.T_from, 10e3, 0.1);
+}
+
+// Guys on one side balance the lines, not each other; the clamped pole would only bend to them.
+TEST(StandOnGuys, NotWithGuysOnOneSide) {
+  machine::Model m = pole_on({{-12, 10e3}, {-11, 10e3}});
+  ASSERT_TRUE(install_guys(m).ok());
+  EXPECT_FALSE(has_guys_around(m, 0, 0));
+  EXPECT_FALSE(stand_on_guys(m, 0));
+  machine::Model around = pole_on({{-12, 10e3}, {12, 10e3}});
+  EXPECT_TRUE(has_guys_around(around, 0, 1));
+  around.bodies[0].free.clear();  // nor do those of what stands fast
+  EXPECT_FALSE(has_guys_around(around, 0, 1));
+}
+
+// Two weak guys against a heavy pole that leans: they are slack, and it lies down.
+TEST(StandOnGuys, NotWhereTheyDoNotHoldIt) {
+  machine::Model m = pole_on({{-12, 10}, {12, 10}});
+  m.bodies[0].mass = 5e4;
+  m.bodies[0].centre = {4, 0, 6};
+  for (auto& rope : m.reevings) rope.stiffness = 1e4;
+  ASSERT_TRUE(install_guys(m).ok());
+  EXPECT_FALSE(stand_on_guys(m, 0));
+}
+
 }  // namespace put_up_test

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "taut/base/suggest.hpp"
 #include "taut/calc/none.hpp"
@@ -85,15 +86,43 @@ std::vector<AnchorStates> anchor_states(const std::vector<AnchorCheckRequest>& a
   return all;
 }
 
+namespace {
+
+constexpr std::size_t most_combined = 12;  ///< ropes at an anchor of which every combination is tried
+
+/// The largest pull that ropes make together, each with its breaking force along its pull or not loaded: one that pulls
+/// against the others does not help the anchor. Of very many ropes their sum, which is not less. N
+double strongest_together(const std::vector<Vector3>& ropes) {
+  double largest = 0;
+  if (ropes.size() > most_combined) {
+    for (const Vector3& one : ropes) largest += one.norm();
+    return largest;
+  }
+  for (std::size_t loaded = 1; loaded < std::size_t{1} << ropes.size(); ++loaded) {
+    Vector3 sum = Vector3::Zero();
+    for (std::size_t i = 0; i < ropes.size(); ++i) {
+      if ((loaded >> i & 1U) != 0) sum += ropes[i];
+    }
+    largest = std::max(largest, sum.norm());
+  }
+  return largest;
+}
+
+}  // namespace
+
 void take(const CheckState& state, AnchorStates& anchor) {
   const double factor = state.moves ? 1 : anchor.request->dynamic_factor;
   Vector3 F = Vector3::Zero();
+  std::vector<Vector3> strengths;
   each_pull_at(state, anchor.request->name, [&](const machine::Reeving& rope, const Vector3& pull) {
     F += pull;
-    anchor.strongest_rope = std::max(anchor.strongest_rope, rope.breaking_force * rope.copies);
+    const double strength = rope.breaking_force * rope.copies;
+    anchor.strongest_rope = std::max(anchor.strongest_rope, strength);
+    if (pull.norm() > 0) strengths.emplace_back(strength * pull.normalized());
     anchor.strength_unknown |= rope.breaking_force == 0;
     anchor.thickest_rope = std::max(anchor.thickest_rope, rope.diameter);
   });
+  anchor.strongest_rope = std::max(anchor.strongest_rope, strongest_together(strengths));
   if (F.norm() == 0) return;
   anchor.tree.take(factor * F.norm(), elevation(F) - anchor.request->ground_slope, with_factor(state.words, factor));
   if (factor * F.norm() > anchor.force) {
@@ -136,12 +165,14 @@ void check_holding(const AnchorStates& s, Result& r) {
       r.warnings.push_back(r.unmade.back());
     }
     if (s.strongest_rope > 0) {
-      add_part_check(one.name, "anchor_as_rope", *one.strength, si::N,
-                     {.sense = Sense::at_least,
-                      .limit = s.strongest_rope,
-                      .rule = "strength of the anchor not below the breaking force of the strongest rope fixed to it",
-                      .trust = "derived"},
-                     r);
+      add_part_check(
+          one.name, "anchor_as_rope", *one.strength, si::N,
+          {.sense = Sense::at_least,
+           .limit = s.strongest_rope,
+           .rule = "strength of the anchor not below the breaking forces of the ropes fixed to it, all copies, as far "
+                   "as they pull together",
+           .trust = "derived"},
+          r);
     }
   }
   // a declared strength, of a deadman or a plate, needs no tree

@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -70,6 +71,35 @@ checks: {ropes: {w: {breaking_force: 300 kN, safety_factor: 3}}, anchors: {b: {s
 )");
   EXPECT_FALSE(has_check(r, "b.anchor_as_rope"));
   EXPECT_EQ(verdict_of(r)->verdict_class, "unmade");
+}
+
+/// What the anchor `b` at the origin must be as strong as, N, with ropes of 100 kN to it from `a`, 30 m away along x,
+/// and from elsewhere.
+double as_strong(const std::string& reevings) {
+  const Result r = run_text(R"(taut: 1
+machine:
+  ropes: {w: {mass: 0 kg/m, stiffness: 20 MN, breaking_force: 100 kN}}
+  points: {a: [30 m, 0 m, 0 m], b: [0 m, 0 m, 0 m], against: [-30 m, 0 m, 0 m], across: [0 m, 30 m, 0 m]}
+  reevings:
+)" + reevings + R"(
+checks: {anchors: {b: {strength: 500 kN, as_strong_as_rope: true}}}
+)");
+  return check_of(r, "b.anchor_as_rope").limit;
+}
+
+// Two equal ropes are one line, however the deck says it. What pulls against them does not help, nor ask for more.
+TEST(AnchorChecks, AsStrongAsItsRopesTogether) {
+  const auto rope = [](const char* name, const char* from, const char* more = "") {
+    return fmt::format(
+        "    - {{name: {}, rope: w, path: [{{anchor: {}}}, {{anchor: b}}], tension_at_start: {} kN{}}}\n", name, from,
+        *name == 'p' ? 9 : 5, more);
+  };
+  EXPECT_NEAR(as_strong(rope("p", "a")), 100e3, 1e-6);
+  EXPECT_NEAR(as_strong(rope("p", "a", ", copies: 2")), 200e3, 1e-6);
+  EXPECT_NEAR(as_strong(rope("p1", "a") + rope("p2", "a")), 200e3, 1e-6);
+  EXPECT_NEAR(as_strong(rope("p", "a") + rope("q", "against")), 100e3, 1e-6);
+  EXPECT_NEAR(as_strong(rope("p", "a", ", copies: 2") + rope("q", "against")), 200e3, 1e-6);
+  EXPECT_NEAR(as_strong(rope("p", "a") + rope("q", "across")), 100e3 * std::numbers::sqrt2, 1e-3);
 }
 
 /// A rope of no weight that pulls with 60 kN at an anchor on the ground, up by so many degrees.

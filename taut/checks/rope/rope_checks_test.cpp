@@ -182,6 +182,25 @@ TEST(RopeChecks, u_bolt_grips_and_saddles_are_nothing_for_a_crane) {
   EXPECT_THAT(slides.unmade, testing::Contains(HasSubstr("slides over the saddle 'head'")));
 }
 
+// 'running: runs' asks for D/d: what of it has no number is not judged. By field nobody asks.
+TEST(RopeChecks, a_rope_that_is_said_to_run_has_all_its_ratios_judged) {
+  const auto unmade = [](const std::string& running, const std::string& head, const char* construction = "6x36-IWRC") {
+    const std::string deck = hoist_deck(fmt::format("  ropes: {{hoist: {{safety_factor: 2{}}}}}", running));
+    const Result r = run_text(
+        deck, {fmt::format("machine.sheaves.head={{at: [1.4 m, 0 m, 20 m], {}efficiency: 0.98}}", head),
+               "machine.sheaves.hook.diameter=400 mm", "machine.drums.winch.core_diameter=400 mm",
+               fmt::format("machine.ropes.hoist={{rope: \"EN 12385-4|{}|16|1960\", stiffness: 12 MN}}", construction)});
+    EXPECT_EQ(r.status, Status::ok) << r.message << to_text(r.errors);
+    return r.unmade;
+  };
+  const std::string runs = ", running: runs", known = "diameter: 400 mm, ";
+  EXPECT_TRUE(unmade(runs, known).empty());
+  EXPECT_TRUE(unmade("", "").empty());
+  EXPECT_THAT(unmade(runs, ""),
+              testing::ElementsAre(HasSubstr("hoist: D/d is not checked: no diameter is known of 'head'")));
+  EXPECT_THAT(unmade(runs, known, "6x7-FC"), testing::ElementsAre(HasSubstr("no rule is for its construction")));
+}
+
 // The calculation is written at the round that its check judges, not at that of the least D/d.
 TEST(RopeChecks, the_calculation_is_that_of_the_check) {
   const Result r = run_text(

@@ -151,17 +151,50 @@ void add_life_check(const rope::Life& life, const rope::LifeRules& rules, const 
                                 fmt::format("how often the duty of {} can run, {}", use.name, life.constants->count)));
 }
 
-void check_donandt(double force, const rope::RopeUse& use, const rope::RopeRules& rules, Result& r) {
-  double most = 0;
+/// The pull with which a round bends the rope hardest: that of the states, or that of a duty above it.
+struct HardestBend {
+  double pull = 0;  ///< N, with the dynamic factor
+  std::string words;
+};
+
+HardestBend hardest_bend(const RopeCheckRequest& request, const rope::RopeUse& use, double dynamic_factor) {
+  HardestBend hardest;
+  const auto take = [&](const rope::Bend& bend, double load, const std::string& duty) {
+    const double pull = dynamic_factor * load * bend.tension;
+    if (pull <= hardest.pull) return;
+    hardest = {pull, fmt::format("{:.3g} x {:.4g} kN at '{}'{}", dynamic_factor * load, bend.tension / 1e3, bend.name,
+                                 duty.empty() ? "" : fmt::format(" in the duty '{}'", duty))};
+  };
   for (const rope::Bend& bend : use.bends) {
-    if (bend.kind != rope::BendKind::saddle) most = std::max(most, bend.tension);
+    if (bend.kind == rope::BendKind::saddle) continue;
+    take(bend, 1, "");
+    for (const DutyRequest& duty : request.duty) {
+      const auto& over = duty.over;
+      const bool bends = over.empty() || std::find(over.begin(), over.end(), bend.name) != over.end();
+      if (bends) take(bend, duty.load, duty.name);
+    }
   }
-  if (!(most > 0)) return;
-  Check c = make_check(use.name + ".donandt", rules.dynamic_factor * most, si::N,
-                       {.sense = Sense::at_most,
-                        .limit = force,
-                        .rule = "Donandt force: above it wires yield in bending and the life falls off",
-                        .trust = "user"});
+  return hardest;
+}
+
+void check_donandt(const RopeCheckRequest& request, const rope::RopeUse& use, const rope::RopeRules& rules, Result& r) {
+  const HardestBend hardest = hardest_bend(request, use, rules.dynamic_factor);
+  const auto leave_out = [&](const std::string& why) {
+    r.unmade.push_back(fmt::format("{}: its Donandt force is not checked: {}", use.name, why));
+    r.warnings.push_back(r.unmade.back());
+  };
+  if (!use.unmeasured.empty())
+    leave_out(fmt::format("no diameter is known of {}", fmt::join(use.unmeasured, ", ")));
+  else if (!(hardest.pull > 0))
+    leave_out("no sheave or drum bends it under tension");
+  if (!(hardest.pull > 0)) return;
+  const bool doubted = rules.dynamic_factor != 1 && is_unverified(rules.dynamic_trust);
+  Check c = make_check(
+      use.name + ".donandt", hardest.pull, si::N,
+      {.sense = Sense::at_most,
+       .limit = *request.life->donandt_force,
+       .rule = fmt::format("Donandt force: above it wires yield in bending and the life falls off; {}", hardest.words),
+       .trust = doubted ? rules.dynamic_trust : "user"});
   c.part = use.name;
   r.checks.push_back(std::move(c));
 }
@@ -200,7 +233,7 @@ void complain_of_life(const RopeCheckRequest& request, const catalogue::RopeRow&
 }
 
 void add_life(const RopeCheckRequest& request, const rope::RopeUse& use, const rope::RopeRules& rules, Result& r) {
-  if (request.life && request.life->donandt_force) check_donandt(*request.life->donandt_force, use, rules, r);
+  if (request.life && request.life->donandt_force) check_donandt(request, use, rules, r);
   if (request.discard) add_discard(request, use, r);
   if (request.duty.empty()) return;
   if (!(use.rope.diameter > 1.4e-3) || !use.rope.grade) {  // of a rope that a design has chosen

@@ -154,6 +154,44 @@ TEST(RopeLife, donandt_and_discard) {
   EXPECT_EQ(t.rows.size(), 10U);
 }
 
+// 29.4 kN at the sheave. A duty pulls with its share of that, a smaller one does not lessen what the states have.
+TEST(RopeLife, the_donandt_force_holds_for_every_duty) {
+  const auto donandt = [](const std::string& duty, const std::string& more = "") {
+    const Result r = run_text(
+        lift(fmt::format("{{duty: [{{name: lifts, cycles: 1{}}}], life: {{donandt_force: 40 kN}}{}}}", duty, more)));
+    return taut_test::check_of(r, "hoist.donandt");
+  };
+  const Check plain = donandt("");
+  EXPECT_TRUE(plain.passes);
+  EXPECT_EQ(plain.trust, "user");
+  EXPECT_NEAR(donandt(", load: 0.5").value, plain.value, 1e-9 * plain.value);
+  const Check more = donandt(", load: 1.5");
+  EXPECT_NEAR(more.value, 1.5 * plain.value, 1e-9 * plain.value);
+  EXPECT_FALSE(more.passes);
+  EXPECT_THAT(more.rule, HasSubstr("in the duty 'lifts'"));
+  const double at_drum = donandt(", load: 1.5, over: [winch]").value;
+  EXPECT_NEAR(at_drum, 1.5 * plain.value, 0.01 * plain.value);  // the rope weighs 0.2 kN on its way down
+  EXPECT_LT(at_drum, more.value);
+}
+
+// The pull has a recalled factor in it; of the deck's own factor the deck answers.
+TEST(RopeLife, the_donandt_force_is_as_doubtful_as_the_dynamic_factor) {
+  const auto donandt = [](const std::string& more) {
+    return taut_test::check_of(run_text(lift("{life: {donandt_force: 90 kN}" + more + "}")), "hoist.donandt").trust;
+  };
+  EXPECT_THAT(donandt(", hoist: {class: HC2, speed: 0.5 m/s}"), HasSubstr("UNVERIFIED"));
+  EXPECT_EQ(donandt(", dynamic_factor: 1.4"), "user");
+}
+
+TEST(RopeLife, a_donandt_force_over_a_sheave_of_no_known_diameter_is_not_judged) {
+  std::string deck = lift("{life: {donandt_force: 90 kN}}");
+  EXPECT_TRUE(run_text(deck).unmade.empty());
+  const std::string diameter = ", diameter: 400 mm";
+  deck.erase(deck.find(diameter), diameter.size());
+  EXPECT_THAT(run_text(deck).unmade,
+              testing::ElementsAre(HasSubstr("its Donandt force is not checked: no diameter is known of 'head'")));
+}
+
 TEST(RopeLife, mistakes) {
   expect_mistake(run_text(lift("{duty: [{name: lifts, cycles: 20000, over: [haed]}]}")), "did you mean 'head'");
   expect_mistake(run_text(lift("{life: {constants: [{count: discard, a: [1, 2]}]}}")), "four constants");

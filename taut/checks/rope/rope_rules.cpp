@@ -247,8 +247,9 @@ class RequestReader {
   }
 
   void ratios() {
-    rules_.ratio_asked = !request_.diameter_ratio.empty() || (request_.group && runs());
-    rules_.no_saddles = rules_.ratio_asked && request_.running == Choose::yes;
+    const bool said_to_run = request_.running == Choose::yes;
+    rules_.ratio_asked = !request_.diameter_ratio.empty() || said_to_run || (request_.group && runs());
+    rules_.no_saddles = said_to_run;
     if (!request_.diameter_ratio.empty()) {
       if (request_.diameter_ratio.size() > 2) complain("diameter_ratio", "one number, or two: of sheaves and of drums");
       const Limit sheave{.value = request_.diameter_ratio.front(), .rule = "D/d of the deck", .trust = "user"};

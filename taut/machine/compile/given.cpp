@@ -120,8 +120,12 @@ Array<Said> said_of(const Machine& machine, const Model& model, const DescribedR
 }
 
 /// Why what is said does not give a rope; empty when it does. `two`: it takes two things.
-std::string wrong_with(const Array<Said>& said, bool closed, bool two) {
-  if (closed && said.empty()) return "an endless rope is given by its 'length', or its motor's 'torque'";
+std::string wrong_with(const Array<Said>& said, bool closed, bool two, const Motor* motor) {
+  // a motor has one or the other
+  const std::string torque = motor != nullptr && motor->drive.kind == DriveKind::speed
+                                 ? "motor's 'torque' in place of its 'speed'"
+                                 : "motor's 'torque'";
+  if (closed && said.empty()) return fmt::format("an endless rope is given by its 'length', or its {}", torque);
   if (closed && said.size() == 1 && said[0].what != Given::length && said[0].what != Given::torque) {
     return "an endless rope has no ends with tensions: give its 'length'";
   }
@@ -130,9 +134,8 @@ std::string wrong_with(const Array<Said>& said, bool closed, bool two) {
   for (const Said& one : said) words.emplace_back(one.words);
   if (two && (said.size() != 2 || said[0].what == said[1].what)) {
     return fmt::format(
-        "runs over a sheave with a motor: needs two of length, tension_at_start, tension_at_end, or the "
-        "motor's 'torque'; it has {}",
-        words.empty() ? "none" : fmt::format("{}", fmt::join(words, " and ")));
+        "runs over a sheave with a motor: needs two of length, tension_at_start, tension_at_end, or the {}; it has {}",
+        torque, words.empty() ? "none" : fmt::format("{}", fmt::join(words, " and ")));
   }
   if (two) return {};
   if (said.empty()) {
@@ -182,7 +185,7 @@ void set_given(const Machine& machine, const Model& model, const DescribedReevin
   if (given.tension_equals) set_equal(machine, described, reeving, complaints);
   const Array<Said> said = said_of(machine, model, described, motor);
   const bool takes_two = !given.closed && by_speed;
-  std::string wrong = wrong_with(said, given.closed, takes_two);
+  std::string wrong = wrong_with(said, given.closed, takes_two, motor);
   const auto grooves = std::count_if(given.path.begin(), given.path.end(),
                                      [&](const auto& e) { return motor != nullptr && e.over == motor->name; });
   if (wrong.empty() && !said.empty() && said[0].what == Given::torque && grooves > 1) {
