@@ -194,11 +194,10 @@ void bound(const Mechanism& m, const Scheme& s, const Values& before, std::size_
     return;
   }
   if (s.lossless) {
-    // an endless rope would run round by itself
-    const machine::Reeving& rope = m.model->reevings[contact.reeving];
-    const machine::Node& node = rope.nodes[contact.node];
+    // a rope over a driven sheave would run round, or off its load, by itself
+    const machine::Node& node = m.model->reevings[contact.reeving].nodes[contact.node];
     const bool held = node.kind == machine::NodeKind::drive || node.tension_drop;
-    if (held && contact.spin >= 0 && rope.closed) is.log_ratio = infinite;
+    if (held && contact.spin >= 0) is.log_ratio = infinite;
     return;
   }
   const double grip = everywhere ? infinite : contact.friction * pressed_by(m, contact, now, is.wrap);
