@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "taut/calc/verdict.hpp"
@@ -76,6 +77,35 @@ checks: {ropes: {h: {dynamic_safety_factor: 4)" +
   EXPECT_EQ(verdict_of(ratio)->kind, VerdictKind::not_judged) << verdict_of(ratio)->reason;
   EXPECT_NE(verdict_of(ratio)->reason.find("D/d is not checked: no diameter is known of 'w'"), std::string::npos)
       << verdict_of(ratio)->reason;
+}
+
+// A lift of 2 t and 1.6 t on four ropes over a sheave that does not turn begins as it hangs, 4.903 and 3.923 kN a rope:
+// it began 12 m lower, with the same tension on both sides, where the load had run off. A tail of 0.5 kN cannot hold 1
+// t by a friction of exp(0.12 pi): it slips.
+TEST(BrakesInMotion, ARopeOverADrivenSheaveBeginsWithTheTensionsThatItHolds) {
+  const auto driven = [](const std::string& bodies, const std::string& path, const std::string& more) {
+    return run_text(
+        "taut: 1\nmachine:\n  ropes: {r: {mass: 0 kg/m, stiffness: 8 MN, breaking_force: 80 kN, damping_ratio: 0.1}}\n"
+        "  bodies: {" +
+        bodies +
+        "}\n  points: {tail: [1 m, 0 m, 0 m]}\n"
+        "  sheaves: {trac: {at: [0.5 m, 0 m, 52 m], diameter: 1 m, friction: 0.12, inertia: 50 kg m^2, "
+        "motor: {speed: 0 m/s}}}\n  reevings: [{rope: r, path: " +
+        path + ", " + more +
+        "}]\n  observe: [r.T_start, r.T_end]\nanalyses: [transient: {duration: 1 s}]\n"
+        "checks: {ropes: {r: {dynamic_safety_factor: 3}}}\n");
+  };
+  const std::string cage = "cage: {mass: 2 t, at: [0 m, 0 m, 10 m], free: [z]}";
+  const Result lift = driven(cage + ", cw: {mass: 1.6 t, at: [1 m, 0 m, 40 m], free: [z]}",
+                             "[{anchor: cage}, {over: trac}, {anchor: cw}]",
+                             "copies: 4, length: 55.57 m, tension_at_start: 4.903325 kN");
+  ASSERT_EQ(lift.status, Status::ok) << lift.message << to_text(lift.errors);
+  EXPECT_NEAR(value_of(lift, "r.T_start_min"), 4903.325, 1);
+  EXPECT_NEAR(value_of(lift, "r.T_end_max"), 3922.66, 1);
+  const Result tail =
+      driven(cage, "[{anchor: cage}, {over: trac}, {anchor: tail}]", "copies: 2, length: 94 m, tension_at_end: 0.5 kN");
+  ASSERT_EQ(tail.status, Status::ok) << tail.message << to_text(tail.errors);
+  EXPECT_THAT(tail.unsafe, testing::Contains(testing::HasSubstr("slips on 'trac'")));
 }
 
 }  // namespace taut::app::brakes_motion_test

@@ -36,6 +36,21 @@ bool CheckedParts::any_shown() const {
          !carriages.empty();
 }
 
+bool CheckedParts::judges_sums(const machine::Model& model) const {
+  if (any_shown()) return true;
+  // the brake of a drum holds all its ropes
+  std::vector<int> ends(model.drums.size(), 0);
+  for (const machine::Reeving& rope : model.reevings) {
+    for (const machine::Node& node : rope.nodes) {
+      if (node.drum) ++ends[as_size(*node.drum)];
+    }
+  }
+  for (std::size_t d = 0; d < ends.size(); ++d) {
+    if (model.drums[d].brake && ends[d] > 1) return true;
+  }
+  return false;
+}
+
 void CheckedParts::show(const CheckState& seen) {
   if (seen.rest != nullptr) {
     for (GuyStates& one : guys) checks::take(seen, one);
@@ -142,15 +157,18 @@ void CheckedParts::take_moment(const machine::Model& model, const solve::Transie
                                const solve::TransientFrame& moment, const std::string& words,
                                const std::string& analysis, bool slowly) {
   if (!judged) return;
+  const bool begins = moment.t <= so_far.frames.front().t;
+  if (!begins && moment.t == shown_at) return;  // an output step may be a moment besides
+  shown_at = moment.t;
   seen = true;
   std::vector<FreeRope> free;
   if (!model.terrain.empty()) free = free_ropes(model, so_far, moment);
   judge.take_moment(model, so_far, moment, free, words);
-  const bool at_rest = slowly || moment.t <= so_far.frames.front().t;
+  const bool at_rest = slowly || begins;
   ropes.take_moment(model, moment, so_far.steps, at_rest);
   drives.take_moment(model, moment, words);
   if (!any_shown()) return;
-  if (moment.t <= so_far.frames.front().t) T_in_moments.assign(model.reevings.size(), 0);
+  if (begins) T_in_moments.assign(model.reevings.size(), 0);
   for (const solve::TransientFrame::Branch& branch : moment.branches) {
     double& largest = T_in_moments[as_size(branch.reeving)];
     largest = std::max({largest, branch.T_from, branch.T_to});
@@ -171,11 +189,20 @@ void CheckedParts::take_rest(const machine::Model& model, const solve::Transient
   still.frames.push_back(rest);
   still.mass_lumped.assign(model.reevings.size(), rope_mass);
   still.ropes.resize(model.reevings.size());
-  for (solve::RopeExtreme& rope : still.ropes) rope.T.min = std::numeric_limits<double>::infinity();
-  for (const solve::TransientFrame::Branch& branch : rest.branches) {
+  for (solve::RopeExtreme& rope : still.ropes) rope.T.min = rope.T_loosest = std::numeric_limits<double>::infinity();
+  double T_begins = 0;  // of a branch, which may be in segments
+  for (std::size_t i = 0; i < rest.branches.size(); ++i) {
+    const solve::TransientFrame::Branch& branch = rest.branches[i];
+    const auto same = [&](std::size_t k) {
+      const solve::TransientFrame::Branch& other = rest.branches[k];
+      return other.reeving == branch.reeving && other.from == branch.from && other.to == branch.to;
+    };
     solve::RopeExtreme& rope = still.ropes[branch.reeving];
     rope.T_static = rope.T.max = std::max({rope.T.max, branch.T_from, branch.T_to});
     rope.T.min = std::min({rope.T.min, branch.T_from, branch.T_to});
+    if (i == 0 || !same(i - 1)) T_begins = branch.T_from;
+    if (i + 1 < rest.branches.size() && same(i + 1)) continue;
+    rope.T_loosest = std::min(rope.T_loosest, (T_begins + branch.T_to) / 2);
   }
   take_moment(model, still, rest, words, analysis);
   take(model, still, words, true);

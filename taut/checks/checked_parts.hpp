@@ -56,11 +56,14 @@ struct CheckedParts {
                   const std::string& words, bool put_up);
   /// Whether there are any of them.
   bool any_shown() const;
+  /// Whether a motion is judged by forces of several ropes together, which peak where none of them does.
+  bool judges_sums(const machine::Model& model) const;
 
   std::shared_ptr<const CheckedDeck> deck;  ///< its own view: who made this one may have given a passing one
   std::vector<std::string> reevings;        ///< of the machine, by name
   /// By reeving, of the motion that is shown now: the largest tension in its moments, N.
   std::vector<double> T_in_moments;
+  double shown_at = 0;  ///< the last of these moments, s
   /// Peaks of motions that no moment has, where a check needed them: why it is not judged.
   std::vector<std::string> unseen;
   bool seen = false;        ///< whether the checks have been shown anything but such moments

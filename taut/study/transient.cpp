@@ -394,6 +394,7 @@ void solve(TransientRun& run, const std::optional<solve::DynamicState>& from, co
     if (watchers.so_far) watchers.so_far(so_far);
   };
   o.moment = watchers.moment;
+  o.closely = watchers.closely;
   o.moment_step = std::min(request.duration / fewest_moments, most_apart);
   if (const auto gap = formula_gap(run.model, begin, request.duration)) {
     run.result.outcome = infeasible(fmt::format("the formula of the signal '{}' {}", gap->signal->name, gap->words));

@@ -78,6 +78,7 @@ struct TransientWatchers {
   std::function<void()> anew;                                 ///< what was seen so far does not count
   std::function<void(const solve::TransientResult&)> so_far;  ///< after each output step
   std::function<void(const solve::TransientResult&, const solve::TransientFrame&)> moment;  ///< as in its options
+  bool closely = false;                                         ///< as in its options: when `moment` is called
   std::function<void(const solve::TransientResult&)> as_whole;  ///< at the end, before frames are thinned
 };
 

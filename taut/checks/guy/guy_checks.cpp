@@ -208,8 +208,8 @@ void take_motion(const CheckState& begins, const solve::TransientResult& motion,
   raise(T.max, slowly ? of_rest : 1, fmt::format("{}, t = {:.4g} s", words, T.t_max));
   for (const CheckBranch& b : begins.branches) {
     if (b.reeving != guy.reeving) continue;
-    take_least(T.min, slack_tension(begins.model->reevings[guy.reeving], b),
-               fmt::format("{}, t = {:.4g} s", words, T.t_min), guy);
+    take_least(rope.T_loosest, slack_tension(begins.model->reevings[guy.reeving], b),
+               fmt::format("{}, t = {:.4g} s", words, rope.t_loosest), guy);
   }
 }
 

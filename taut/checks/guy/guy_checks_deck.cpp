@@ -57,8 +57,7 @@ const Description& AnchorCheckRequest::describe() {
           .at_most(20)
           .field(&R::as_strong_as_rope, "as_strong_as_rope",
                  "true: its strength must not be below the breaking forces of the ropes fixed to it, all copies, as "
-                 "far as "
-                 "they pull together")
+                 "far as they pull together")
           .field(&R::dynamic_factor, "dynamic_factor", "phi", si::one, "dynamic factor of the largest force")
           .at_least(1)
           .at_most(10)

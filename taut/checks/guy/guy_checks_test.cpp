@@ -185,6 +185,31 @@ checks: {guys: {guy: {safety_factor: 3}}}
   EXPECT_FALSE(check_of(broken, "right.slackness").passes);
 }
 
+// A heavy guy that a force draws out as far as it does at rest: the upper end has more than the mean, which is what
+// tells whether it hangs slack.
+TEST(GuyChecks, SlacknessInAMotionIsThatAtRest) {
+  const auto drawn = [](const std::string& load, const std::string& analysis) {
+    return run_text(R"(taut: 1
+machine:
+  signals: {pull: {ramp: {from: 60 kN, to: 30 kN, start: 1 s, duration: 20 s, smooth: true}}}
+  ropes: {guy: {mass: 10 kg/m, stiffness: 20 MN, breaking_force: 1000 kN, damping_ratio: 0.1}}
+  bodies: {slide: {mass: 2.5 t, at: [0 m, 0 m, 100 m], free: [x]}}
+  points: {stump1: [-100 m, 0 m, 0 m]}
+  guys: {g1: {rope: guy, from: slide, to: stump1, length: 141.5 m}}
+  loads: [{at: slide, force: )" +
+                    load + "}]\nanalyses: [{" + analysis + "}]\nchecks: {guys: {g1: {}}}\n");
+  };
+  const Result rest = drawn("[30 kN, 0 N, 0 kN]", "equilibrium: {motion: at_rest}");
+  const Check still = check_of(rest, "g1.slackness");
+  EXPECT_FALSE(still.passes);
+  for (const char* how : {"branches: catenary", "branches: catenary, quasi_static: true, output_step: 0.5 s"}) {
+    const Result r = drawn("[60 kN, 0 N, 0 kN], signal: pull", std::string("transient: {duration: 40 s, ") + how + "}");
+    ASSERT_EQ(r.status, Status::ok) << r.message << to_text(r.errors);
+    EXPECT_NEAR(check_of(r, "g1.slackness").value, still.value, 2e-3 * still.value) << how;
+    EXPECT_FALSE(check_of(r, "g1.slackness").passes);
+  }
+}
+
 TEST(GuyChecks, MistakesHaveTheirPlace) {
   expect_mistake(run_text(guyed("  guys: {g9: {}}\n")), "no guy");
   expect_mistake(run_text(guyed("  guys: {g1: {pretension: [0.2, 0.1]}}\n")), "[0.08, 0.15]");

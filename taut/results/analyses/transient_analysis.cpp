@@ -41,6 +41,7 @@ void solve(study::TransientRun& run, MachineRun& machine) {
   watchers.moment = [&](const solve::TransientResult& so_far, const solve::TransientFrame& moment) {
     checked.take_moment(run.model, so_far, moment, words, name, run.request.quasi_static);
   };
+  watchers.closely = checked.judges_sums(run.model);
   watchers.so_far = [&](const solve::TransientResult& so_far) {
     checked.take_moment(run.model, so_far, so_far.frames.back(), words, name, run.request.quasi_static);
   };

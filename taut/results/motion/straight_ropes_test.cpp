@@ -3,6 +3,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "test/support/machines.hpp"
+#include "test/support/transient_runs.hpp"
+
 namespace taut::results::straight_ropes_test {
 
 using testing::ElementsAre;
@@ -61,6 +64,28 @@ TEST(StraightRopes, ThatAreHeavyAreNamedWhereNothingHangs) {
   EXPECT_EQ(heaviest_share(m, state_of({0}), 0), 1);
   m.reevings[0].segments = 2;
   EXPECT_EQ(heaviest_share(m, state_of({5e3}), 0), 0);
+}
+
+/// 10 kN at a rope of 40 m, which has parted by half where the motion goes on: with its sag it has no more left either.
+TEST(StraightRopes, ThatAreBreakingHangByWhatIsLeftOfThem) {
+  machine::Model m;
+  m.bodies.push_back(taut_test::body("load", {40, 0, 0}, 1000, "x"));
+  m.reevings.push_back(
+      taut_test::reeve("rope", {taut_test::anchor("left", {0, 0, 0}), taut_test::anchor_on("load", 0)}, 39.96, 5, 1e7));
+  m.loads.push_back({.at = {.body = 0}, .force = {1e4, 0, 0}});
+  machine::Event breaks;
+  breaks.kind = machine::EventKind::breaks;
+  breaks.at = 0;
+  breaks.over = 0.02;
+  m.events.push_back(breaks);
+  solve::TransientOptions options = taut_test::lasting(0.01, 1e-5);
+  options.from = taut_test::run_to_end(m, options).state;
+  const solve::TransientFrame begins = taut_test::run_to_end(m, options).frames.front();
+  ASSERT_NEAR(begins.branches[0].T_from, 5e3, 500);
+  const auto hangs = hanging_start(m, options);
+  ASSERT_TRUE(hangs);
+  EXPECT_NEAR(hangs->branches[0].T_from, begins.branches[0].T_from, 100);
+  EXPECT_THAT(sag_warnings("drop", m, begins, hangs, {}), IsEmpty());
 }
 
 }  // namespace taut::results::straight_ropes_test

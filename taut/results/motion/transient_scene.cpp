@@ -19,6 +19,9 @@ Matrix3 orientation_of(const solve::TransientFrame& frame, int body) {
   return body == machine::ground ? Matrix3(Matrix3::Identity()) : frame.bodies[body].orientation;
 }
 
+/// By its freedoms or by a given motion.
+bool moves(const machine::Body& body) { return !body.free.empty() || !body.driven.empty(); }
+
 const solve::TransientFrame::Contact* contact_at(const solve::TransientFrame& frame, int reeving, int node) {
   for (const auto& c : frame.contacts) {
     if (c.reeving == reeving && c.node == node) return &c;
@@ -96,7 +99,7 @@ class Parts {
     part.at = place_in(frame_, node.at);
     part.radius = radius_now(model_, node, frame_);
     part.axis = orientation_of(frame_, node.at.body) * node.axis;
-    part.moves = node.at.body != machine::ground && !model_.bodies[node.at.body].free.empty();
+    part.moves = node.at.body != machine::ground && moves(model_.bodies[node.at.body]);
     parts_.push_back(std::move(part));
     return parts_.back();
   }

@@ -12,7 +12,7 @@ struct HeldPart {
   Vector3 axis = Vector3::UnitY();  ///< in the ground frame
   double turned = 0;                ///< rad, right-handed about the axis, against the body that carries it
   Vector3 force = Vector3::Zero();  ///< of all ropes on it, all copies, N
-  bool moves = false;               ///< on a body that is free
+  bool moves = false;               ///< on a body that is free or has a given motion
 };
 
 /// The free parts of the ropes in one frame, each with the arc behind it: points from node to node.

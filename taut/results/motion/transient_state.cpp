@@ -178,6 +178,13 @@ Json ropes(const solve::DynamicState& state) {
   return list;
 }
 
+Json tears(const solve::DynamicState& state) {
+  Json list = Json::array();
+  for (const auto& one : state.tears)
+    list.push_back({one.reeving, one.part, json_number(one.from), json_number(one.over)});
+  return list;
+}
+
 Json on_drums(const solve::DynamicState& state) {
   Json list = Json::array();
   for (const auto& d : state.on_drums)
@@ -209,6 +216,12 @@ solve::DynamicState state_in(const Json& j) {
     if (r.contains("lumped")) rope.lumped = numbers_in(r.at("lumped"));
     if (r.contains("T_static")) rope.T_static = number_in(r.at("T_static"));
     s.ropes.push_back(std::move(rope));
+  }
+  if (j.contains("tears")) {
+    for (const Json& one : j.at("tears")) {
+      s.tears.push_back({one.at(0).get<int>(), one.at(1).get<int>(), number_in(one.at(2)), number_in(one.at(3))});
+      if (!(s.tears.back().from <= s.t && s.tears.back().over > 0)) throw std::out_of_range("times of a break");
+    }
   }
   for (const Json& d : j.at("on_drums"))
     s.on_drums.push_back({number_in(d.at("content")), d.at("layer").get<int>(), numbers_in(d.at("strain"))});
@@ -266,6 +279,7 @@ std::string to_json(const solve::DynamicState& state, const machine::Model& mode
   j["t"] = json_number(state.t);
   j["bodies"] = bodies(state);
   j["ropes"] = ropes(state);
+  if (!state.tears.empty()) j["tears"] = tears(state);
   j["on_drums"] = on_drums(state);
   j["force"] = numbers(state.force);
   j["happened"] = state.happened;

@@ -54,6 +54,7 @@ solve::DynamicState state() {
   s.ropes[0].whole = {1};
   s.ropes[0].angle = s.ropes[0].spin = s.ropes[0].passed = s.ropes[0].wrap = {1.1, std::nextafter(2.0, 3.0)};
   s.ropes[0].inside = s.ropes[0].inside_velocity = {{1, 2, 3}};
+  s.tears = {{.reeving = 0, .part = 0, .from = 0.2, .over = 0.5}};
   s.on_drums = {{.content = 12.5, .layer = 2, .strain = {0.001, -0.0}}};
   s.force = {INFINITY, 5e-324};
   s.happened = {1};
@@ -81,6 +82,9 @@ TEST(TransientState, ComesBackBitByBit) {
   EXPECT_EQ(back->ropes[0].wrap, s.ropes[0].wrap);
   EXPECT_EQ(back->force, s.force);
   EXPECT_EQ(back->on_drums[0].layer, 2);
+  ASSERT_EQ(back->tears.size(), 1U);
+  EXPECT_EQ(back->tears[0].from, 0.2);
+  EXPECT_EQ(back->tears[0].over, 0.5);
   for (const double t : {0.0, 1.1, 1.3, 2.0}) {
     EXPECT_EQ(machine::at(back->drum_drive[0].signal, t).value, machine::at(s.drum_drive[0].signal, t).value);
   }
@@ -123,6 +127,11 @@ TEST(TransientState, WhatDoesNotFitIsRefused) {
     std::string spoilt = text;
     spoilt.replace(spoilt.find(time), time.size(), std::string("\"t\": ") + bad);
     EXPECT_THAT(state_from_json(spoilt, m).error(), HasSubstr("out of range")) << bad;
+  }
+  for (const double from : {0.4, std::nan("")}) {
+    solve::DynamicState later = state();
+    later.tears[0].from = from;
+    EXPECT_THAT(state_from_json(to_json(later, m), m).error(), HasSubstr("out of range"));
   }
   machine::Model other = m;
   other.bodies[0].name = "bucket";

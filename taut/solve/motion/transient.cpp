@@ -9,6 +9,7 @@
 #include "taut/base/array.hpp"
 #include "taut/base/expects.hpp"
 #include "taut/machine/middle.hpp"
+#include "taut/math/index.hpp"
 #include "taut/rope/span.hpp"
 #include "taut/solve/motion/parts/damping.hpp"
 #include "taut/solve/motion/run/memory.hpp"
@@ -223,6 +224,29 @@ bool dynamics::open_run(Run& run) {
 
 namespace {
 
+/// The breaks under way at the end of the run.
+Array<DynamicState::Tear> tears_of(const Run& run) {
+  Array<DynamicState::Tear> tears;
+  for (const Run::Breaking& one : run.breaking) {
+    if (run.before.t >= one.from + one.over) continue;
+    const int reeving = run.m.lines[one.line].reeving;
+    tears.push_back({reeving, one.line - run.m.first_line[reeving].first, one.from, one.over});
+  }
+  return tears;
+}
+
+/// The breaks under way in the state that the run goes on from. False where a part is none of the machine's.
+bool take_tears(Run& run) {
+  for (const DynamicState::Tear& one : run.origin.tears) {
+    if (one.reeving < 0 || as_size(one.reeving) >= run.m.first_line.size()) return false;
+    const auto [first, lines] = run.m.first_line[one.reeving];
+    if (one.part < 0 || one.part >= lines) return false;
+    run.breaking.push_back({first + one.part, one.from, one.over});
+  }
+  fade(run, run.before.t, run.before);
+  return true;
+}
+
 TransientResult finished(Run& run) {
   // those of one step stand at the moments within it
   std::stable_sort(run.result.events.begin(), run.result.events.end(),
@@ -231,6 +255,7 @@ TransientResult finished(Run& run) {
   run.result.state = state_of(run.m, run.before, run.origin);
   shift(run.model.origin, run.result.state);
   run.result.state.happened.assign(run.happened.begin(), run.happened.end());
+  run.result.state.tears = tears_of(run);
   run.result.state.memory = memory_of(run);
   for (std::size_t r = 0; r < run.result.ropes.size(); ++r) {
     run.result.state.ropes[r].T_static = run.result.ropes[r].T_static;
@@ -318,6 +343,10 @@ TransientResult transient(const machine::Model& described, const TransientOption
     return run.result;
   }
   run.resumed = memory == Remembered::taken;
+  if (!run.resumed && !take_tears(run)) {
+    run.result.outcome = infeasible("the state to go on from is damaged: what breaks in it is no part of the machine");
+    return run.result;
+  }
   if (run.resumed && options.step > 0) run.h = options.step;
   for (const LineValues& line : run.before.lines) {
     const auto r = static_cast<std::size_t>(run.m.lines[&line - run.before.lines.data()].reeving);

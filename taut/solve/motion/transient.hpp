@@ -72,9 +72,15 @@ struct DynamicState {
     int layer = 1;
     Array<double> strain;  ///< by layer: of the rope that lies there
   };
+  /// A branch or segment that breaks: what is left of its stiffness falls from 1 to 0 from `from` on, within `over`.
+  struct Tear {
+    int reeving = 0, part = 0;
+    double from = 0, over = 0;  ///< s
+  };
   double t = 0;  ///< s
   Array<Body> bodies;
   Array<Rope> ropes;
+  Array<Tear> tears;             ///< those under way at t
   Array<OnDrum> on_drums;        ///< by reeving, its start before its end
   Array<double> force;           ///< state variables of force elements (bristles of contacts), in their order
   Array<std::uint8_t> happened;  ///< by event of the model
@@ -115,11 +121,15 @@ struct TransientOptions {
   /// Called after each output step with the result so far: its last frame is that step, the one before it the step
   /// before. The result then keeps only the first and the last frame, so that its size does not grow with the motion.
   std::function<void(const TransientResult&)> take;
-  /// Called between output steps with the result so far and a moment, without its energy: where a rope has a peak
-  /// larger than at the output before and all peaks since, and where `moment_step`, s, have passed without one.
-  /// Verlet's steps of chains of points, taken many at once, show no moments.
+  /// Called between output steps with the result so far and a moment, without its energy: where the tension at an end
+  /// of a branch, or the largest of a rope, has a peak larger than at the output before and all peaks since, and where
+  /// `moment_step`, s, have passed without one.
   std::function<void(const TransientResult&, const TransientFrame&)> moment;
   double moment_step = 0;  ///< s; 0: each step is a moment
+  /// For who judges forces of several ropes together, which peak where none of them does: a moment is each step, too,
+  /// at whose end the tension at an end of a branch is no more what it was in the last moment, but for 1/100 of the
+  /// rope's largest so far.
+  bool closely = false;
   /// With `take`: called before the motion begins, and again where Verlet begins it anew with shorter steps. What was
   /// taken until then does not count.
   std::function<void()> anew;
@@ -229,7 +239,10 @@ struct Extreme {
 
 /// A rope over the whole run, at every step of the integrator.
 struct RopeExtreme {
-  Extreme T;            ///< largest tension of the rope at a time, N
+  /// N; min: the least tension anywhere in it, of one that breaks up to then; max, end: the largest at a time.
+  Extreme T;
+  /// The least mean of the tensions at the ends of a branch, as long as the rope is whole, N, and when that was, s.
+  double T_loosest = 0, t_loosest = 0;
   int branch = 0;       ///< where max was
   double T_static = 0;  ///< largest tension at the start, of the first part of a motion in parts, N; NaN: not known
 };

@@ -112,6 +112,52 @@ TEST(TransientRestart, RopeOnRoundsIsTakenOver) {
   }
 }
 
+/// 100 kg on a rope that parts from 0.2 s on, within 0.4 s.
+machine::Model parting() {
+  machine::Model m;
+  m.gravity = 9.81;
+  m.bodies = {body("load", {0, 0, -10}, 100, "z")};
+  m.reevings.push_back(reeve("rope", {anchor("top", {0, 0, 0}), anchor_on("load", 0)}, 9.99, 4, 1e6));
+  m.reevings[0].damping_time = 1e-3;
+  machine::Event breaks;
+  breaks.kind = machine::EventKind::breaks;
+  breaks.index = 0;
+  breaks.at = 0.2;
+  breaks.over = 0.4;
+  m.events.push_back(breaks);
+  return m;
+}
+
+/// A break under way goes on where the integrator's memory is of no use: without it, and by another method.
+TEST(TransientRestart, WhatBreaksGoesOnToBreak) {
+  const machine::Model m = parting();
+  TransientOptions options = by_steps(0.4, 0, TimeMethod::implicit);
+  const TransientResult first = run_to_end(m, options);
+  ASSERT_EQ(first.state.tears.size(), 1U);
+  const double T = first.frames.back().branches[0].T_from;
+  ASSERT_GT(T, 100);
+  const auto go_on = [&](TransientOptions second) {
+    second.from = first.state;
+    if (second.method == TimeMethod::implicit) second.from->memory.clear();
+    const TransientResult r = run_to_end(m, second);
+    EXPECT_NEAR(r.frames.front().branches[0].T_from, T, 0.01 * T);
+    EXPECT_FALSE(r.frames.back().branches[0].whole);
+    EXPECT_TRUE(r.state.tears.empty());
+    return r.frames.back().bodies[0].position.z();
+  };
+  options = by_steps(0.5, 0, TimeMethod::implicit);
+  const double z = go_on(options);
+  options.tolerance = 1e-4;
+  options.method = TimeMethod::verlet;
+  EXPECT_NEAR(go_on(options), z, 1e-4);
+  options = by_steps(0.9, 0, TimeMethod::implicit);
+  EXPECT_NEAR(run_to_end(m, options).frames.back().bodies[0].position.z(), z, 1e-4);
+  options.from = first.state;
+  options.from->memory.clear();
+  options.from->tears[0].part = 1;
+  EXPECT_FALSE(transient(m, options).outcome.ok());
+}
+
 TEST(TransientRestart, ADamagedMemoryIsRefused) {
   const machine::Model m = slipping(0);
   TransientOptions options = by_steps(0.01, 1e-3, TimeMethod::implicit);

@@ -383,7 +383,7 @@ void record_frame(Run& run, const Values& v) {
     result.observed[i].push_back(observe(run, v, run.model.observed[i]));
   }
   run.shown = v.t;
-  for (Run::Watched& one : run.watched) one.low = one.high = one.now;
+  for (Run::Watched& one : run.watched) one.low = one.high = one.shown = one.now;
   if (!run.options.take) return;
   run.options.take(result);
   if (result.frames.size() <= 2) return;
@@ -399,17 +399,73 @@ bool is_broken(const Mechanism& m, const Values& v, std::size_t reeving) {
 
 namespace {
 
-/// Loads over time, which may turn between output steps.
-void watch_loads(Run& run, const Values& v, bool first) {
-  std::size_t i = run.model.reevings.size();
-  for (const machine::Load& load : run.model.loads) {
-    if (!run.options.moment || !load.over_time) continue;
-    const double value = machine::at(*load.over_time, v.when).value;
-    run.watched.resize(std::max(run.watched.size(), i + 1));
+/// What may turn between output steps: the largest tensions of ropes, those at the ends of their branches, where the
+/// others of a rope may hide their peaks, and loads over time.
+void watch(Run& run, const Values& v, bool first) {
+  if (!run.options.moment) return;
+  std::size_t i = 0;
+  const auto see = [&](double value, double largest) {
+    if (i == run.watched.size()) run.watched.emplace_back();
     Run::Watched& one = run.watched[i++];
     one.last = first ? value : one.now;
     one.now = value;
+    one.largest = largest;
+  };
+  for (std::size_t r = 0; r < run.model.reevings.size(); ++r) {
+    const auto [begin, lines] = run.m.first_line[r];
+    const int pieces = std::max(1, run.model.reevings[r].segments);
+    see(run.result.ropes[r].T.end, run.T_largest[r]);
+    for (int k = begin; k + pieces <= begin + lines; k += pieces) {
+      see(v.lines[k].end_T[0], run.T_largest[r]);
+      see(v.lines[k + pieces - 1].end_T[1], run.T_largest[r]);
+    }
   }
+  for (const machine::Load& load : run.model.loads) {
+    if (!load.over_time) continue;
+    const double value = machine::at(*load.over_time, v.when).value;
+    const double before = i < run.watched.size() ? run.watched[i].largest : 0;
+    see(value, std::max(before, std::abs(value)));
+  }
+}
+
+}  // namespace
+
+void keep_least(double least, double loosest, double t, RopeExtreme& of) {
+  if (least < of.T.min) {
+    of.T.min = least;
+    of.T.t_min = t;
+  }
+  if (loosest < of.T_loosest) {
+    of.T_loosest = loosest;
+    of.t_loosest = t;
+  }
+}
+
+namespace {
+
+/// The least tension anywhere in a rope: one that sags has it at its lowest point.
+double least_tension(const Mechanism& m, const Values& v, std::size_t reeving) {
+  const auto [first, lines] = m.first_line[reeving];
+  double least = std::numeric_limits<double>::infinity();
+  for (int i = first; i < first + lines; ++i) {
+    const LineValues& is = v.lines[i];
+    least = std::min({least, is.end_T[0], is.end_T[1]});
+    if (!sags(m.lines[i], is)) continue;
+    const SagValues& shape = v.sags[m.lines[i].sag];
+    least = std::min(least, is.gone * shape.lowest + shape.damper);
+  }
+  return least;
+}
+
+/// The least mean of the tensions at the ends of one of its branches.
+double loosest_tension(const Mechanism& m, const Values& v, std::size_t reeving) {
+  const auto [first, lines] = m.first_line[reeving];
+  const int pieces = std::max(1, m.model->reevings[reeving].segments);
+  double least = std::numeric_limits<double>::infinity();
+  for (int i = first; i + pieces <= first + lines; i += pieces) {
+    least = std::min(least, (v.lines[i].end_T[0] + v.lines[i + pieces - 1].end_T[1]) / 2);
+  }
+  return least;
 }
 
 }  // namespace
@@ -417,7 +473,6 @@ void watch_loads(Run& run, const Values& v, bool first) {
 void record_extremes(Run& run, const Values& v) {
   const bool first = run.result.steps == 0;
   measure(run, v);
-  run.watched.resize(std::max(run.watched.size(), run.model.reevings.size()));
   for (std::size_t r = 0; r < run.model.reevings.size(); ++r) {
     RopeExtreme& of = run.result.ropes[r];
     int branch = 0;
@@ -425,16 +480,16 @@ void record_extremes(Run& run, const Values& v) {
     if (first || T > of.T.max) of.branch = branch;
     const Extreme before = of.T;
     extend(of.T, T, v.t, first);
-    if (!first && is_broken(run.m, v, r)) {
-      of.T.min = before.min;
-      of.T.t_min = before.t_min;
+    of.T.min = before.min;
+    of.T.t_min = before.t_min;
+    if (first) of.T.min = of.T_loosest = std::numeric_limits<double>::infinity();
+    if (first || !is_broken(run.m, v, r)) {
+      keep_least(least_tension(run.m, v, r), loosest_tension(run.m, v, r), v.t, of);
     }
     if (first) of.T_static = run.options.from ? run.options.from->ropes[r].T_static : T;
     run.T_largest[r] = std::max(run.T_largest[r], T);
-    run.watched[r].last = first ? T : before.end;
-    run.watched[r].now = T;
   }
-  watch_loads(run, v, first);
+  watch(run, v, first);
 }
 
 namespace {
@@ -484,14 +539,17 @@ void add_ways(Run& run) {
 }
 
 void show_moment(Run& run, const Values& before, const Values& now) {
+  constexpr double close = 1e-2;  // a sum of forces peaks by no more beside a moment, and where it is smooth by less
   if (!run.options.moment) return;
   const auto turned = [](const Run::Watched& one) {
     return (one.last > one.now && one.last > one.high) || (one.last < one.now && one.last < one.low);
   };
+  const auto differs = [](const Run::Watched& one) { return std::abs(one.now - one.shown) > close * one.largest; };
   const auto show = [&run](const Values& v, double Run::Watched::*then) {
     for (Run::Watched& one : run.watched) {
       one.low = std::min(one.low, one.*then);
       one.high = std::max(one.high, one.*then);
+      one.shown = one.*then;
     }
     run.shown = v.t;
     run.options.moment(run.result, frame_of(run.m, v));
@@ -500,7 +558,9 @@ void show_moment(Run& run, const Values& before, const Values& now) {
   const bool touches = !std::equal(before.faces.begin(), before.faces.end(), now.faces.begin(), now.faces.end(),
                                    [](const FaceValues& a, const FaceValues& b) { return a.closed == b.closed; });
   if (turns) show(before, &Run::Watched::last);
-  if (touches || (!turns && now.t - run.shown >= run.options.moment_step)) show(now, &Run::Watched::now);
+  const bool changes = run.options.closely && std::any_of(run.watched.begin(), run.watched.end(), differs);
+  const bool late = !turns && now.t - run.shown >= run.options.moment_step;
+  if (touches || changes || late) show(now, &Run::Watched::now);
 }
 
 }  // namespace taut::solve::dynamics

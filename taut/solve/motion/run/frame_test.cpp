@@ -41,6 +41,32 @@ TEST(TransientMoments, APeakIsShownHoweverFewOutputsThereAre) {
   EXPECT_EQ(r.frames.size(), 2U) << "an output step has nothing to do with it";
 }
 
+/// Two loads fall into their ropes one after the other.
+TEST(TransientMoments, NoForceChangesMuchUnseenForWhoLooksClosely) {
+  taut::machine::Model m = falling();
+  m.bodies.push_back(body("late", {0, 0, -7.9}, 500, "z"));
+  m.reevings.push_back(reeve("other", {anchor("top", {0, 0, 0}), anchor_on("late", 1)}, 8.3, 0, 12e6));
+  const auto largest_sum = [&](bool all, bool closely, long& moments) {
+    TransientOptions options = lasting(2, 1e-5);
+    double most = 0;
+    options.moment = [&](const TransientResult&, const TransientFrame& moment) {
+      most = std::max(most, moment.branches[0].T_from + moment.branches[1].T_from);
+      ++moments;
+    };
+    options.moment_step = all ? 0 : 1;
+    options.closely = closely;
+    const TransientResult r = run_to_end(m, options);
+    EXPECT_LE(moments, r.steps);
+    return most;
+  };
+  long all = 0, few = 0, close = 0;
+  const double most = largest_sum(true, false, all);
+  EXPECT_LT(largest_sum(false, false, few), 0.98 * most) << "it would not need to be looked for";
+  EXPECT_NEAR(largest_sum(false, true, close), most, 2e-3 * most);
+  EXPECT_LT(few, 20);
+  EXPECT_LT(close, all);
+}
+
 TEST(TransientMoments, TheyDoNotChangeTheMotion) {
   TransientOptions options = lasting(1, 1e-4, 4);
   const TransientResult alone = run_to_end(falling(), options);

@@ -54,8 +54,10 @@ struct Run {
   struct Watched {
     double last = 0, now = 0;  ///< at the start and at the end of the step
     double low = 0, high = 0;  ///< of what was shown since the last output step
+    double shown = 0;          ///< what was shown last
+    double largest = 0;        ///< of the rope, or of the load, so far
   };
-  Array<Watched> watched{};  ///< the largest tension of each reeving, then each load over time, N
+  Array<Watched> watched{};  ///< the largest tension of each reeving, those at the ends of branches, loads over time, N
   double shown = 0;          ///< time of what was shown last, s
   Array<double> L_first{};   ///< by line, m
   double lacks = 0;          ///< largest residual of the ledger at an output step, J
@@ -95,6 +97,8 @@ void extend(Extreme& e, double value, double t, bool first);
 /// Writes down one output step; extremes at every step.
 void record_frame(Run& run, const Values& v);
 void record_extremes(Run& run, const Values& v);
+/// The least tension in a rope at t, and the least mean of a branch's ends.
+void keep_least(double least, double loosest, double t, RopeExtreme& of);
 /// Whether a part of a rope tears, or is torn: its least tension is that up to then.
 bool is_broken(const Mechanism& m, const Values& v, std::size_t reeving);
 /// Adds the step to the ways of rope and rims.

@@ -235,24 +235,43 @@ void go_on_to_next(Points& p, double h) {
   }
 }
 
-/// Keeps the largest tension of each rope, and where a line became slack or taut in the step.
+/// Of the rope that is in links from first to first + count.
+struct LeastTensions {
+  double anywhere = std::numeric_limits<double>::infinity();
+  double loosest = std::numeric_limits<double>::infinity();  ///< mean of the ends of a branch
+};
+
+template <class Hung>
+LeastTensions least_tensions(const Run& run, const Points& p, std::size_t reeving, const Hung& hung) {
+  const auto [first, count] = run.m.first_line[reeving];
+  const int pieces = std::max(1, run.model.reevings[reeving].segments);
+  LeastTensions least;
+  for (int i = first; i < first + count; ++i)
+    least.anywhere = std::min(least.anywhere, p.T[p.link[i]] - hung(p.link[i]));
+  for (int i = first; i + pieces <= first + count; i += pieces)
+    least.loosest = std::min(least.loosest, (p.T[p.link[i]] + p.T[p.link[i + pieces - 1]]) / 2);
+  return least;
+}
+
+/// Keeps the largest and the least tension of each rope, and where a line became slack or taut in the step.
 void watch_ropes(Run& run, const Points& p, double t, double h) {
   for (std::size_t r = 0; r < run.m.first_line.size(); ++r) {
     const auto [first, count] = run.m.first_line[r];
     if (count == 0) continue;
     const Eigen::Index from = p.link[first], links = p.link[first + count - 1] + 1 - from;
-    const auto at_ends = [&](Eigen::Index k) {
-      return p.T[k] + hung_at_ends(p.hangs[k] * std::abs(p.x(k + 1, 2) - p.x(k, 2)) / p.l[k], p.T[k]);
+    const auto hung = [&](Eigen::Index k) {
+      return p.hangs[k] == 0 ? 0 : hung_at_ends(p.hangs[k] * std::abs(p.x(k + 1, 2) - p.x(k, 2)) / p.l[k], p.T[k]);
     };
+    const auto at_ends = [&](Eigen::Index k) { return p.T[k] + hung(k); };
     double largest = run.m.lines[first].segment < 0 ? 0 : p.T.segment(from, links).maxCoeff();
     if (run.m.lines[first].segment < 0) {
       for (int i = first; i < first + count; ++i) largest = std::max(largest, at_ends(p.link[i]));
     }
     RopeExtreme& of = run.result.ropes[r];
     of.T.end = largest;
-    if (largest < of.T.min && !is_broken(run.m, run.before, r)) {
-      of.T.min = largest;
-      of.T.t_min = t;
+    if (!is_broken(run.m, run.before, r)) {
+      const LeastTensions least = least_tensions(run, p, r, hung);
+      keep_least(least.anywhere, least.loosest, t, of);
     }
     if (largest > of.T.max) {
       of.T.max = largest;
@@ -307,6 +326,7 @@ void scatter(Run& run, const Points& p, double t) {
 
 bool steps_as_points(const Run& run) {
   if (run.options.method != TimeMethod::verlet || !run.m.simple) return false;
+  if (run.options.moment && run.options.closely) return false;  // a moment is seen after a step by itself
   const auto fades = [&](const Run::Breaking& one) { return run.before.t < one.from + one.over; };
   if (std::any_of(run.breaking.begin(), run.breaking.end(), fades)) return false;
   for (std::size_t i = 0; i < run.model.events.size(); ++i) {
@@ -317,7 +337,9 @@ bool steps_as_points(const Run& run) {
 
 void step_points(Run& run, Points& p, double limit, long most) {
   const double h = run.options.step, start = run.before.t;
-  const long steps = std::min(most, static_cast<long>((limit - start) / h) - 1);
+  long steps = std::min(most, static_cast<long>((limit - start) / h) - 1);
+  // who looks at moments does so after the single step that follows
+  if (run.options.moment) steps = std::min(steps, static_cast<long>(run.options.moment_step / h) - 1);
   if (steps < 1 || run.m.lines.empty()) return;
   gather(run, p);
   const bool observed = !run.model.observed.empty();
@@ -325,6 +347,7 @@ void step_points(Run& run, Points& p, double limit, long most) {
   drift(p, h);
   for (long s = 1; s <= steps; ++s) {
     const double t = start + static_cast<double>(s) * h;
+    ++run.result.steps;  // those who measure tell the first value by it
     follow_bodies(p);
     run.ledger.damped += p.damped ? pull<true>(p) : pull<false>(p);
     if (s == 1 && !p.changes_known) p.error.setZero();
@@ -349,7 +372,6 @@ void step_points(Run& run, Points& p, double limit, long most) {
     largest = std::max(largest, p.error[p.link[i]]);
     run.T_rate[i] = p.change[p.link[i]] / h;
   }
-  run.result.steps += steps;
   run.result.largest_step = std::max(run.result.largest_step, h);
   if (run.result.smallest_step == 0) run.result.smallest_step = h;
 }

@@ -52,6 +52,16 @@ void shift_slid(const Run& run, const Slid& slid, double by, Values& v) {
   }
 }
 
+/// What has a given speed goes on by the integral of it from `from` to `to`: in these drives by its mean. At the ends
+/// of a step a signal may jump, and between them it need not be straight.
+void take_means(double from, double to, Array<machine::Drive>& drives) {
+  for (machine::Drive& drive : drives) {
+    if (drive.kind != machine::DriveKind::speed || !(to > from)) continue;
+    const double mean = machine::integral(drive.signal, from, to) / (to - from);
+    drive.signal.law = mean;
+  }
+}
+
 /// The machine did not find its way on by little steps: it went where it rests again.
 void note_fall(Run& run, const Values& from, const Values& to) {
   constexpr double worth_noting = 1e-3;  // of the machine's size
@@ -180,6 +190,7 @@ StepEnd try_slowly(Run& run, double h, double t) {
   fade(run, t, run.now);
   for (ContactValues& contact : run.before.contacts) contact.winding = contact.lambda;
   run.newton.tolerance = 1e-3 * run.options.tolerance;
+  for (auto* drives : {&run.before.drum_drive, &run.before.motor_drive}) take_means(run.before.t, t, *drives);
   StepEnd end = quasi_static_step(run.m, h, run.before, t, run.now, run.w, run.newton);
   run.fell = end != StepEnd::ok && h < brief_step * run.options.step;
   if (run.fell) {
@@ -189,6 +200,8 @@ StepEnd try_slowly(Run& run, double h, double t) {
     run.before = start;
     if (end == StepEnd::ok && !comes_true(run, run.now)) note_fall(run, run.before, run.now);
   }
+  run.before.drum_drive = run.now.drum_drive;
+  run.before.motor_drive = run.now.motor_drive;
   if (end == StepEnd::ok) set_mean_velocities(run.m, h, run.before, run.now);
   return end;
 }

@@ -122,6 +122,20 @@ TEST(QuasiStatic, HoistingAndLoweringDifferByTheLossesTwice) {
   EXPECT_NEAR(up, 0.4, 2e-3);
 }
 
+/// In steps of 2 s: of a speed that jumps at their start, of one that swings within them, of one that bends there.
+TEST(QuasiStatic, ADrumTakesInTheIntegralOfItsSpeed) {
+  machine::Signal jumps, swings;
+  jumps.law = machine::Moves{.from = 0, .moves = {{.at = 2, .to = 0.1, .over = 0}, {.at = 6, .to = -0.05, .over = 0}}};
+  swings.law = machine::Sine{.mean = 0.02, .amplitude = 0.1, .omega = 2, .phase = 0.3};
+  for (const machine::Signal& speed : {jumps, swings, smooth_move(0, 0.1, 1, 6)}) {
+    const TransientResult r = run_to_end(hoist(1, speed), slowly(10, 5));
+    for (const auto& frame : r.frames) {
+      const double in = frame.on_drums[0].content - r.frames.front().on_drums[0].content;
+      EXPECT_NEAR(in * (1 + 3000 / 2e6), machine::integral(speed, 0, frame.t), 1e-9) << frame.t;
+    }
+  }
+}
+
 TEST(QuasiStatic, AStartInSlidingFrictionIsTheEndOfASlowMotion) {
   const double W = 3000, eta = 0.95;
   const TransientResult settled = run(hoist(eta, through({0, 1}, {0, 0}, taut::si::m_per_s)), slowly(1, 4));

@@ -14,12 +14,11 @@ namespace {
 
 constexpr double step_rounding = 1e-14;
 constexpr int halves_from = 8;
-constexpr int reversals_from = 4;          ///< iterations
-constexpr int turns_until = 15;            ///< of contacts that stick and slide in turn at their very limit
-constexpr double moment = 1e-6;            ///< s, in which slip is looked for at an unchanged time
-constexpr double small_change = 1e-2;      ///< of tensions: the factors of the first iteration do for the next
-constexpr double good_contraction = 0.05;  ///< with which they go on to do
-constexpr int most_trusted = 15;           ///< steps until it is looked at again
+constexpr int reversals_from = 4;      ///< iterations
+constexpr int turns_until = 15;        ///< of contacts that stick and slide in turn at their very limit
+constexpr double moment = 1e-6;        ///< s, in which slip is looked for at an unchanged time
+constexpr double small_change = 1e-2;  ///< of tensions: the factors of the first iteration do for the next
+constexpr int most_trusted = 15;       ///< steps until it is looked at again
 constexpr double least_contraction = 1e-7, caution = 8;
 constexpr double small_misfit = 1e-4;  ///< of the largest tension: of the laws of contacts that slip
 constexpr int most_put_back = 4;       ///< times that loose rope is put back where it lay, in one step
@@ -196,7 +195,7 @@ StepEnd iterations(Mechanism& m, const Scheme& s, const Values& before, double t
     }
     if (i == newton.most) break;
     laws_changed = laws_changed || (i > 0 && turned);
-    const double small = i == 1 ? small_change * newton.largest : good_contraction * change_before;
+    const double small = i == 1 ? small_change * newton.largest : first_contraction * change_before;
     w.tangent = i == 0 || turned || change > small || s.losses < 1;
     change_before = change;
     m.solver.hold(!w.tangent);
@@ -284,8 +283,10 @@ StepEnd iterate_from_no_losses(Mechanism& m, const Scheme& s, const Values& befo
 StepEnd iterate(Mechanism& m, const Scheme& s, const Values& before, double t, Values& now, Work& w, Newton& newton) {
   guess_flows(m, s, before, w, now);
   StepEnd end = iterations(m, s, before, t, now, w, newton);
-  if (end != StepEnd::ok && end != StepEnd::interrupted && newton.rough)
-    end = iterate_from_no_losses(m, s, before, t, now, w, newton);
+  if (end != StepEnd::ok && end != StepEnd::interrupted && newton.rough) {
+    const StepEnd anew = iterate_from_no_losses(m, s, before, t, now, w, newton);
+    if (anew == StepEnd::ok || anew == StepEnd::interrupted) end = anew;
+  }
   m.solver.hold(false);
   w.tangent = true;
   if (end != StepEnd::ok) newton.forget();

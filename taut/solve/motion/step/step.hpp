@@ -5,7 +5,8 @@
 
 namespace taut::solve::dynamics {
 
-constexpr double first_contraction = 0.05;  ///< what one iteration is trusted to leave before it has been seen
+/// What one iteration is trusted to leave before it has been seen; with which factors go on to do.
+constexpr double first_contraction = 0.05;
 
 /// How the solution of a step ended.
 enum class StepEnd {
