@@ -1,6 +1,6 @@
 """Made from the descriptions by python/tools/make_stub.py; do not edit. `./dev python stub` makes it again.
 
-schema: 9f9ce8fe8a2c20e7ce05b938b41351970f7a13afb9c1d4ca594db483b701dea9
+schema: cfeee8f881e0a5db294413ed5d9396cc573feb8b63fe1bbeebf63a9bfbbd9cdc
 """
 
 from collections.abc import Mapping, Sequence
