@@ -261,7 +261,8 @@ StepEnd iterate_from_no_losses(Mechanism& m, const Scheme& s, const Values& befo
   StepEnd end = iterations(m, part, before, t, now, w, downhill);
   newton.largest = downhill.largest;
   newton.used = downhill.used;
-  if (end != StepEnd::ok || !loses(m, s, now)) return end;
+  if (end != StepEnd::ok) return end;
+  if (!loses(m, s, now)) return follow(m, s, before, w, t, now) ? end : StepEnd::no_place;
   Values from = now;
   double reached = 0, more = 1;
   for (int halves = 0; reached < 1 && halves <= most_retreats;) {
