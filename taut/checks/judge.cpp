@@ -355,6 +355,14 @@ void Judge::keep_slack(const std::vector<std::string>& branches) {
   });
 }
 
+namespace {
+
+bool is_slack(const solve::TransientFrame::Branch& branch) {
+  return branch.whole && std::max(branch.T_from, branch.T_to) <= 0;
+}
+
+}  // namespace
+
 void Judge::take_moment(const machine::Model& m, const solve::TransientResult& so_far,
                         const solve::TransientFrame& moment, const std::vector<FreeRope>& free,
                         const std::string& words) {
@@ -382,8 +390,7 @@ void Judge::take_moment(const machine::Model& m, const solve::TransientResult& s
   if (broken_.empty()) warn_of_sunk(m, places, when);
   for (const solve::TransientFrame::Branch& branch : moment.branches) {
     const std::string& rope = m.reevings[branch.reeving].name;
-    const bool slack = branch.whole && std::max(branch.T_from, branch.T_to) <= 0;
-    if (slack && !broken_.contains(rope)) slack_over_ground_.insert(rope);
+    if (is_slack(branch) && !broken_.contains(rope)) slack_over_ground_.insert(rope);
   }
   for (const FreeRope& one : free) {
     const machine::Reeving& rope = m.reevings[one.reeving];

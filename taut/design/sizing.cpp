@@ -142,8 +142,10 @@ SizingAnswer cheapest(const std::vector<std::vector<double>>& costs,
       keep_nearest(one, options.neighbours, nearest);
     }
   }
-  if (!found) answer.below = std::move(nearest);
-  if (!found) answer.outcome = answer.ended ? not_converged("ended") : infeasible("no choice passes all checks");
+  if (!found) {
+    answer.below = std::move(nearest);
+    answer.outcome = answer.ended ? not_converged("ended") : infeasible("no choice passes all checks");
+  }
   return answer;
 }
 

@@ -192,6 +192,14 @@ Json on_drums(const solve::DynamicState& state) {
   return list;
 }
 
+/// Breaks under way.
+void add_tears(const Json& list, solve::DynamicState& s) {
+  for (const Json& one : list) {
+    s.tears.push_back({one.at(0).get<int>(), one.at(1).get<int>(), number_in(one.at(2)), number_in(one.at(3))});
+    if (!(s.tears.back().from <= s.t && s.tears.back().over > 0)) throw std::out_of_range("times of a break");
+  }
+}
+
 solve::DynamicState state_in(const Json& j) {
   solve::DynamicState s;
   s.t = number_in(j.at("t"));
@@ -217,12 +225,7 @@ solve::DynamicState state_in(const Json& j) {
     if (r.contains("T_static")) rope.T_static = number_in(r.at("T_static"));
     s.ropes.push_back(std::move(rope));
   }
-  if (j.contains("tears")) {
-    for (const Json& one : j.at("tears")) {
-      s.tears.push_back({one.at(0).get<int>(), one.at(1).get<int>(), number_in(one.at(2)), number_in(one.at(3))});
-      if (!(s.tears.back().from <= s.t && s.tears.back().over > 0)) throw std::out_of_range("times of a break");
-    }
-  }
+  if (j.contains("tears")) add_tears(j.at("tears"), s);
   for (const Json& d : j.at("on_drums"))
     s.on_drums.push_back({number_in(d.at("content")), d.at("layer").get<int>(), numbers_in(d.at("strain"))});
   s.force = numbers_in(j.at("force"));
