@@ -24,7 +24,8 @@ struct GuyStates {
   double reserve = HUGE_VAL;        ///< least of mean tension over that of a slack guy
   double T_least = 0, T_slack = 0;  ///< there, N
   std::string where_least;
-  /// What `pretension` analyses have left it at the end at which it is put up, N, and which of them.
+  /// What `pretension` analyses have left it at the end at which it is put up, and what it has as the machine stands on
+  /// its guys alone, unloaded, N; and which of these.
   std::vector<std::pair<double, std::string>> pulled;
 };
 std::vector<GuyStates> guy_states(const std::vector<GuyCheckRequest>& guys, const CheckedDeck& deck,
@@ -44,7 +45,7 @@ struct AnchorStates {
   double factor = 1;                                        ///< in `force`: the dynamic factor of a state at rest
   std::string where, where_uplift, where_angle;
   AnchorTree tree;
-  double strongest_rope = 0;  ///< N, all copies
+  double strongest_rope = 0;  ///< breaking forces of its ropes, all copies, as far as they pull together, N
   bool strength_unknown = false;
   double thickest_rope = 0;  ///< m; 0: not known
 };
