@@ -58,8 +58,9 @@ SizingAnswer least_measured(const std::vector<std::size_t>& counts,
                             const std::function<SizingTrial(const std::vector<std::size_t>&)>& try_one,
                             const SizingOptions& options = {});
 
-/// Tries what was set aside, at most so many: then the answer is that of all choices, or `aside` has those that are
-/// left. Where there are more, the costliest come first: their parts help each other most.
+/// Tries choices that were set aside, `most` of them at most. What is left untried stays in `aside`; with none left the
+/// answer is that of all choices. Where there are more than `most`, the costliest are tried first: their parts help
+/// each other most.
 void try_aside(SizingAnswer& answer, const std::function<SizingTrial(const std::vector<std::size_t>&)>& try_one,
                std::size_t most, const SizingOptions& options = {});
 

@@ -64,7 +64,7 @@ TEST(FixedLoads, driven_bodies_and_bodies_without_load) {
   EXPECT_EQ(fixed_load_warnings(model).size(), 1u);
 }
 
-/// What is told of a load on a body with these freedoms, 2 m along x from its origin.
+/// The warning of a load on a body with these freedoms; the load acts 2 m along x from the origin of the body.
 std::vector<LoadAcross> told_of(const std::vector<machine::Freedom>& free, const Vector3& force) {
   machine::Model model;
   model.bodies.resize(1);

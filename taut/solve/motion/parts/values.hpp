@@ -124,8 +124,8 @@ struct Scheme {
   double alpha_m = 0.5, alpha_f = 0.5, gamma = 0.5;
   double slip_now = 0, slip_before = 0;  ///< slip_rate = slip_now * (slipped since the start of the step) + slip_before
                                          ///< * slip_mean of the step before
-  bool lossless = false;                 ///< no friction: looking for the start
-  double losses = 1;                     ///< share of their losses that contacts have
+  bool lossless = false;                 ///< no friction, and rims that turn with the rope: looking for the start
+  double losses = 1;                     ///< share of their losses that contacts have in an iteration
   bool at_rest = false;                  ///< without velocities: looking for the start, or quasi-static
   bool creeps = false;                   ///< quasi-static: from rest to rest, with friction
   double elapsed = 0;                    ///< then: the time in which drives and signals go on, s

@@ -190,6 +190,7 @@ StepEnd try_slowly(Run& run, double h, double t) {
   fade(run, t, run.now);
   for (ContactValues& contact : run.before.contacts) contact.winding = contact.lambda;
   run.newton.tolerance = 1e-3 * run.options.tolerance;
+  const Array<machine::Drive> drum_drive = run.before.drum_drive, motor_drive = run.before.motor_drive;
   for (auto* drives : {&run.before.drum_drive, &run.before.motor_drive}) take_means(run.before.t, t, *drives);
   StepEnd end = quasi_static_step(run.m, h, run.before, t, run.now, run.w, run.newton);
   run.fell = end != StepEnd::ok && h < brief_step * run.options.step;
@@ -200,8 +201,8 @@ StepEnd try_slowly(Run& run, double h, double t) {
     run.before = start;
     if (end == StepEnd::ok && !comes_true(run, run.now)) note_fall(run, run.before, run.now);
   }
-  run.before.drum_drive = run.now.drum_drive;
-  run.before.motor_drive = run.now.motor_drive;
+  run.before.drum_drive = run.now.drum_drive = drum_drive;
+  run.before.motor_drive = run.now.motor_drive = motor_drive;
   if (end == StepEnd::ok) set_mean_velocities(run.m, h, run.before, run.now);
   return end;
 }

@@ -264,17 +264,19 @@ StepEnd iterate_from_no_losses(Mechanism& m, const Scheme& s, const Values& befo
   if (end != StepEnd::ok) return end;
   if (!loses(m, s, now)) return follow(m, s, before, w, t, now) ? end : StepEnd::no_place;
   Values from = now;
-  double reached = 0, more = 1;
-  for (int halves = 0; reached < 1 && halves <= most_retreats;) {
+  const double least = std::exp2(-most_retreats);
+  double reached = 0;
+  for (double more = 1; reached < 1 && more >= least;) {
     part.losses = std::min(1.0, reached + more);
     now = from;
     end = iterations(m, part, before, t, now, w, newton);
-    if (end == StepEnd::ok) {
-      from = now;
-      reached = part.losses;
+    if (end != StepEnd::ok) {
+      more /= 2;
+      continue;
     }
-    halves += end == StepEnd::ok ? -1 : 1;
-    more = end == StepEnd::ok ? 2 * more : more / 2;
+    from = now;
+    reached = part.losses;
+    more *= 2;
   }
   return end;
 }
