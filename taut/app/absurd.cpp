@@ -11,6 +11,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "taut/machine/rounds.hpp"
 #include "taut/machine/state.hpp"
 #include "taut/rope/tangent.hpp"
 
@@ -106,14 +107,6 @@ NodePlaces stops_of_rope(const machine::Model& model, const machine::Reeving& ro
   return stops;
 }
 
-rope::Round round_of(const machine::State& state, const machine::Node& node) {
-  const Vector3 centre = machine::in_ground(state, node.at);
-  if (node.radius == 0) return rope::point(centre);
-  const bool moves = node.at.body != machine::ground;
-  const Vector3 axis = moves ? Vector3(state.bodies[node.at.body].orientation * node.axis) : node.axis;
-  return rope::sheave(centre, axis, node.radius, node.side);
-}
-
 /// The straight way of a rope with ends, arcs counted, m; empty where it depends on the answer.
 std::optional<double> straight_way(const machine::Model& model, const machine::State& state,
                                    const machine::Reeving& rope) {
@@ -123,7 +116,7 @@ std::optional<double> straight_way(const machine::Model& model, const machine::S
   double way = 0;
   std::optional<rope::TangentLine> last;
   for (std::size_t k = 1; k < stops.size(); ++k) {
-    const auto line = rope::tangent_line(round_of(state, *stops[k - 1]), round_of(state, *stops[k]));
+    const auto line = rope::tangent_line(round_at(state, *stops[k - 1]), round_at(state, *stops[k]));
     if (!line) return {};
     way += line->length;
     if (last) {
@@ -155,7 +148,7 @@ void add_short_ropes(const machine::Model& model, std::vector<std::string>& warn
 bool lies_flat(const machine::Model& model, const machine::State& state, const machine::Reeving& rope) {
   std::vector<double> y;
   for (const machine::Node* node : stops_of_rope(model, rope)) {
-    if (node->radius > 0 && std::abs(round_of(state, *node).axis.z()) > M_SQRT1_2) return false;
+    if (node->radius > 0 && std::abs(round_at(state, *node).axis.z()) > M_SQRT1_2) return false;
     if (!rests(model, *node)) continue;
     const Vector3 place = machine::in_ground(state, node->at);
     if (place.z() != 0) return false;

@@ -138,6 +138,14 @@ void Judge::take_contacts(const machine::Model& m, const solve::EquilibriumResul
   if (!e.unbounded.empty()) {
     warn("band", fmt::format("{}: friction may hold more than what is judged: {}", words, e.unbounded), true);
   }
+  if (!e.indifferent.empty()) {
+    warn("indifferent",
+         fmt::format(
+             "{}: in balance at any place between, so that the place found is one of many: {}; describe it where "
+             "it is to stand, or hold it there",
+             words, e.indifferent),
+         true);
+  }
   for (const solve::ContactResult& c : e.contacts) {
     const machine::Node& node = m.reevings[c.reeving].nodes[c.node];
     if (c.state == solve::ContactState::lifted) {

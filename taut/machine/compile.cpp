@@ -27,6 +27,7 @@
 #include "taut/machine/links/motion_links.hpp"
 #include "taut/machine/links/rope_of.hpp"
 #include "taut/machine/links/signals_of.hpp"
+#include "taut/machine/rounds.hpp"
 #include "taut/math/fixed_angles.hpp"
 
 namespace taut::machine {
@@ -93,12 +94,6 @@ class Compiler {
 
  private:
   void complain(std::string path, std::string message) { complaints_.push_back({std::move(path), std::move(message)}); }
-
-  Vector3 start_of(const Place& place) const {
-    if (place.body == ground) return place.at;
-    const Body& body = model_.bodies[place.body];
-    return body.position + body.orientation * place.at;
-  }
 
   void add_bodies() {
     for (const auto& given : machine_.bodies) {
@@ -256,7 +251,7 @@ class Compiler {
       Array<Stop>& stops = stops_[r];
       Array<Vector3> places;
       places.reserve(stops.size());
-      for (const Stop& stop : stops) places.push_back(start_of(stop.node.at));
+      for (const Stop& stop : stops) places.push_back(in_ground(model_, stop.node.at));
       const bool is_guy = r >= machine_.reevings.size();
       const bool closed = model_.reevings[r].closed;
       const DeckPlace list(is_guy ? "guys" : "reevings");
@@ -264,6 +259,7 @@ class Compiler {
       const DeckPlace path = is_guy ? rope : DeckPlace(rope, "path");
       if (!check_apart(stops, places, closed, path, complaints_) || !complaints_.empty()) continue;
       set_axes(stops, places, closed);
+      for (Stop& stop : stops) stop.axis = turned(model_, stop.node.at.body) * stop.node.axis;
       set_sides(stops, places, closed);
       model_.reevings[r].guides = guides_of(
           stops, places,

@@ -6,8 +6,8 @@
 
 #include "taut/base/array.hpp"
 #include "taut/base/expects.hpp"
+#include "taut/machine/rounds.hpp"
 #include "taut/math/index.hpp"
-#include "taut/rope/tangent.hpp"
 
 namespace taut::machine {
 
@@ -18,14 +18,6 @@ Vector3 in_ground(const State& state, const Place& place) {
 }
 
 namespace {
-
-rope::Round round_at(const State& state, const Node& node) {
-  const Vector3 centre = in_ground(state, node.at);
-  if (node.radius == 0) return rope::point(centre);
-  const bool moves = node.at.body != ground;
-  const Matrix3 turned = moves ? state.bodies[node.at.body].orientation : Matrix3(Matrix3::Identity());
-  return rope::sheave(centre, turned * node.axis, node.radius, node.side);
-}
 
 /// A straight branch: its length, and its directions as angles on its rounds.
 rope::TangentLine line_between(const State& state, const Node& from, const Node& to) {

@@ -127,8 +127,9 @@ struct EquilibriumResult {
   /// The answers that bound the band, whole: what friction at rest may load a support, a body or a beam with. They
   /// have no bounds of their own.
   std::vector<EquilibriumResult> bounds;
-  std::string unbounded;   ///< what the band that was asked for leaves out, and why; empty: nothing
-  Array<Array<int>> flow;  ///< flow at every node, [reeving][node], for which the tensions hold
+  std::string indifferent;  ///< see solve::indifferent: bodies of which the place found is one of many
+  std::string unbounded;    ///< what the band that was asked for leaves out, and why; empty: nothing
+  Array<Array<int>> flow;   ///< flow at every node, [reeving][node], for which the tensions hold
 };
 
 /// The equilibrium of the machine, starting from `start` (default: initial_state). Damped Newton iteration with exact

@@ -24,6 +24,7 @@ using Triplets = Array<Eigen::Triplet<double, int>>;
 constexpr double matrix_rounding = 1e-7;  ///< of the scaled matrix
 constexpr double weight_of_bodies = 100;
 constexpr double pushed = 0.01;  ///< of the longest span
+constexpr double far = 0.01;     ///< of the longest span
 
 /// Rows of the residual and columns of rope fed in that belong to the coordinates.
 struct Coordinates {
@@ -320,6 +321,12 @@ class Elimination {
     return pivot(i);
   }
 
+  /// Whether nothing of row `i`, the last one, ties it to rows behind it.
+  bool stands_alone(int i) const {
+    return std::all_of(upper_.begin() + first_[i] + 1, upper_.end(),
+                       [](const SparseRows::Entry& entry) { return std::abs(entry.value) <= matrix_rounding; });
+  }
+
   /// The scaled direction in which row `i`, the last one, moves by 1 and those before it follow.
   Eigen::VectorXd direction(int i) const {
     Eigen::VectorXd v = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(work_.size()));
@@ -408,6 +415,66 @@ Outcome no_deep_loop(const mechanics::System& s, const mechanics::Configuration&
 }
 
 }  // namespace
+
+namespace {
+
+/// Directions that no force opposes and none drives: a neutral pivot that is not tied to rows behind it. By the rows.
+Array<Eigen::VectorXd> neutral_directions(const SparseRows& matrix) {
+  const Array<double> scale = unit_diagonal(matrix);
+  Elimination elimination(matrix.rows());
+  Array<Eigen::VectorXd> found;
+  for (int i = 0; i < matrix.rows(); ++i) {
+    if (std::abs(elimination.eliminate(matrix, scale)) > matrix_rounding || !elimination.stands_alone(i)) continue;
+    Eigen::VectorXd direction = elimination.direction(i);
+    for (int j = 0; j <= i; ++j) direction[j] *= scale[j];
+    found.push_back(std::move(direction));
+  }
+  return found;
+}
+
+/// How the places of the bodies move in a direction of the coordinates.
+Array<Vector3> ways(const mechanics::System& s, const EnergyCurvature& curvature, const Eigen::VectorXd& direction) {
+  Array<Vector3> way(s.model.bodies.size(), Vector3::Zero());
+  for (Eigen::Index i = 0; i < direction.size(); ++i) {
+    const EnergyCurvature::Row& row = curvature.rows[i];
+    if (row.of != EnergyCurvature::Of::freedom) continue;
+    const mechanics::Layout::Dof& dof = s.layout.dofs[row.index];
+    way[dof.body] += direction[i] * dof.way.along;
+  }
+  return way;
+}
+
+}  // namespace
+
+std::string indifferent(const mechanics::System& s, const mechanics::Configuration& c, const mechanics::Evaluation& e) {
+  Array<Vector3> moved(s.model.bodies.size(), Vector3::Zero());
+  const double most = far * s.layout.length;
+  bool any = false;
+  for (int body = 0; body < static_cast<int>(moved.size()); ++body) {
+    if (s.model.bodies[body].of_rope) continue;
+    moved[body] = c.bodies[body].position - s.model.bodies[body].position;
+    any = any || moved[body].norm() > most;
+  }
+  const auto curvature = any && !s.layout.hold ? energy_curvature(s, c, e) : std::nullopt;
+  if (!curvature) return {};
+  std::string words;
+  for (const Eigen::VectorXd& direction : neutral_directions(curvature->matrix)) {
+    const Array<Vector3> way = ways(s, *curvature, direction);
+    double along = 0, size = 0;
+    for (std::size_t body = 0; body < way.size(); ++body) {
+      along += way[body].dot(moved[body]);
+      size += way[body].squaredNorm();
+    }
+    if (size <= matrix_rounding * matrix_rounding * direction.squaredNorm()) continue;
+    for (std::size_t body = 0; body < way.size(); ++body) {
+      const double far_by = std::abs(along) / size * way[body].norm();
+      if (far_by <= most) continue;
+      words += fmt::format("{}'{}' {:.3g} m from where it is described", words.empty() ? "" : ", ",
+                           s.model.bodies[body].name, far_by);
+    }
+  }
+  return words;
+}
 
 Stability stability(const mechanics::System& s, const mechanics::Configuration& c, const mechanics::Evaluation& e) {
   Stability result;

@@ -1,5 +1,6 @@
 #pragma once
 #include <optional>
+#include <string>
 
 #include "taut/base/array.hpp"
 #include "taut/calc/outcome.hpp"
@@ -47,6 +48,12 @@ struct Stability {
   bool beam = false;     ///< it is a beam; `check_beams` tells which, and by how much
   Eigen::VectorXd push;  ///< of the unknowns, in that direction; a hundredth of the longest span
 };
+
+/// Bodies that could as well stand elsewhere (an indifferent equilibrium: the energy is the same all along a way) and
+/// are, along that way, more than a hundredth of the longest span from where they are described; in words, empty
+/// without one. No way is sought for a carriage held at a prescribed x, and none with forces along ropes or beams.
+std::string indifferent(const mechanics::System& system, const mechanics::Configuration& c,
+                        const mechanics::Evaluation& e);
 
 /// Whether an equilibrium is one to stay in. With losses: whether the machine stays as it runs, each loss as large as
 /// its rope's tension makes it.

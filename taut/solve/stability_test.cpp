@@ -1,5 +1,6 @@
 #include "taut/solve/stability.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <Eigen/LU>
@@ -188,6 +189,51 @@ TEST(Stability, ATorqueDoesNotKeepALeaningPoleUp) {
   drive.side = -1;
   drive.tension_drop = 1000;
   EXPECT_TRUE(falls(leaning(drive, 2000)));
+}
+
+/// A hook on a rope over a sheave at (0, 0, 10), the rope held by a tension at its other end.
+machine::Model balanced_hook(const Vector3& at, double mass, double tension) {
+  machine::Model m;
+  m.bodies.push_back(body("hook", at, mass, "xz"));
+  machine::Reeving rope =
+      reeve("rope", {anchor("winch", {-6, 0, 1}), over("head", {0, 0, 10}), anchor_on("hook", 0)}, tension, 0, 1e7);
+  rope.given = machine::Given::tension_at_start;
+  m.reevings.push_back(rope);
+  return m;
+}
+
+TEST(Stability, ABodyThatBalancesAnywhereIsToldWhereItIsPutFarAway) {
+  machine::Model m = balanced_hook({0, 0, 3}, 500, 500 * 9.80665);
+  const EquilibriumResult stays = equilibrium(m);
+  ASSERT_TRUE(stays.outcome.ok()) << stays.outcome.message;
+  EXPECT_NEAR(stays.state.bodies[0].position.z(), 3, 0.05) << "where it is described";
+  EXPECT_EQ(stays.indifferent, "");
+  m.bodies[0].position = {5, 0, 3};  // it swings in, and nothing says how far it goes down
+  const EquilibriumResult goes = equilibrium(m);
+  ASSERT_TRUE(goes.outcome.ok()) << goes.outcome.message;
+  EXPECT_NEAR(goes.state.bodies[0].position.x(), 0, 1e-6);
+  const double far = std::abs(goes.state.bodies[0].position.z() - 3);
+  EXPECT_GT(far, 0.1);
+  EXPECT_EQ(goes.indifferent, fmt::format("'hook' {:.3g} m from where it is described", far));
+  // a rope of a given length has one place for it
+  m.reevings[0].given = machine::Given::length;
+  m.reevings[0].value = 19;
+  EXPECT_EQ(equilibrium(m).indifferent, "");
+}
+
+TEST(Stability, TwoEqualWeightsAreFoundBesideTheirPlaces) {
+  machine::Model m;
+  m.bodies.push_back(body("left", {-3, 0, 3}, 500, "xz"));
+  m.bodies.push_back(body("right", {3, 0, 5}, 500, "xz"));
+  m.reevings.push_back(
+      reeve("rope", {anchor_on("left", 0), over("a", {-3, 0, 10}), over("b", {3, 0, 10}), anchor_on("right", 1)}, 22, 0,
+            1e7));
+  const EquilibriumResult r = equilibrium(m);
+  ASSERT_TRUE(r.outcome.ok()) << r.outcome.message;
+  EXPECT_NEAR(r.state.bodies[0].position.z() - r.state.bodies[1].position.z(), -2, 1e-3) << "both go down alike";
+  EXPECT_EQ(r.indifferent, "");
+  m.bodies[0].position = {-20, 0, 3};  // it swings in and rises
+  EXPECT_NE(equilibrium(m).indifferent, "");
 }
 
 TEST(Stability, AForceAlongTheRopeDoesNotKeepALeaningPoleUp) {

@@ -7,6 +7,7 @@
 #include "taut/mechanics/rope_load.hpp"
 #include "taut/rope/exact_end.hpp"
 #include "taut/solve/beam_tables.hpp"
+#include "taut/solve/stability.hpp"
 
 namespace taut::solve {
 namespace {
@@ -219,6 +220,7 @@ void fill_tables(const mechanics::System& s, const mechanics::Configuration& c, 
   fill_ropes(s, result);
   fill_balance(s, c, e, result);
   result.beams = beam_results(s, c);
+  result.indifferent = indifferent(s, c, e);
   const mechanics::Misfit m = mechanics::misfit(s, e);
   result.closure.rope = m.length;
   for (const mechanics::Branch& b : e.branches) result.closure.rope = std::max(result.closure.rope, open_end(b));

@@ -10,6 +10,7 @@
 
 #include "taut/base/array.hpp"
 #include "taut/base/expects.hpp"
+#include "taut/machine/rounds.hpp"
 
 namespace taut::machine {
 namespace {
@@ -20,15 +21,7 @@ constexpr double longest_decay = 5;    ///< of a piece, in lengths sqrt(EI/N) of
 constexpr int most_cuts = 6;
 constexpr int least_steps = 48;  ///< along the whole beam
 
-Vector3 in_ground(const Model& m, const Place& place) {
-  if (place.body == ground) return place.at;
-  const Body& body = m.bodies.at(static_cast<std::size_t>(place.body));
-  return body.position + body.orientation * place.at;
-}
-
-Matrix3 in_body(const Model& m, int body, const Matrix3& axes) {
-  return body == ground ? axes : Matrix3(m.bodies.at(static_cast<std::size_t>(body)).orientation.transpose() * axes);
-}
+Matrix3 in_body(const Model& m, int body, const Matrix3& axes) { return turned(m, body).transpose() * axes; }
 
 /// Axes of the section along its chord: x the part of `strong` across it (or of z, or of x, where that vanishes).
 Matrix3 chord_axes(const Vector3& direction, const Vector3& strong) {

@@ -6,6 +6,7 @@
 
 #include "taut/base/array.hpp"
 #include "taut/machine/links/motion_links.hpp"
+#include "taut/machine/rounds.hpp"
 
 namespace taut::machine {
 namespace {
@@ -14,12 +15,6 @@ using description::Hold;
 
 void complain(std::vector<Complaint>& complaints, std::string path, std::string message) {
   complaints.push_back({std::move(path), std::move(message)});
-}
-
-Vector3 start_of(const Model& model, const Place& place) {
-  if (place.body == ground) return place.at;
-  const Body& body = model.bodies[place.body];
-  return body.position + body.orientation * place.at;
 }
 
 /// Where a rope passes a carriage.
@@ -60,8 +55,8 @@ Chord chord_of(const Model& model, const Array<Stop>& stops, const Carriage& car
   // an endless rope comes back to its beginning
   while (after < size && stops[after].carriage) ++after;
   const double middle = static_cast<double>(node - before) + (car.rollers - 1) / 2.0;
-  return {.from = start_of(model, stops[before].node.at),
-          .to = start_of(model, stops[after % size].node.at),
+  return {.from = in_ground(model, stops[before].node.at),
+          .to = in_ground(model, stops[after % size].node.at),
           .share = middle / static_cast<double>(after - before)};
 }
 

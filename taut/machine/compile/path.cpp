@@ -260,7 +260,7 @@ int upper_side(const Vector3& d, const Vector3& axis) { return d.cross(axis).z()
 
 /// The side of a contact by the bend of its path; 0 where the path runs straight back.
 int bend_side(const Stop& stop, const Vector3& before, const Vector3& at, const Vector3& after) {
-  const Vector3& axis = stop.node.axis;
+  const Vector3& axis = stop.axis;
   const Vector3 in = (at - before).normalized();
   const Vector3 out = (after - at).normalized();
   const bool from_above = stop.saddle || (!stop.carriage && stop.node.support != Vector3::Zero());
@@ -291,16 +291,16 @@ Bend bend_of(const Stop& stop, const Stop& from, const Stop& to, const Vector3& 
   Bend bend;
   bend.side = bend_side(stop, before, at, after);
   const Vector3 in = (at - before).normalized(), out = (after - at).normalized();
-  const double turn = in.cross(out).dot(stop.node.axis);
+  const double turn = in.cross(out).dot(stop.axis);
   if (carries(from) != carries(to)) {
     // the carriage runs on the upper one of two branches
-    bend.likely = upper_side(carries(from) > carries(to) ? in : out, stop.node.axis);
+    bend.likely = upper_side(carries(from) > carries(to) ? in : out, stop.axis);
     bend.weight = 2;
   } else if (std::abs(turn) > straight_bend) {
     bend.likely = turn > 0 ? 1 : -1;
     bend.weight = std::abs(turn);
   } else {
-    bend.likely = upper_side(in, stop.node.axis);
+    bend.likely = upper_side(in, stop.axis);
   }
   return bend;
 }
@@ -342,7 +342,7 @@ class OpenSides {
     const NodeKind kind = stops_[from].node.kind;
     const bool round = stops_[from].node.radius > 0 && (kind == NodeKind::contact || kind == NodeKind::drive);
     if (!open_[i] || open_[from] || !round) return;
-    const double same = stops_[from].node.axis.dot(stops_[i].node.axis);
+    const double same = stops_[from].axis.dot(stops_[i].axis);
     stops_[i].node.side = same >= 0 ? stops_[from].node.side : -stops_[from].node.side;
     open_[i] = false;
   }
@@ -410,7 +410,7 @@ void set_sides(Array<Stop>& stops, const Array<Vector3>& places, bool closed) {
       node.side = stops[i].side == Side::left ? -1 : 1;
     } else if (!closed && (i == 0 || i == last)) {
       const Vector3 d = i == 0 ? places[1] - places[0] : places[last] - places[last - 1];
-      node.side = upper_side(d.normalized(), node.axis);
+      node.side = upper_side(d.normalized(), stops[i].axis);
     } else {
       const std::size_t from = i == 0 ? last : i - 1, to = i == last ? 0 : i + 1;
       bends[i] = bend_of(stops[i], stops[from], stops[to], places[from], places[i], places[to]);

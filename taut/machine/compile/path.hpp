@@ -18,6 +18,7 @@ struct AheadOf {
 /// One node of a path with what is needed until its side is known.
 struct Stop {
   Node node;
+  Vector3 axis = Vector3::UnitY();  ///< of the round in the ground frame, of the machine as it is described
   description::Side side = description::Side::automatic;
   std::optional<int> carriage;  ///< index among the carriages
   int roller = 0;               ///< of a carriage with several: which one
@@ -48,7 +49,7 @@ void set_axes(Array<Stop>& stops, const Array<Vector3>& places, bool closed);
 /// above. Where those do not say either, the branch with a carriage is the upper one (the one on which it rolls before
 /// one to which it is fixed); without one the bend decides, however small; without a bend the branch that arrives is
 /// the upper one. All that does not depend on the axis' sense, and but for the last not on the path's.
-/// `places`: of the stops, in the ground frame.
+/// `places`: of the stops, in the ground frame, in which their `axis` is too.
 void set_sides(Array<Stop>& stops, const Array<Vector3>& places, bool closed);
 
 }  // namespace taut::machine

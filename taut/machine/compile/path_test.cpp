@@ -68,6 +68,45 @@ TEST(Sides, ASmallBendTurnsATackleWhereNothingElseDoes) {
   }
 }
 
+/// A tackle under a davit, the lead to its winch above the ground, all of it turned about the vertical.
+Machine davit(double angle) {
+  Machine m = tackle(4, {on_drum("winch"), falls(4, "head", "block"), anchor("pin")});
+  const auto at = [&](double x, double z) { return Triple{x * std::cos(angle), x * std::sin(angle), z}; };
+  description::Body body;
+  body.name = "davit";
+  body.turned.emplace();
+  body.turned->rz = angle;
+  m.bodies.push_back(body);
+  m.bodies[0].at = at(3, 4);
+  m.bodies[0].turned = body.turned;
+  m.bodies[0].free = {"x", "y", "z"};
+  m.points[1].body = {"davit"};
+  m.points[1].at = {3, 0, 9.5};
+  m.sheaves[0].body = {"davit"};
+  m.sheaves[0].at = {3, 0, 10};
+  description::Drum winch;
+  winch.name = "winch";
+  winch.body = {"davit"};
+  winch.at = {-6, 0, 10};
+  winch.core_diameter = 0.58;
+  m.drums = {winch};
+  return m;
+}
+
+TEST(Sides, TurnWithTheirBody) {
+  const auto sides = [](double angle) {
+    Array<int> all;
+    const Machine m = davit(angle);
+    const auto model = compile(m);
+    EXPECT_TRUE(model) << complaints_of(m);
+    if (!model) return all;
+    for (const Node& node : model->reevings[0].nodes) all.push_back(node.side);
+    return all;
+  };
+  const Array<int> is = sides(0);
+  for (const double angle : {0.7, 1.55, 1.6, 2.5, std::numbers::pi, -1.7}) EXPECT_EQ(sides(angle), is) << angle;
+}
+
 /// A line over a jack, turned about the vertical by an angle; its points and the jack in plan from their x alone.
 Machine turned_line(double angle, std::optional<Triple> axis = {}) {
   Machine m = line();

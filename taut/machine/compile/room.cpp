@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "taut/base/array.hpp"
+#include "taut/machine/rounds.hpp"
 
 namespace taut::machine {
 namespace {
@@ -40,12 +41,9 @@ struct Circle {
 };
 
 Circle circle_of(const Model& model, const Node& node) {
-  const Body* body = body_under(model, node);
-  const double radius = node.side * node.radius;
-  if (body == nullptr) return {.centre = node.at.at, .axis = node.axis, .radius = radius};
-  return {.centre = body->position + body->orientation * node.at.at,
-          .axis = body->orientation * node.axis,
-          .radius = radius};
+  return {.centre = in_ground(model, node.at),
+          .axis = turned(model, node.at.body) * node.axis,
+          .radius = node.side * node.radius};
 }
 
 double across(const Vector3& d, const Vector3& axis) { return (d - d.dot(axis) * axis).norm(); }

@@ -10,6 +10,7 @@
 #include "taut/base/array.hpp"
 #include "taut/base/suggest.hpp"
 #include "taut/machine/links/signals_of.hpp"
+#include "taut/machine/rounds.hpp"
 #include "taut/rope/tangent.hpp"
 
 namespace taut::machine {
@@ -61,15 +62,9 @@ Array<RopeLoad> loads_of(const GivenLoad& given, bool reversed) {
   return all;
 }
 
-rope::Round round_of(const Model& model, const Node& node) {
-  const Vector3 centre =
-      node.at.body == ground ? node.at.at : Vector3(model.bodies[node.at.body].position + node.at.at);
-  return node.radius == 0 ? rope::point(centre) : rope::sheave(centre, node.axis, node.radius, node.side);
-}
-
 /// The straight rope between two nodes.
 std::pair<Vector3, Vector3> line_between(const Model& model, const Node& a, const Node& b) {
-  const rope::Round from = round_of(model, a), to = round_of(model, b);
+  const rope::Round from = round_at(model, a), to = round_at(model, b);
   if (const auto line = rope::tangent_line(from, to)) return {line->from, line->to};
   return {from.centre, to.centre};
 }

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
@@ -16,7 +17,7 @@ namespace {
 using solve::DynamicState;
 using Json = nlohmann::ordered_json;
 
-constexpr int format = 2;
+constexpr int format = 3;
 constexpr double last = 1e9;  ///< s, thirty years: beyond, a time has too few digits left for the steps of a motion
 
 /// What JSON has no number for.
@@ -249,6 +250,62 @@ Json names(const All& all) {
   return list;
 }
 
+/// A part of the machine of which a state has its own copy, in places and lengths: it can't be another one from then
+/// on. Masses, losses, drives, signals and loads can.
+struct Kept {
+  std::string words;  ///< what is wrong with another one
+  std::vector<double> numbers;
+};
+
+std::vector<double> components(const Vector3& v) { return {v.x(), v.y(), v.z()}; }
+
+void keep_nodes(const machine::Reeving& rope, std::vector<Kept>& all) {
+  for (const machine::Node& node : rope.nodes) {
+    if (node.kind == machine::NodeKind::load) continue;
+    const auto is = [&](const char* what) { return fmt::format("'{}' has another {}", node.name, what); };
+    all.push_back({is("diameter"), {node.radius}});
+    all.push_back({is("place"), components(node.at.at)});
+    all.push_back({is("axis"), components(node.axis)});
+    all.push_back({is("side"), {static_cast<double>(node.side)}});
+  }
+}
+
+std::vector<Kept> kept_of(const machine::Model& m) {
+  std::vector<Kept> all;
+  for (const machine::Body& body : m.bodies) {
+    if (body.free.empty() && body.driven.empty())
+      all.push_back({fmt::format("'{}' has another place", body.name), components(body.position)});
+  }
+  for (const machine::Reeving& rope : m.reevings) {
+    const auto is = [&](const char* what) { return fmt::format("rope '{}' has another {}", rope.name, what); };
+    all.push_back({is("stiffness"), {rope.stiffness}});
+    all.push_back({is("mass"), {rope.mass}});
+    if (rope.given == machine::Given::length) all.push_back({is("length"), {rope.value}});
+    keep_nodes(rope, all);
+  }
+  return all;
+}
+
+Json kept(const machine::Model& m) {
+  Json list = Json::array();
+  for (const Kept& one : kept_of(m)) list.push_back(numbers(one.numbers));
+  return list;
+}
+
+/// What of the machine is another one than that of the state, in words; empty where nothing is.
+std::string changed(const Json& was, const machine::Model& m) {
+  constexpr double rounding = 1e-12;
+  const std::vector<Kept> all = kept_of(m);
+  if (was.size() != all.size()) return "its ropes have another kind of length";
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const std::vector<double> before = numbers_in(was.at(i));
+    const auto same = [&](double a, double b) { return std::abs(a - b) <= rounding * std::max(1.0, std::abs(b)); };
+    if (!std::equal(before.begin(), before.end(), all[i].numbers.begin(), all[i].numbers.end(), same))
+      return all[i].words;
+  }
+  return {};
+}
+
 /// Why a state does not fit a machine; empty when it does.
 std::string misfit(const solve::DynamicState& s, const Json& j, const machine::Model& m) {
   const auto same = [&](const char* key, const Json& own) { return j.at("machine").at(key) == own; };
@@ -270,7 +327,7 @@ std::string misfit(const solve::DynamicState& s, const Json& j, const machine::M
       return fmt::format("rope '{}' runs over other sheaves, or in other segments", m.reevings[i].name);
     }
   }
-  return {};
+  return changed(j.at("machine").at("kept"), m);
 }
 
 }  // namespace
@@ -278,7 +335,10 @@ std::string misfit(const solve::DynamicState& s, const Json& j, const machine::M
 std::string to_json(const solve::DynamicState& state, const machine::Model& model) {
   Json j;
   j["taut_state"] = format;
-  j["machine"] = {{"bodies", names(model.bodies)}, {"ropes", names(model.reevings)}, {"drums", names(model.drums)}};
+  j["machine"] = {{"bodies", names(model.bodies)},
+                  {"ropes", names(model.reevings)},
+                  {"drums", names(model.drums)},
+                  {"kept", kept(model)}};
   j["t"] = json_number(state.t);
   j["bodies"] = bodies(state);
   j["ropes"] = ropes(state);

@@ -208,5 +208,25 @@ TEST(RestOfMotion, IsTheEquilibrium) {
   RecordProperty("without_equilibrium", without);
 }
 
+/// A tight line in segments far from the origin: rounding of its places moves its middle by more than of its lengths.
+TEST(RestOfMotion, ATightLineInSegmentsSettles) {
+  for (const double mass : {250.0, 550.0, 700.0, 950.0}) {
+    machine::Model m;
+    m.bodies.push_back(body("carriage", {150, 0, 24}, mass, "xz"));
+    m.reevings.push_back(reeve("line",
+                               {anchor("a", {0, 0, 30}), sheave("car", origin, 0, 1, 1, 0), anchor("b", {300, 0, 30})},
+                               299.6, 49, 7e7));
+    m.reevings[0].mass = 5;
+    m.reevings[0].segments = 20;
+    TransientOptions options = lasting(0.05, 1e-4);
+    options.start = Start::settled;
+    const TransientResult r = transient(m, options);
+    ASSERT_TRUE(r.outcome.ok()) << mass << " " << r.outcome.message;
+    const EquilibriumResult rest = equilibrium(m);
+    ASSERT_TRUE(rest.outcome.ok()) << rest.outcome.message;
+    EXPECT_NEAR(r.frames[0].bodies[0].position.z(), rest.state.bodies[0].position.z(), 2e-2) << mass;
+  }
+}
+
 }  // namespace
 }  // namespace taut_test::rest_test

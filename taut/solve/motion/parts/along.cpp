@@ -66,12 +66,16 @@ bool is_held(const Mechanism& m, const Contact& from, std::size_t side) {
   return false;
 }
 
-/// A body that is nothing but a point where ropes bend has no inertia but that of their mass.
-bool has_own_mass(const Mechanism& m, int body) {
+/// A body that is nothing but a point where this rope bends has no inertia but that of its mass. Where another rope
+/// pulls it, it goes with that one, whatever its own mass.
+bool is_but_a_bend(const Mechanism& m, int body, int rope) {
   const auto& loads = m.model->loads;
-  return m.bodies[body].own_mass > 0 || std::any_of(loads.begin(), loads.end(), [&](const machine::Load& load) {
-           return load.at.body == body && load.mass > 0;
-         });
+  const bool is_loaded = std::any_of(loads.begin(), loads.end(),
+                                     [&](const machine::Load& load) { return load.at.body == body && load.mass > 0; });
+  const bool is_pulled = std::any_of(m.lines.begin(), m.lines.end(), [&](const Line& line) {
+    return line.reeving != rope && (line.body[0] == body || line.body[1] == body);
+  });
+  return m.bodies[body].own_mass == 0 && !is_loaded && !is_pulled;
 }
 
 /// The rope whose inertia counts at an end of a line, kg. On a body that can move it is the half that goes with the
@@ -129,7 +133,7 @@ void mark_ropes_along(Mechanism& m, const DynamicState& start) {
         contact.beyond[1 - side] = beyond(m, start, contact, side);
       } else if (is_passed(contact) && !contact.load && is_held(m, contact, side)) {
         line.along[side] = true;
-        if (stands(m, contact.body) || !has_own_mass(m, contact.body)) continue;
+        if (stands(m, contact.body) || is_but_a_bend(m, contact.body, line.reeving)) continue;
         line.held[side] = line.has_along = true;
       }
     }

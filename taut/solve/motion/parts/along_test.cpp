@@ -127,6 +127,24 @@ TEST(Along, ACarriageRunsAlongAHeldRope) {
   }
 }
 
+/// A carriage without mass of its own goes with what pulls it, as one of a gram does, and takes none of its line along.
+TEST(Along, ACarriageWithoutMassGoesWithItsLoad) {
+  constexpr double load = 500, pull = 200;
+  for (const double own : {0.0, 1e-3}) {
+    machine::Model m;
+    m.gravity = 9.81;
+    m.bodies = {body("carriage", {30, 0, 0}, own, "x"), body("load", {31, 0, 0}, load, "x")};
+    m.reevings.push_back(
+        rope_of({anchor("a", origin), sheave("wheel", origin, 0, 1, 1, 0), anchor("b", {100, 0, 0})}, 99.8));
+    m.reevings.push_back(reeve("tow", {anchor_on("hook", 0), anchor_on("load", 1)}, 1 / (1 + pull / 4e7), 0, 4e7));
+    m.reevings[1].damping_time = 0.01;
+    m.loads.push_back({{.body = 0, .at = origin}, {-pull, 0, 0}});
+    const TransientFrame last = last_of(m, 0.5);
+    EXPECT_NEAR(last.bodies[1].acceleration.x(), -pull / load, 1e-3 * pull / load) << own;
+    EXPECT_NEAR(last.bodies[0].velocity.x(), -0.5 * pull / load, 1e-3 * pull / load) << own;
+  }
+}
+
 /// A car that carries its winch pulls itself along a rope to an anchor. Only the car with its half of the rope and the
 /// drum have inertia; the rope stands.
 TEST(Along, AWinchOnACarDrawsItAlongARopeThatStands) {

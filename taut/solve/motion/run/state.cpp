@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "taut/base/array.hpp"
+#include "taut/machine/rounds.hpp"
 #include "taut/math/index.hpp"
 #include "taut/rope/tangent.hpp"
 #include "taut/solve/motion/parts/build.hpp"
@@ -11,13 +12,6 @@
 
 namespace taut::solve::dynamics {
 namespace {
-
-rope::Round round_at(const machine::State& state, const machine::Node& node) {
-  const Vector3 centre = machine::in_ground(state, node.at);
-  if (node.radius == 0) return rope::point(centre);
-  const Matrix3 turned = node.at.body < 0 ? Matrix3(Matrix3::Identity()) : state.bodies[node.at.body].orientation;
-  return rope::sheave(centre, turned * node.axis, node.radius, node.side);
-}
 
 /// Inner nodes on the straight line of a branch.
 void add_inside(const machine::State& state, const machine::Node& from, const machine::Node& to, int segments,

@@ -324,33 +324,28 @@ StepEnd restart(Mechanism& m, Scheme s, Values& before, Values& now, Work& w, Ne
 
 namespace {
 
-/// Whether no tension has changed by more than its rounding.
+/// Whether no tension has changed by more than its rounding: that of its length, and of the places of its ends.
 bool tensions_stay(const Mechanism& m, const Values& before, const Values& now) {
   for (std::size_t i = 0; i < m.lines.size(); ++i) {
-    const double rounding = 2 * 2 * 2 * std::numeric_limits<double>::epsilon() * m.lines[i].stiffness;
+    const LineValues& is = now.lines[i];
+    const double far = std::max({is.L, is.touch[0].norm(), is.touch[1].norm()}) / is.L;
+    const double rounding = 2 * 2 * 2 * std::numeric_limits<double>::epsilon() * far * m.lines[i].stiffness;
     if (!(std::abs(now.lines[i].T - before.lines[i].T) <= rounding)) return false;
   }
   return true;
 }
 
-/// How far a step has moved the machine, m, and turned its bodies, rad.
-struct Gone {
-  double moved = 0, turned = 0;
-};
-
-Gone gone(const Mechanism& m, const Values& before, const Values& now) {
-  Gone all;
+/// The farthest that a step has moved a part of the machine, m, or turned it, rad.
+double gone(const Mechanism& m, const Values& before, const Values& now) {
+  double most = 0;
   for (const Body& body : m.bodies) {
-    for (int k = 0; k < body.count; ++k) {
-      double& most = body.about[as_size(k)] == Vector3::Zero() ? all.moved : all.turned;
-      most = std::max(most, std::abs(now.q[body.first + k] - before.q[body.first + k]));
-    }
+    for (int c = body.first; c < body.first + body.count; ++c) most = std::max(most, std::abs(now.q[c] - before.q[c]));
   }
   for (std::size_t k = 0; k < now.contacts.size(); ++k) {
     const int c = m.contacts[k].column;
-    all.moved = std::max(all.moved, std::abs(now.q[c] - before.q[c]));
+    most = std::max(most, std::abs(now.q[c] - before.q[c]));
   }
-  return all;
+  return most;
 }
 
 }  // namespace
@@ -362,6 +357,7 @@ StepEnd settle(Mechanism& m, Values& before, Values& now, Work& w, Newton& newto
   double h = 1 / std::max(highest_frequency(m, before), 1e-3);
   constexpr int most = 400;
   StepEnd end = StepEnd::ok;
+  double last = std::numeric_limits<double>::infinity();  // way of the step before
   int quiet = 0;
   for (int i = 0; i < most; ++i) {
     if (newton.ask && i % 8 == 0 && !newton.ask(t)) return StepEnd::interrupted;
@@ -375,13 +371,14 @@ StepEnd settle(Mechanism& m, Values& before, Values& now, Work& w, Newton& newto
       if (h < 1e-12) return end;
       continue;
     }
-    const Gone way = gone(m, before, now);
-    const double moved = std::max(way.moved, way.turned), still = 1e-13 * m.size_of_machine;
+    const double moved = gone(m, before, now), still = 1e-13 * m.size_of_machine;
     const bool is_long = h > 1e3;
-    // where all that holds a body meets its axis, rounding alone turns it about that, ever farther in longer steps
-    const bool turns_freely = is_long && way.moved < still && tensions_stay(m, before, now);
+    // what is left is rounding, which moves what hangs softly, and turns a body about an axis that all of its ropes
+    // meet
+    const bool by_rounding = is_long && moved >= last / 2 && tensions_stay(m, before, now);
+    last = moved;
     std::swap(before, now);
-    quiet = moved < still || turns_freely ? quiet + 1 : 0;
+    quiet = moved < still || by_rounding ? quiet + 1 : 0;
     if (quiet >= 2 && is_long) break;
     if (!(moved < 1e3 * m.size_of_machine)) return StepEnd::singular;
     if (moved < 0.1 * m.size_of_machine) h = std::min(h * 4, 1e6);
