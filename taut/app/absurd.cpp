@@ -275,6 +275,28 @@ void add_smooth_saddles(const machine::Machine& machine, std::vector<std::string
       names));
 }
 
+/// A bunch that travels away from its mainline: the ground would help to draw it.
+void add_dragged_away(const machine::Machine& given, const machine::Model& model, std::vector<std::string>& warnings) {
+  for (std::size_t i = 0; i < given.loads.size(); ++i) {
+    if (!given.loads[i].dragged) continue;
+    const auto car = std::find_if(model.carriages.begin(), model.carriages.end(),
+                                  [&](const machine::Carriage& one) { return one.name == given.loads[i].at; });
+    if (car == model.carriages.end() || !car->mainline) continue;
+    const auto& nodes = model.reevings[*car->mainline].nodes;
+    const auto at_car =
+        std::find_if(nodes.begin(), nodes.end(), [&](const machine::Node& node) { return node.at.body == car->body; });
+    const machine::Node& next = at_car == nodes.begin() ? nodes[1] : *std::prev(at_car);
+    const Vector3 pull = machine::in_ground(model, next.at) - model.bodies[car->body].position;
+    const auto& along = given.loads[i].dragged->along;
+    if (along[0] * pull.x() + along[1] * pull.y() >= 0) continue;
+    warnings.push_back(
+        fmt::format("loads[{}].dragged.along points away from '{}', the mainline of '{}': as the bunch is drawn in, "
+                    "the friction of "
+                    "the ground would help the winch",
+                    i, model.reevings[*car->mainline].name, car->name));
+  }
+}
+
 }  // namespace
 
 std::vector<std::string> absurd_machine(const MachineDeck& deck, const machine::Model& model) {
@@ -293,6 +315,7 @@ std::vector<std::string> absurd_machine(const MachineDeck& deck, const machine::
   add_smooth_saddles(m, warnings);
   add_motionless(deck, warnings);
   add_references(m, warnings);
+  add_dragged_away(m, model, warnings);
   return warnings;
 }
 

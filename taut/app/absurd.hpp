@@ -10,7 +10,8 @@ namespace taut::app {
 /// What a machine may have by its deck's rules, but hardly ever means, as warnings: a sheave, support, drum, point,
 /// rope, body or signal that nothing uses; a rope with ends that is shorter than the straight way along its path, where
 /// that way does not change; a rope whose places all have z = 0 while their y differ; saddles without a friction;
-/// events and observed quantities without a motion; reference temperatures without a temperature.
+/// events and observed quantities without a motion; reference temperatures without a temperature; a dragged bunch that
+/// travels away from its mainline.
 std::vector<std::string> absurd_machine(const MachineDeck& deck, const machine::Model& model);
 
 /// A rope that sags by more than half its span in one of the states found: the worst one.

@@ -151,6 +151,32 @@ TEST(Absurd, ZIsUp) {
   EXPECT_FALSE(has(warned(deck_of(line)), "z is 0")) << "level, and y not used";
 }
 
+// Drawn in to the left the bunch rubs against the mainline; by a direction to the right it would help it.
+TEST(Absurd, ABunchThatTravelsAwayFromItsMainline) {
+  const auto deck = [](const char* along) {
+    return fmt::format(R"(taut: 1
+machine:
+  points: {{head: [0 m, 0 m, 18 m], tail: [250 m, 0 m, 60 m]}}
+  ropes:
+    skyline: {{mass: 1.8 kg/m, stiffness: 26.6 MN}}
+    main: {{mass: 0.6 kg/m, stiffness: 7 MN}}
+  drums: {{winch: {{at: [-1 m, 0 m, 17 m]}}}}
+  carriages: {{car: {{mass: 220 kg, rides: skyline, mainline: main, at: [125 m, 0 m, 30 m]}}}}
+  reevings:
+    - {{rope: skyline, path: [{{anchor: head}}, {{through: car}}, {{anchor: tail}}], length: 260 m}}
+    - {{rope: main, path: [{{drum: winch}}, {{anchor: car}}], length: 128 m}}
+  loads: [{{at: car, mass: 1 t, dragged: {{ground_angle: 10 deg, friction: 0.6, along: {}}}}}]
+analyses: [{{equilibrium: {{}}}}]
+)",
+                       along);
+  };
+  EXPECT_EQ(warned(deck("[-1, 0]")), "");
+  EXPECT_TRUE(has(warned(deck("[1, 0]")), "points away from 'main', the mainline of 'car'"));
+  const Result none = run(Job{
+      .text = std::regex_replace(deck("[1, 0]"), std::regex(", along: .1, 0."), ""), .name = "deck.yaml", .set = {}});
+  EXPECT_TRUE(has(to_text(none.errors), "along")) << to_text(none.errors);
+}
+
 TEST(Absurd, ARopeThatLiesFlatOnItsSheaves) {
   const std::string flat = R"(taut: 1
 machine:

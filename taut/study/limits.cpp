@@ -153,9 +153,25 @@ Array<LimitState> limits_at(const machine::Model& model, int body, const Payload
   return all;
 }
 
+namespace {
+
+/// Whether a rope draws a carriage along its line, or is the line.
+bool draws_along(const machine::Carriage& carriage, int reeving) {
+  const bool fixed = carriage.grip && carriage.grip->reeving == reeving;
+  return reeving == carriage.reeving || carriage.mainline == reeving || carriage.haulback == reeving || fixed;
+}
+
+}  // namespace
+
 std::optional<int> hung_on(const machine::Model& model, const machine::Carriage& carriage, int reeving, int from,
                            int to) {
   const Array<machine::Node>& nodes = model.reevings[reeving].nodes;
+  // a mainline may run on over a sheave of the carriage, to a hook
+  const int last_node = static_cast<int>(nodes.size()) - 1;
+  const bool to_hook = carriage.mainline == reeving && reeving != carriage.reeving && last_node > 1 &&
+                       ((from == 0 && nodes[to].at.body == carriage.body && to < last_node) ||
+                        (to == last_node && nodes[from].at.body == carriage.body && from > 0));
+  if (draws_along(carriage, reeving) && !to_hook) return std::nullopt;
   const int first = nodes[from].at.body, last = nodes[to].at.body;
   if (first == last || (first != carriage.body && last != carriage.body)) return std::nullopt;
   const int other = first == carriage.body ? last : first;
@@ -168,8 +184,7 @@ std::optional<int> hung_on(const machine::Model& model, const machine::Carriage&
 }
 
 bool holds_down(const machine::Model& model, const machine::Carriage& carriage, int reeving, int from, int to) {
-  if (reeving == carriage.reeving || carriage.mainline == reeving || carriage.haulback == reeving) return false;
-  if (carriage.grip && carriage.grip->reeving == reeving) return false;
+  if (draws_along(carriage, reeving)) return false;
   const Array<machine::Node>& nodes = model.reevings[reeving].nodes;
   const int first = nodes[from].at.body, last = nodes[to].at.body;
   if (first == last || (first != carriage.body && last != carriage.body)) return false;

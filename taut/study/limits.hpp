@@ -41,7 +41,9 @@ struct PayloadLimits {
 double load_on(const machine::Model& model, const machine::Carriage& carriage, std::optional<double> t = std::nullopt);
 
 /// The free rope between a carriage and a body that hangs on it, a load on a dropline: which body, none for any other
-/// rope. The ground, another carriage, a section of a beam and a point of a rope where a force acts do not hang.
+/// rope. The ground, another carriage, a section of a beam and a point of a rope where a force acts do not hang, nor
+/// does what is at the other end of the rope on which it rides, of its mainline, its haulback or the rope to which it
+/// is fixed: a shackle, a block on a strap. But a mainline that runs on over a sheave of the carriage has a hook there.
 std::optional<int> hung_on(const machine::Model& model, const machine::Carriage& carriage, int reeving, int from,
                            int to);
 

@@ -90,7 +90,7 @@ namespace {
 
 constexpr std::size_t most_combined = 12;  ///< ropes at an anchor of which every combination is tried
 
-/// The largest pull that ropes make together, each with its breaking force along its pull or not loaded: one that pulls
+/// The largest pull that ropes make together, each with its breaking force or not loaded: one that pulls
 /// against the others does not help the anchor. Of very many ropes their sum, which is not less. N
 double strongest_together(const std::vector<Vector3>& ropes) {
   double largest = 0;
@@ -114,13 +114,13 @@ void take(const CheckState& state, AnchorStates& anchor) {
   const double factor = state.moves ? 1 : anchor.request->dynamic_factor;
   Vector3 F = Vector3::Zero();
   std::vector<Vector3> strengths;
-  each_pull_at(state, anchor.request->name, [&](const machine::Reeving& rope, const Vector3& pull) {
-    F += pull;
-    const double strength = rope.breaking_force * rope.copies;
-    anchor.strongest_rope = std::max(anchor.strongest_rope, strength);
-    if (pull.norm() > 0) strengths.emplace_back(strength * pull.normalized());
-    anchor.strength_unknown |= rope.breaking_force == 0;
-    anchor.thickest_rope = std::max(anchor.thickest_rope, rope.diameter);
+  each_pull_at(state, anchor.request->name, [&](const RopePull& pull) {
+    F += pull.force;
+    anchor.strongest_rope = std::max(anchor.strongest_rope, pull.rope.breaking_force * pull.rope.copies);
+    // over a round it pulls with both of its parts
+    if (pull.tension > 0) strengths.emplace_back(pull.rope.breaking_force / pull.tension * pull.force);
+    anchor.strength_unknown |= pull.rope.breaking_force == 0;
+    anchor.thickest_rope = std::max(anchor.thickest_rope, pull.rope.diameter);
   });
   anchor.strongest_rope = std::max(anchor.strongest_rope, strongest_together(strengths));
   if (F.norm() == 0) return;

@@ -102,6 +102,33 @@ TEST(AnchorChecks, AsStrongAsItsRopesTogether) {
   EXPECT_NEAR(as_strong(rope("p", "a") + rope("q", "across")), 100e3 * std::numbers::sqrt2, 1e-3);
 }
 
+// A rope over a block pulls there with both of its parts: three parts at a becket block, two at a tail block.
+TEST(AnchorChecks, ARopeOverABlockPullsWithBothItsParts) {
+  const auto parts = [](const char* reevings) {
+    const Result r = run_text(fmt::format(R"(taut: 1
+machine:
+  ropes: {{w: {{mass: 0 kg/m, stiffness: 20 MN, breaking_force: 100 kN}}}}
+  points: {{a: [30 m, 0 m, 0 m], b: [0 m, 0 m, 0 m], aside: [0 m, 30 m, 0 m]}}
+  bodies: {{load: {{mass: 0 kg, at: [30 m, 0 m, 0 m], free: [x]}}}}
+  sheaves: {{far: {{body: load, at: [0 m, 0 m, 0 m]}}, b_block: {{at: [0 m, 0 m, 0 m], efficiency: 1}}}}
+  loads: [{{at: load, force: [40 kN, 0 kN, 0 kN]}}]
+  reevings: [{}]
+analyses: [{{equilibrium: {{}}}}]
+checks: {{anchors: {{b_block: {{strength: 500 kN, as_strong_as_rope: true}}}}}}
+)",
+                                          reevings));
+    EXPECT_EQ(r.status, Status::ok) << r.message << to_text(r.errors);
+    return check_of(r, "b_block.anchor_as_rope").limit;
+  };
+  EXPECT_NEAR(
+      parts("{rope: w, path: [{anchor: b_block}, {over: far}, {over: b_block}, {anchor: load}], length: 89.9 m}"),
+      300e3, 1);
+  // led aside by 90 degrees: sqrt(2) of it, and the end that is tied there
+  const char* aside =
+      "{rope: w, path: [{anchor: b_block}, {over: far}, {over: b_block}, {anchor: aside}], length: 89.9 m}";
+  EXPECT_NEAR(parts(aside), 100e3 * std::sqrt(5), 1e3);
+}
+
 /// A rope of no weight that pulls with 60 kN at an anchor on the ground, up by so many degrees.
 std::string pull_at(const std::string& rise, const std::string& anchor, const std::string& tension = "60 kN") {
   return "taut: 1\nmachine:\n  ropes: {line: {mass: 0.001 kg/m, stiffness: 20 MN, breaking_force: 900 kN}}\n"

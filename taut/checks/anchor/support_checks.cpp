@@ -39,7 +39,7 @@ std::vector<std::string> pulled_places(const machine::Model& model, bool ends) {
 /// Force of all ropes on a place: over it, and ending at it.
 Vector3 force_at(const CheckState& state, const std::string& name) {
   Vector3 F = Vector3::Zero();
-  each_pull_at(state, name, [&](const machine::Reeving&, const Vector3& pull) { F += pull; });
+  each_pull_at(state, name, [&](const RopePull& pull) { F += pull.force; });
   return F;
 }
 

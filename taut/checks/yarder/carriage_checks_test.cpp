@@ -49,6 +49,36 @@ TEST(CarriageChecks, WhatHangsOnAnotherRopeCounts) {
   }
 }
 
+// The rope on which it rides and its mainline draw it along, also where they run to a body that can move: a shackle.
+TEST(CarriageChecks, APieceOfItsOwnRopesIsNoLoad) {
+  const auto load = [](const char* path, const char* more) {
+    const Result r = run_text(fmt::format(R"(taut: 1
+machine:
+  points: {{a: [0 m, 0 m, 40 m], b: [200 m, 0 m, 40 m]}}
+  ropes:
+    sky: {{mass: 4 kg/m, stiffness: 50 MN, breaking_force: 900 kN}}
+    main: {{mass: 1 kg/m, stiffness: 10 MN, breaking_force: 400 kN}}
+  drums: {{winch: {{at: [0 m, 0 m, 39 m]}}}}
+  carriages: {{car: {{mass: 300 kg, rides: sky, mainline: line, at: [100 m, 0 m, 30 m], rated_payload: 1200 kg}}}}
+  loads: [{{at: car, mass: 1300 kg}}]
+  reevings:
+    - {{rope: sky, path: [{{anchor: a}}, {{through: car}}, {{anchor: b}}], length: 202 m}}
+    - {{rope: main, name: line, path: [{}, {{anchor: car}}], length: {}}}
+{}
+analyses: [{{equilibrium: {{}}}}]
+checks: {{ropes: {{sky: {{safety_factor: 2}}}}}}
+)",
+                                          path, *more == 0 ? "80 m" : "40 m", more));
+    EXPECT_EQ(r.status, Status::ok) << r.message << to_text(r.errors);
+    return check_of(r, "car.payload").value;
+  };
+  EXPECT_NEAR(load("{drum: winch}", ""), 1300, 1e-6);
+  EXPECT_NEAR(load("{anchor: shackle}",
+                   "    - {rope: main, name: first, path: [{drum: winch}, {anchor: shackle}], length: 40 m}\n"
+                   "  bodies: {shackle: {mass: 0 kg, at: [50 m, 0 m, 37 m], free: [x, y, z]}}"),
+              1300, 1e-6);
+}
+
 // A rope that pulls the carriage down to a stump loads it as a load does; a mainline draws it along its line.
 TEST(CarriageChecks, ARopeThatPullsItDownCounts) {
   const auto held_down = [](bool mainline) {

@@ -211,11 +211,11 @@ inline std::string name_of(const Reeving& reeving) { return reeving.name.value_o
 
 /// A bunch of logs: one end hangs on the carriage, the other is dragged over the ground.
 struct Dragged {
-  double ground_angle = 0;             ///< slope of the ground, rad, positive where it rises in the direction of travel
-  double friction = 0;                 ///< of the bunch on the ground
-  double share = 0.5;                  ///< part of its weight that the carriage carries on level ground
-  double lift_angle = 0;               ///< between bunch and ground, rad
-  std::vector<double> along = {1, 0};  ///< horizontal direction of travel, x and y
+  double ground_angle = 0;    ///< slope of the ground, rad, positive where it rises in the direction of travel
+  double friction = 0;        ///< of the bunch on the ground
+  double share = 0.5;         ///< part of its weight that the carriage carries on level ground
+  double lift_angle = 0;      ///< between bunch and ground, rad
+  std::vector<double> along;  ///< horizontal direction of travel, x and y
   static const Description& describe();
 };
 

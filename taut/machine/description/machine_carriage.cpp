@@ -87,7 +87,8 @@ const Description& Dragged::describe() {
           .field(&Dragged::lift_angle, "lift_angle", "delta", si::rad.in("deg"), "angle between bunch and ground")
           .at_least(0)
           .below(pi / 2)
-          .field(&Dragged::along, "along", "", si::one, "horizontal direction of travel, [x, y]");
+          .field(&Dragged::along, "along", "", si::one, "horizontal direction of travel, [x, y]")
+          .required();
   return d;
 }
 

@@ -8,6 +8,7 @@
 
 #include "taut/base/array.hpp"
 #include "taut/math/roots.hpp"
+#include "taut/rope/catenary_shape.hpp"
 #include "taut/study/load_path.hpp"
 
 namespace taut::study {
@@ -141,12 +142,17 @@ class ClearanceSearch {
     if (*h > part.first && *h < part.last && x >= a.x && x <= b.x) take_at(*h);
   }
 
+  /// A corner of the ground is nearest to the rope where the rope, whose slope grows along it, rises no more than the
+  /// ground before it and no less than the ground behind it.
   void hilltop(std::size_t k, const Part& part) {
     if (under_.rate == 0) return;
     const machine::GroundPoint &a = ground_[k - 1], &b = ground_[k], &c = ground_[k + 1];
-    if ((b.z - a.z) * (c.x - b.x) <= (c.z - b.z) * (b.x - a.x)) return;
     const double h = (b.x - under_.from) / under_.rate;
-    if (h > part.first && h < part.last) take_at(h);
+    if (!(h > part.first && h < part.last)) return;
+    const double one = under_.rate * (b.z - a.z) / (b.x - a.x), other = under_.rate * (c.z - b.z) / (c.x - b.x);
+    const double before = under_.rate > 0 ? one : other, behind = under_.rate > 0 ? other : one;
+    const double slope = slope_at(h);
+    if (behind <= slope && slope <= before) take_at(h);
   }
 
   /// A place of the rope: its distance from the start in plan and its height over the ground, m.
@@ -213,6 +219,14 @@ class ClearanceSearch {
   double height_at(double h) const {
     const double x = std::clamp(x_at(h), ground_.front().x, ground_.back().x);
     return rope_at(h).z() - ground_height(ground_, x);
+  }
+
+  /// Slope of the rope at the distance h: V/H of the tension there.
+  double slope_at(double h) const {
+    if (straight()) return branch_.shape.chord.z() / length_;
+    const rope::CatenaryRope& rope = branch_.shape.rope;
+    const rope::RopePoint p = rope::point_at(rope, branch_.shape.force, rope::length_to(rope, branch_.shape.force, h));
+    return p.V / p.H;
   }
 
   /// The distance h at which the rope has a slope; none where it has it nowhere.

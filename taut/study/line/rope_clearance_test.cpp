@@ -84,6 +84,24 @@ TEST(RopeClearance, IsWhereTheRopeIsParallelToTheGroundOrOverAHilltop) {
   EXPECT_LT(least({{0, 0}, {50, 15}, {100, 0}}).height, 0);
 }
 
+// The same ground with many rows of the survey, whose rounding makes hilltops of them, and with a dip or a bump of 1
+// mm.
+TEST(RopeClearance, MoreRowsOfTheSameGroundChangeNothing) {
+  for (const double rise : {0.0, 0.1, -0.07}) {
+    const auto ground = [&](double x) { return support - 0.5 + rise * (x - 50) - 50 * std::abs(rise); };
+    const auto least = [&](double step, double bump) {
+      std::vector<machine::GroundPoint> rows;
+      for (double x = 0; x <= 100.001; x += step) rows.push_back({.x = x, .z = ground(x)});
+      if (bump != 0) rows[2].z += bump;
+      const Line line = line_over(std::move(rows));
+      return taut::study::rope_clearance(line.machine, line.rope).height;
+    };
+    const double two = least(100, 0);
+    for (const double step : {5.0, 2.0, 1.0, 0.7}) EXPECT_NEAR(least(step, 0), two, 1e-9) << rise << " " << step;
+    for (const double bump : {1e-3, -1e-3}) EXPECT_NEAR(least(1, bump), two, 2e-3) << rise << " " << bump;
+  }
+}
+
 /// A rope may well begin at the ground where it is fixed; an end that moves with a body may not come down to it.
 /// Ground that rises so steeply that it passes the rope at its end alone: an anchor 2 m in the ground is buried, one at
 /// 4 m is a mistake.
