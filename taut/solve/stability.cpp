@@ -455,7 +455,7 @@ std::string indifferent(const mechanics::System& s, const mechanics::Configurati
     moved[body] = c.bodies[body].position - s.model.bodies[body].position;
     any = any || moved[body].norm() > most;
   }
-  const auto curvature = any && !s.layout.hold ? energy_curvature(s, c, e) : std::nullopt;
+  const auto curvature = any && !s.layout.coordinate_row ? energy_curvature(s, c, e) : std::nullopt;
   if (!curvature) return {};
   std::string words;
   for (const Eigen::VectorXd& direction : neutral_directions(curvature->matrix)) {
