@@ -250,6 +250,7 @@ void warn_of_machine(const MachineDeck& deck, const results::MachineRun& run, co
   for (std::string& text : results::rope_beside_beam_warnings(run.model)) warn_unsafe(r, std::move(text));
   if (!run.judges || !run.tells) return;
   if (states.stands_on_guys) {
+    results::note_fallen(run.model, deck.machine.reevings.size(), *states.stands_on_guys, r);
     if (auto text = results::unbalanced_guys(deck.machine, *states.stands_on_guys)) r.warnings.push_back(*text);
   }
   add_pulls(deck, r);

@@ -1,6 +1,7 @@
 #pragma once
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "taut/base/array.hpp"
@@ -75,6 +76,9 @@ CheckState state_of(const machine::Model& model, const solve::EquilibriumResult&
 /// (`mass_lumped`). Of a rope in segments the first and the last one pull at the ends.
 CheckState state_of(const machine::Model& model, const solve::TransientResult& motion,
                     const solve::TransientFrame& moment, std::string words, std::string analysis);
+
+/// The analysis of states while lines and guys are put up and screws are set, which no analysis of the deck asks for.
+inline constexpr std::string_view put_up_analysis = "installation";
 
 /// "skyline between head and car".
 std::string span_words(const machine::Model& model, int reeving, int from, int to);

@@ -94,38 +94,39 @@ void CheckedParts::take_values(const machine::Model& model, const solve::Equilib
 }
 
 void CheckedParts::take_empty(const machine::Model& model, const solve::EquilibriumResult& state,
-                              const std::string& line, const std::string& words, bool put_up) {
+                              const std::string& line, const std::string& words, const std::string& analysis,
+                              bool put_up) {
   if (!judged) return;
   // the line is put up in whatever is asked of the deck
   (put_up ? this->put_up : seen) = true;
   ropes.take_empty(model, state, words);
   payloads.take_ropes(model, state, words);
-  show_empty(model, state, line, words, put_up);
-  for (const solve::EquilibriumResult& bound : state.bounds) {
-    show_empty(model, bound, line, held_words(words), put_up);
-  }
+  const auto take_one = [&](const solve::EquilibriumResult& one, const std::string& which) {
+    put_up ? judge.take_put_up(model, one, which) : judge.take_empty(model, one, which);
+    show_empty(state_of(model, one, which, analysis), line, put_up);
+  };
+  take_one(state, words);
+  for (const solve::EquilibriumResult& bound : state.bounds) take_one(bound, held_words(words));
 }
 
-void CheckedParts::show_empty(const machine::Model& model, const solve::EquilibriumResult& state,
-                              const std::string& line, const std::string& words, bool put_up) {
-  put_up ? judge.take_ropes(model, state, words) : judge.take_empty(model, state, words);
-  const auto show_as = [&](auto& one, const CheckState& seen) {  // by its place among the ropes of that model
+void CheckedParts::show_empty(const CheckState& seen, const std::string& line, bool put_up) {
+  const auto show_as = [&](auto& one) {  // by its place among the ropes of that model
+    const auto& ropes = seen.model->reevings;
     const int own = one.reeving;
-    const auto rope = std::find_if(model.reevings.begin(), model.reevings.end(),
+    const auto rope = std::find_if(ropes.begin(), ropes.end(),
                                    [&](const machine::Reeving& each) { return each.name == reevings[as_size(own)]; });
-    if (rope == model.reevings.end()) return;
-    one.reeving = static_cast<int>(rope - model.reevings.begin());
+    if (rope == ropes.end()) return;
+    one.reeving = static_cast<int>(rope - ropes.begin());
     checks::take(seen, one);
     one.reeving = own;
   };
-  const CheckState seen = state_of(model, state, words, "installation");
   for (AnchorStates& one : anchors) checks::take(seen, one);
   for (SupportStates& one : supports) checks::take(seen, one);
   for (YarderLineStates& one : yarders) take_empty_line(seen, line, put_up, one);
   for (LineStates& one : lines) {
-    if (one.request->name == line) show_as(one, seen);
+    if (one.request->name == line) show_as(one);
   }
-  for (GuyStates& one : guys) show_as(one, seen);
+  for (GuyStates& one : guys) show_as(one);
   for (MastStates& one : masts) checks::take(seen, *deck, one);
 }
 
@@ -135,11 +136,12 @@ void CheckedParts::take_put_up(const machine::Model& model, const solve::Equilib
   put_up = true;
   ropes.take_empty(model, state, words);
   payloads.take_ropes(model, state, words);
-  judge.take_ropes(model, state, words);
-  const CheckState seen = state_of(model, state, words, "installation");
+  judge.take_put_up(model, state, words);
+  const CheckState seen = state_of(model, state, words, std::string(put_up_analysis));
   for (AnchorStates& one : anchors) checks::take(seen, one);
   for (SupportStates& one : supports) checks::take(seen, one);
   for (GuyStates& one : guys) checks::take_put_up(seen, reevings[as_size(one.reeving)], one);
+  for (MastStates& one : masts) checks::take(seen, *deck, one);
 }
 
 void CheckedParts::take_pretension(const Array<double>& T_start, const Array<double>& T_end, const std::string& words) {

@@ -31,8 +31,8 @@ struct CheckedParts {
   /// and masts, its angles and clearance. `put_up`: it is being put up, which its winch has to do; it may lie on the
   /// ground yet.
   void take_empty(const machine::Model& model, const solve::EquilibriumResult& state, const std::string& line,
-                  const std::string& words, bool put_up = false);
-  /// A moment while the machine is put up: the tensions of its ropes and guys, and what they pull at.
+                  const std::string& words, const std::string& analysis, bool put_up = false);
+  /// A moment while the machine is put up: the tensions of its ropes and guys, what they pull at, and its beams.
   void take_put_up(const machine::Model& model, const solve::EquilibriumResult& state, const std::string& words);
   /// The tensions at both ends of all ropes, by reeving, N, that a `pretension` analysis leaves: of its guys they are
   /// pretensions.
@@ -51,9 +51,8 @@ struct CheckedParts {
 
   /// Shows a state to the parts that are named in `checks:` or have a rating, to the guys those of rest alone.
   void show(const CheckState& seen);
-  /// Shows the state, or a bound of one, to what `take_empty` says.
-  void show_empty(const machine::Model& model, const solve::EquilibriumResult& state, const std::string& line,
-                  const std::string& words, bool put_up);
+  /// Shows the state, or a bound of one, to the parts that `take_empty` says.
+  void show_empty(const CheckState& seen, const std::string& line, bool put_up);
   /// Whether there are any of them.
   bool any_shown() const;
   /// Whether a motion is judged by forces of several ropes together, which peak where none of them does.

@@ -247,6 +247,11 @@ void Judge::take_empty(const machine::Model& m, const solve::EquilibriumResult& 
   take_slack(m, e, words);
 }
 
+void Judge::take_put_up(const machine::Model& m, const solve::EquilibriumResult& e, const std::string& words) {
+  take_ropes(m, e, words);
+  take_beams(e, words);
+}
+
 void Judge::take_ropes(const machine::Model& m, const solve::EquilibriumResult& e, const std::string& words) {
   for (std::size_t i = 0; i < m.reevings.size(); ++i) {
     RopeWorst& worst = take_tension(m.reevings[i], e.ropes[i].T_max, words);

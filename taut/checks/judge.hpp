@@ -76,8 +76,8 @@ class Judge {
   void take(const machine::Model& model, const solve::EquilibriumResult& state, const std::string& words);
   /// A line in a model of its own, with all beams of the machine: its tension, height, slack, supports, and beams.
   void take_empty(const machine::Model& model, const solve::EquilibriumResult& state, const std::string& words);
-  /// Ropes alone: a line as it is put up, whose bodies and supports are not the machine's.
-  void take_ropes(const machine::Model& model, const solve::EquilibriumResult& state, const std::string& words);
+  /// Ropes and beams alone: what is put up may lie on the ground, on bodies and supports that are not the machine's.
+  void take_put_up(const machine::Model& model, const solve::EquilibriumResult& state, const std::string& words);
   /// A moment of a motion: heights of carriages and ropes, ropes out of their grooves or off their supports, blocks
   /// that run into each other, carriages beside their spans. Of a rope that the deck breaks, up to its break. `free`:
   /// its free ropes, of a machine over terrain.
@@ -138,6 +138,7 @@ class Judge {
   };
 
   RopeWorst& take_tension(const machine::Reeving& rope, double T, const std::string& words);
+  void take_ropes(const machine::Model& model, const solve::EquilibriumResult& state, const std::string& words);
   void take_peaks(const machine::Model& model, const solve::TransientResult& motion, const std::string& words);
   void take_height(const std::string& part, const std::string& words, double height, double x, const std::string& where,
                    std::map<std::string, Height>& all);

@@ -78,7 +78,7 @@ void show_put_up(const machine::Model& model, const std::vector<study::PutUpLine
   for (const study::PutUpLine& one : lines) {
     if (!one.at.outcome.ok()) continue;
     checked.take_empty(one.at.at.model, one.at.at.result, model.reevings[one.reeving].name, put_up_words(model, one),
-                       true);
+                       std::string(checks::put_up_analysis), true);
   }
 }
 
@@ -101,6 +101,7 @@ std::optional<double> tension_of(const machine::description::Guy& guy, const stu
 
 void show_stand_on_guys(const machine::Machine& machine, const study::PutUpMoment& stand,
                         checks::CheckedParts& checked) {
+  if (!stand.state.outcome.ok()) return;
   checked.take_put_up(stand.model, stand.state, stand.words);
   for (checks::GuyStates& one : checked.guys) {
     const std::string& name = checked.reevings[as_size(one.reeving)];
@@ -111,7 +112,20 @@ void show_stand_on_guys(const machine::Machine& machine, const study::PutUpMomen
   }
 }
 
+void note_fallen(const machine::Model& model, std::size_t first_guy, const study::PutUpMoment& stand, Result& r) {
+  const Outcome& outcome = stand.state.outcome;
+  if (outcome.ok()) return;
+  std::string text = fmt::format("{}: {}", stand.words, outcome.message);
+  if (outcome.status != Status::infeasible || study::other_ropes_hold_beams(model, first_guy)) {
+    warn_unsafe(r, std::move(text));
+    return;
+  }
+  r.unmade.push_back(text);
+  r.warnings.push_back(std::move(text));
+}
+
 std::optional<std::string> unbalanced_guys(const machine::Machine& machine, const study::PutUpMoment& stand) {
+  if (!stand.state.outcome.ok()) return std::nullopt;
   std::vector<std::string> all;
   for (const auto& guy : machine.guys) {
     const auto T = tension_of(guy, stand);

@@ -20,9 +20,13 @@ void add_put_up(const machine::Model& model, const std::vector<study::PutUpLine>
 void show_put_up(const machine::Model& model, const std::vector<study::PutUpLine>& lines,
                  checks::CheckedParts& checked);
 
-/// Shows the guys of the unloaded machine, let go, to the checks: their tensions there are pretensions too.
+/// Shows the unloaded machine, let go on its guys, to the checks: their tensions there are pretensions too.
 void show_stand_on_guys(const machine::Machine& machine, const study::PutUpMoment& stand,
                         checks::CheckedParts& checked);
+
+/// A machine that its guys alone do not hold is not judged in that state. Where the solver found no answer, and where
+/// other ropes than guys (`first_guy`: the first of these) hold its beams, that is an unsafe warning.
+void note_fallen(const machine::Model& model, std::size_t first_guy, const study::PutUpMoment& stand, Result& r);
 
 /// Names the guys that have another tension there than they are put up with: they are not in balance.
 std::optional<std::string> unbalanced_guys(const machine::Machine& machine, const study::PutUpMoment& stand);

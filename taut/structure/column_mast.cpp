@@ -217,20 +217,20 @@ class Combination {
   Combination(const ColumnMast& m, const std::vector<Slice>& slices, const MastCombination& c, ColumnMastResult& r)
       : m_(m), slices_(slices), c_(c), r_(r), most_pressed_(most_pressed(m, slices, c)) {
     expects(c.factors.size() == c.loads.size(), "each load has its factor");
-    for (const Plane plane : {Plane::y, Plane::z}) {
-      critical_ = std::min(critical_, critical_factor(column_of(m, slices, c, plane, true, true)));
-    }
+    critical_y_ = critical_factor(column_of(m, slices, c, Plane::y, true, true));
+    critical_z_ = critical_factor(column_of(m, slices, c, Plane::z, true, true));
   }
 
   void add() {
-    r_.critical_factor = std::min(r_.critical_factor, critical_);
-    if (critical_ <= 1 + rounding) {
+    const double critical = std::min(critical_y_, critical_z_);
+    r_.critical_factor = std::min(r_.critical_factor, critical);
+    if (critical <= 1 + rounding) {
       if (r_.refused.empty()) {
         r_.refused = m_.clamped_base || m_.top_stiffness > 0
                          ? fmt::format(
                                "{}: the mast buckles at {:.4g} times its load; choose a stiffer section, "
                                "shorten it, or hold its top",
-                               c_.words, critical_)
+                               c_.words, critical)
                          : fmt::format(
                                "{}: the mast stands on a hinge and nothing holds its top: it falls over; give "
                                "the stiffness of its guys, or clamp its base",
@@ -257,7 +257,7 @@ class Combination {
     const SectionRow& r = slice.section;
     const double yield = m_.pieces[slice.piece].yield, EI = stiffness(m_, slice.low, plane);
     const double slenderness = std::sqrt(r.area * yield / euler_load(m_.E, EI / m_.E, height()));
-    const double length = buckling_length(EI, critical_, N);
+    const double length = buckling_length(EI, plane == Plane::y ? critical_y_ : critical_z_, N);
     if (m_.bow) return *m_.bow * length;
     if (m_.clamped_base && !needs_bow(slenderness, r.area * yield, N)) return 0;
     return bow_share(m_.curve.value_or(curve_of(r, yield)), true) * length;
@@ -311,9 +311,10 @@ class Combination {
             .M_z = first_z[i].M,
             .torsion = torsion}});
     }
-    if (std::isfinite(critical_)) {
+    if (std::isfinite(std::max(critical_y_, critical_z_))) {
       for (const Slice& s : slices_) {
-        one.critical_force.push_back(critical_ * compression_at(m_, slices_, c_, s.from + 1e-6 * height(), true));
+        const double compression = compression_at(m_, slices_, c_, s.from + 1e-6 * height(), true);
+        one.critical_force.push_back({.y = critical_y_ * compression, .z = critical_z_ * compression});
       }
     }
     r_.cases.push_back(std::move(one));
@@ -324,7 +325,8 @@ class Combination {
   const MastCombination& c_;
   ColumnMastResult& r_;
   MostPressed most_pressed_;
-  double critical_ = std::numeric_limits<double>::infinity();
+  /// alpha_cr of the column in each plane: it buckles in one of them, about a principal axis.
+  double critical_y_ = 0, critical_z_ = 0;
 };
 
 }  // namespace

@@ -239,6 +239,34 @@ TEST(ColumnMast, APulledFootLeavesTheMastAboveItLeaning) {
   EXPECT_NEAR(use(129e3), use(131e3), 0.03);
 }
 
+// A box of two different I, hinged and held, pressed by 112.5 kN and bent by P l/4 about its strong axis alone. N_cr,
+// chi, n and k of each axis are its own: (6.61) n_y + k_yy m_y, (6.62) n_z + 0.6 k_yy m_y, by hand.
+TEST(ColumnMast, ABoxHasACriticalForceAboutEachAxis) {
+  const double l = 7, N = 112.5e3, f_y = 355e6;
+  ColumnMast m = cantilever("RHS 200x100x8", l, N, 0);
+  m.clamped_base = false;
+  m.top_stiffness = std::numeric_limits<double>::infinity();
+  m.combinations[0].loads.push_back(
+      {.height = l / 2, .down = 0, .across_y = 18e3, .across_z = 0, .moment_y = 0, .moment_z = 0});
+  m.combinations[0].factors.push_back(1);
+  const ColumnMastResult r = column_mast(m);
+  const auto& box = m.pieces[0].section;
+  const auto euler = [&](double I) { return std::pow(std::acos(-1.0) / l, 2) * 210e9 * I; };
+  EXPECT_NEAR(r.critical_factor, euler(box.I_z) / N, 1e-4);
+  EXPECT_NEAR(r.bow, l / 300, 1e-5);  // curve a, elastic, over the buckling length of either plane
+  const auto slenderness = [&](double I) { return std::sqrt(box.area * f_y / euler(I)); };
+  const auto share = [&](double I) {
+    const double x = slenderness(I), phi = 0.5 * (1 + 0.21 * (x - 0.2) + x * x);
+    return N / (box.area * f_y / (phi + std::sqrt(phi * phi - x * x)));
+  };
+  const double n_y = share(box.I_y), n_z = share(box.I_z), m_y = 18e3 * l / 4 / (box.W_pl_y * f_y);
+  const double k_yy = 0.9 * (1 + std::min(slenderness(box.I_y) - 0.2, 0.8) * n_y);
+  const MastUse u = mast_use(r.mast, r.cases);
+  EXPECT_NEAR(u.flexural.value, n_z, 1e-4);
+  EXPECT_NEAR(u.member.value, std::max(n_y + k_yy * m_y, n_z + 0.6 * k_yy * m_y), 1e-4);
+  EXPECT_NEAR(u.member.value, 0.587, 1e-3);
+}
+
 // By the rule's bow too: its length is that of what is pressed, as for the mast whose whole height is.
 TEST(ColumnMast, TheBowIsOfTheSliceThatIsPressedMost) {
   ColumnMast m = cantilever("CHS 219.1x8", 8, 130e3, 0);

@@ -118,8 +118,12 @@ Member member_in(const Mast& mast, const MastCase& c, std::size_t part) {
   // that of the part that is pressed most
   const auto [first, last] = member_of(mast, part);
   const auto from = c.critical_force.begin() + static_cast<std::ptrdiff_t>(first);
-  const double N_cr = *std::max_element(from, c.critical_force.begin() + static_cast<std::ptrdiff_t>(last) + 1);
-  m.y.critical_force = m.z.critical_force = N_cr;
+  const auto to = c.critical_force.begin() + static_cast<std::ptrdiff_t>(last) + 1;
+  const auto most = [&](double CriticalForces::*axis) {
+    return (*std::max_element(from, to, [&](const auto& a, const auto& b) { return a.*axis < b.*axis; })).*axis;
+  };
+  m.y.critical_force = most(&CriticalForces::y);
+  m.z.critical_force = most(&CriticalForces::z);
   return m;
 }
 

@@ -18,13 +18,18 @@ struct MastStation {
   CrossForces member;    ///< with factors, for (6.61), which magnifies moments itself
 };
 
+/// N_cr of a part that bends about its strong and about its weak axis, N.
+struct CriticalForces {
+  double y = 0, z = 0;
+};
+
 /// One state of the mast.
 struct MastCase {
   std::string words;  ///< "at rest", "load path, in, x = 40 m"
   std::vector<MastStation> stations;
   /// N_cr of the whole structure in this state, as the axial force of each part, N; empty: the lengths in the parts'
   /// members count.
-  std::vector<double> critical_force;
+  std::vector<CriticalForces> critical_force;
   /// Whether members are checked by (6.61) and (6.62) too: not needed where sections are under forces of second order
   /// with sway and bow as built in the worst direction, EN 1993-1-1, 5.2.2 (7) a.
   bool members = true;

@@ -145,7 +145,8 @@ Outcome set_screws(machine::Model& model, std::vector<PutUpMoment>* moments) {
     }
   }
   solve::EquilibriumOptions options;
-  options.band = options.beam_factors = false;
+  options.band = false;
+  options.beam_factors = moments != nullptr;
   const solve::EquilibriumResult found = solve::equilibrium(machine::with_guides_at_start(bare), options);
   if (!found.outcome.ok()) return refused(found.outcome.status, found.outcome.message);
   if (moments != nullptr) moments->push_back({.model = bare, .state = found, .words = "as its screws are set"});
@@ -246,6 +247,16 @@ bool has_guys_around(const machine::Model& model, std::size_t first_guy, std::si
   return on_mast;
 }
 
+bool other_ropes_hold_beams(const machine::Model& model, std::size_t first_guy) {
+  for (std::size_t r = 0; r < first_guy; ++r) {
+    for (const machine::Node& node : model.reevings[r].nodes) {
+      const auto mast = mast_at(model, node.at);
+      if (mast && *mast >= model.bodies.size() && azimuths_at(model, first_guy, *mast).empty()) return true;
+    }
+  }
+  return false;
+}
+
 std::optional<PutUpMoment> stand_on_guys(const machine::Model& model, std::size_t first_guy) {
   bool any = false;
   for (std::size_t r = first_guy; r < model.reevings.size() && !any; ++r) any = has_guys_around(model, first_guy, r);
@@ -256,9 +267,11 @@ std::optional<PutUpMoment> stand_on_guys(const machine::Model& model, std::size_
   // a guy on what hangs on another rope is not the mast's alone
   if (!line.outcome.ok() || line.model.reevings.size() != model.reevings.size() - first_guy) return std::nullopt;
   solve::EquilibriumOptions options;
-  options.band = options.beam_factors = false;
+  options.band = false;
   solve::EquilibriumResult found = solve::equilibrium(line.model, options);
-  if (!found.outcome.ok() || has_fallen(line.model, found.state)) return std::nullopt;
+  if (found.outcome.ok() && has_fallen(line.model, found.state)) {
+    found.outcome = {.status = Status::infeasible, .message = "its guys do not hold it, it falls over"};
+  }
   return PutUpMoment{.model = std::move(line.model),
                      .state = std::move(found),
                      .words = "as the machine stands on its guys alone, unloaded"};

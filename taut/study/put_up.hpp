@@ -20,7 +20,7 @@ struct PutUpLine {
 
 /// A moment while a machine is put up: what of it is there, and its equilibrium.
 struct PutUpMoment {
-  machine::Model model;
+  machine::Model model;  ///< as guys are put up without beams
   solve::EquilibriumResult state;
   std::string words;
 };
@@ -51,9 +51,13 @@ Outcome set_screws(machine::Model& model, std::vector<PutUpMoment>* moments = nu
 Outcome install_guys(machine::Model& model, std::vector<PutUpMoment>* moments = nullptr);
 
 /// The machine on its guys alone (the reevings from `first_guy` on, which have their lengths), its bodies let go:
-/// without loads, other ropes and what hangs on those. Empty where no mast has guys around it or where it does not
-/// stand so.
+/// without loads, other ropes and what hangs on those. Empty where no mast has guys around it. `state.outcome` not ok:
+/// why it does not stand so.
 std::optional<PutUpMoment> stand_on_guys(const machine::Model& model, std::size_t first_guy);
+
+/// Whether a rope before `first_guy` holds a beam that has no guys: without it that beam may fall, whatever the guys
+/// hold.
+bool other_ropes_hold_beams(const machine::Model& model, std::size_t first_guy);
 
 /// Whether the guys of the masts that hold this one (a reeving) pull to all sides in plan, as described, so that they
 /// can balance each other. Where all pull to one side it is the lines that they balance.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <set>
 
 #include "taut/base/suggest.hpp"
 #include "taut/checks/mast/mast_checks.hpp"
@@ -59,7 +60,8 @@ void add_pull(const MastCheckRequest& request, const Vector3& place, const Vecto
   all.loads.push_back(std::move(load));
 }
 
-/// Each state as a combination of its own: with the deck's own loads by their factors.
+/// Each state as a combination of its own: with the deck's own loads by their factors. A name that is of a load case
+/// and of an analysis means both.
 class Combinations {
  public:
   Combinations(const MastCheckRequest& request, const std::vector<CarriedState>& states)
@@ -72,14 +74,28 @@ class Combinations {
     for (const MastCombinationRequest& c : request_.combinations) {
       std::vector<MastTerm> own, of_states;
       for (const MastTerm& t : c.terms) {
-        if (!is_weight(t)) (is_load(t.name) ? own : of_states).push_back(t);
+        if (is_weight(t)) continue;
+        if (is_load(t.name)) own.push_back(t);
+        if (!is_load(t.name) || has_states(t.name)) of_states.push_back(t);
       }
       // named, because the factors of the states may be without the dynamic one
       if (request_.own_weight) own.push_back({std::string(weight_term), weight_factor(c.terms)});
-      for (const MastTerm& t : of_states) add_states(c.name + ": ", own, t);
+      for (const MastTerm& t : of_states) {
+        add_states(c.name + ": ", own, t);
+        if (in_all_) add_states(c.name + ": ", own, {.name = std::string(put_up_analysis), .factor = t.factor});
+      }
       if (of_states.empty()) own_.combinations.push_back(c);
     }
     return own_;
+  }
+
+  /// The analyses whose states are in no combination.
+  std::set<std::string> left_out() const {
+    std::set<std::string> names;
+    for (const CarriedState& s : states_) {
+      if (!taken_.contains(s.analysis)) names.insert(s.analysis);
+    }
+    return names;
   }
 
  private:
@@ -100,6 +116,9 @@ class Combinations {
     return std::any_of(request_.loads.begin(), request_.loads.end(),
                        [&](const auto& l) { return l.load_case == name; });
   }
+  bool has_states(const std::string& analysis) const {
+    return std::any_of(states_.begin(), states_.end(), [&](const auto& s) { return s.analysis == analysis; });
+  }
   std::vector<std::string> analyses() const {
     std::vector<std::string> names;
     for (const CarriedState& s : states_) {
@@ -111,6 +130,7 @@ class Combinations {
   void add_states(const std::string& before, const std::vector<MastTerm>& own, const MastTerm& term) {
     for (const CarriedState& s : states_) {
       if (s.analysis != term.name) continue;
+      taken_.insert(s.analysis);
       const std::string key = fmt::format("state {}", own_.combinations.size());
       for (MastLoadRequest load : s.loads) {
         load.load_case = key;
@@ -126,6 +146,8 @@ class Combinations {
   const MastCheckRequest& request_;
   const std::vector<CarriedState>& states_;
   MastCheckRequest own_;
+  bool in_all_ = counts_put_up_in_all(request_);
+  std::set<std::string> taken_;  ///< analyses
 };
 
 /// Places of the machine that a mast may carry, and where they are as described.
@@ -191,7 +213,8 @@ void complain_of_carried(const MastCheckRequest& request, const std::string& pat
 }
 
 MastReport carrying_mast(const MastCheckRequest& request, const std::vector<CarriedState>& states, double gravity) {
-  const MastCheckRequest all = Combinations(request, states).all();
+  Combinations combinations(request, states);
+  const MastCheckRequest all = combinations.all();
   if (all.combinations.empty()) {
     MastReport none;
     none.name = request.name;
@@ -200,13 +223,7 @@ MastReport carrying_mast(const MastCheckRequest& request, const std::vector<Carr
     return none;
   }
   MastReport report = own_mast(all, all.loads, gravity);
-  for (const CarriedState& s : states) {
-    const auto named = [&](const MastCombinationRequest& c) {
-      return std::any_of(c.terms.begin(), c.terms.end(), [&](const MastTerm& t) { return t.name == s.analysis; });
-    };
-    const auto& asked = request.combinations;
-    if (!asked.empty() && std::none_of(asked.begin(), asked.end(), named)) report.left_out.insert(s.analysis);
-  }
+  report.left_out.merge(combinations.left_out());
   report.words.push_back(fmt::format(
       "{}: under the ropes over and at {}, in the deck's {} states; motions without the dynamic factor; its own weight "
       "{}.",

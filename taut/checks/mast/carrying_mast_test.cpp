@@ -103,9 +103,85 @@ TEST(CarryingMast, mistakes) {
   expect_mistake(mast(", height: 10 m, carries: [head], towards: [0, 0]"), "horizontal direction");
   expect_mistake(mast(", height: 10 m, carries: [head], combinations: {a: {equilibrum: 1.5}}"),
                  "did you mean 'equilibrium'");
+  expect_mistake(run_text(derrick("    mast: {section: CHS 219.1x8, steel: S355, height: 10 m, carries: [head], "
+                                  "combinations: {ULS: {a: 1, b: 1}}}\n",
+                                  "  - equilibrium: {name: a}\n  - equilibrium: {name: b}\n")),
+                 "takes one analysis");
   expect_mistake(mast(", height: 10 m"), "'carries'");
   expect_mistake(mast(", height: 10 m, loads: [{down: 1 kN}], foot: [0 m, 0 m, 1 m]"), "foot: belongs to a mast that");
   expect_mistake(mast(", height: 10 m, loads: [{down: 1 kN}], towards: [0, 1]"), "towards: belongs to a mast that");
+}
+
+// A load without 'case' is of the case 'work': its name may be that of the analysis too.
+TEST(CarryingMast, a_name_of_a_load_and_of_an_analysis_means_both) {
+  const auto spar = [](const std::string& load, const std::string& terms) {
+    return run_text(derrick("    mast: {section: CHS 219.1x8, steel: S355, height: 10 m, carries: [head], loads: [{" +
+                                load + "at: 6 m, sideways: 1 kN}], combinations: {ULS: {" + terms + "}}}\n",
+                            "  - equilibrium: {name: work, motion: at_rest}\n"));
+  };
+  const Result both = spar("", "work: 1.5"), apart = spar("case: wind, ", "wind: 1.5, work: 1.5");
+  ASSERT_EQ(both.status, Status::ok) << both.message << to_text(both.errors);
+  for (const char* name : {"mast.section", "mast.member", "mast.buckling", "mast.shear"}) {
+    EXPECT_DOUBLE_EQ(check_of(both, name).value, check_of(apart, name).value) << name;
+  }
+  EXPECT_GT(check_of(both, "mast.section").value, 1);  // 1.5 19.6 kN cos(46 deg) 10 m
+  EXPECT_EQ(both.unjudged.size(), 1U);                 // the rope has no limit
+  expect_mistake(run_text(derrick("    mast: {section: CHS 219.1x8, steel: S355, height: 10 m, carries: [head], "
+                                  "own_weight: true, combinations: {ULS: {own_weight: 1.5}}}\n",
+                                  "  - equilibrium: {name: own_weight}\n")),
+                 "give the analysis another name");
+}
+
+// A line over a head sheave that nothing loads but its own weight: as put up it pulls as in the equilibrium.
+TEST(CarryingMast, a_line_as_it_is_put_up_counts_in_every_combination) {
+  const auto spar = [](const std::string& combinations, const std::string& analyses) {
+    return run_text(R"(taut: 1
+machine:
+  temperature: 15 degC
+  ropes: {sky: {mass: 2 kg/m, stiffness: 25 MN, breaking_force: 400 kN}}
+  points: {stump: [-12 m, 0 m, 0 m], tail: [200 m, 0 m, -30 m]}
+  sheaves: {head: {at: [0 m, 0 m, 9 m], diameter: 600 mm, efficiency: 1}}
+  reevings: [{name: skyline, rope: sky, path: [{anchor: stump}, {over: head}, {anchor: tail}], install: {tension: 40 kN}}]
+analyses: [)" + analyses +
+                    R"(]
+checks:
+  ropes: {skyline: {safety_factor: 2.5}}
+  masts: {spar: {section: CHS 323.9x12.5, steel: S355, height: 9 m, carries: [head], combinations: {)" +
+                    combinations + "}}}\n");
+  };
+  const std::string rest = "{equilibrium: {name: work, motion: at_rest}}";
+  const Result plain = spar("ULS: {work: 1.35}", rest);
+  ASSERT_EQ(plain.status, Status::ok) << plain.message << to_text(plain.errors);
+  EXPECT_TRUE(plain.unjudged.empty());
+  const auto rule = [](const Result& r) { return check_of(r, "spar.section").rule; };
+  const auto use = [](const Result& r) { return check_of(r, "spar.section").value; };
+  const Result named = spar("ULS: {work: 1.35}, UP: {installation: 1.5}", rest);
+  EXPECT_NE(rule(named).find("UP: skyline as put up"), std::string::npos) << rule(named) << to_text(named.errors);
+  EXPECT_GT(use(named), use(plain));
+  EXPECT_DOUBLE_EQ(use(named), use(spar("ULS: {work: 1.35}, UP: {work: 1.5}", rest)));
+  // an analysis of that kind has a name of its own
+  const std::string days = rest + ", {installation: {name: days, reeving: skyline, temperatures: [15 degC]}}";
+  const Result unsaid = spar("ULS: {work: 1.35}", days);
+  ASSERT_EQ(unsaid.unjudged.size(), 1U) << to_text(unsaid.errors);
+  EXPECT_NE(unsaid.unjudged[0].find("spar in 'days', which none of its combinations names: add {days: its factor}"),
+            std::string::npos)
+      << unsaid.unjudged[0];
+  EXPECT_TRUE(spar("ULS: {work: 1.35}, D: {days: 1.35}", days).unjudged.empty());
+}
+
+// The place of rest of 'modes' is a state of its own.
+TEST(CarryingMast, modes_may_be_named) {
+  const auto spar = [](const std::string& more) {
+    return run_text(
+        derrick("    mast: {section: CHS 219.1x8, steel: S355, height: 10 m, carries: [head], combinations: "
+                "{ULS: {work: 1.5}" +
+                    more + "}}\n",
+                "  - equilibrium: {name: work, motion: at_rest}\n  - modes: {}\n"));
+  };
+  EXPECT_EQ(spar("").unjudged.size(), 2U);  // the rope has no limit
+  const Result named = spar(", M: {modes: 1.5}");
+  ASSERT_EQ(named.status, Status::ok) << named.message << to_text(named.errors);
+  EXPECT_EQ(named.unjudged.size(), 1U);
 }
 
 // The machine's gravity weighs the mast too: without load factors, mass times length times g.

@@ -16,8 +16,6 @@ namespace {
 
 using machine::description::Beam;
 
-constexpr double as_rounded = 0.98;  // of a number that a deck gives in three digits
-
 std::size_t index_in(const machine::Model& model, const std::string& name) {
   const auto found =
       std::find_if(model.beams.begin(), model.beams.end(), [&](const machine::Beam& b) { return b.name == name; });
@@ -32,9 +30,19 @@ std::string steel_of(const MastCheckRequest& request, const Beam& beam) {
   return request.steel ? *request.steel : beam.steel.value_or("");
 }
 
+/// Whether the machine is shown to the checks while it is put up.
+bool is_put_up(const machine::Machine& machine) {
+  const auto has_install = [](const auto& rope) { return rope.install.has_value(); };
+  return std::any_of(machine.guys.begin(), machine.guys.end(), has_install) ||
+         std::any_of(machine.reevings.begin(), machine.reevings.end(), has_install) ||
+         std::any_of(machine.take_up.begin(), machine.take_up.end(),
+                     [](const auto& one) { return one.screw.has_value(); });
+}
+
 /// Names that a combination may use: of all analyses that show states; beams don't move.
 std::vector<std::string> analyses_of(const CheckedDeck& deck, bool with_motions) {
   std::vector<std::string> names;
+  if (is_put_up(deck.machine)) names.emplace_back(put_up_analysis);
   const auto add = [&](const auto& analysis, const char* kind) {
     if (analysis) names.push_back(analysis->name.value_or(kind));
   };
@@ -47,6 +55,7 @@ std::vector<std::string> analyses_of(const CheckedDeck& deck, bool with_motions)
     add(a.payload, "payload");
     add(a.installation, "installation");
     add(a.pretension, "pretension");
+    add(a.modes, "modes");
     if (with_motions) add(a.transient, "transient");
   }
   if (deck.analyses.empty()) names.emplace_back("equilibrium");
@@ -237,12 +246,13 @@ class MachineMast {
   }
 
   void add_cases() {
+    const bool in_all = counts_put_up_in_all(request_);
     for (const BeamState& one : mast_.states) {
       if (request_.combinations.empty()) add_case(one, one.words, request_.load_factor);
       bool named = request_.combinations.empty();
       for (const MastCombinationRequest& c : request_.combinations) {
         for (const MastTerm& t : c.terms) {
-          if (t.name != one.analysis) continue;
+          if (t.name != one.analysis && !(in_all && one.analysis == put_up_analysis)) continue;
           add_case(one, fmt::format("{}: {}", c.name, one.words), t.factor);
           named = true;
         }
@@ -326,7 +336,10 @@ class MachineMast {
       height += lengths_[i];
     }
     if (!request_.buckling_length && inverse.most > 0) {
-      for (const solve::BeamResult& b : state.beams) c.critical_force.push_back(b.compression / inverse.most);
+      for (const solve::BeamResult& b : state.beams) {
+        const double N_cr = b.compression / inverse.most;
+        c.critical_force.push_back({.y = N_cr, .z = N_cr});
+      }
     }
     if (request_.buckling_length) compare_length(state);
     report_.loaded.cases.push_back(std::move(c));
@@ -380,7 +393,10 @@ class MachineMast {
       one.allowable_stress = m->allowable_stress;
       // a weaker mast holds less, at most in proportion; a stiffer one is not believed to hold more
       for (auto& c : other.cases) {
-        for (double& N : c.critical_force) N *= std::min(1.0, m->section.I_z / I);
+        for (structure::CriticalForces& N : c.critical_force) {
+          N.y *= std::min(1.0, m->section.I_z / I);
+          N.z *= std::min(1.0, m->section.I_z / I);
+        }
       }
       return other;
     };
@@ -454,7 +470,8 @@ double together_in(const solve::EquilibriumResult& state, bool alone) {
 
 void take(const CheckState& state, const CheckedDeck& deck, MastStates& mast) {
   if (!mast.request->carries.empty()) mast.carried.push_back(carried_by(*mast.request, state));
-  if (mast.beams.empty() || state.rest == nullptr) return;
+  // guys are put up without the beams
+  if (mast.beams.empty() || state.rest == nullptr || state.rest->beams.empty()) return;
   const bool alone = is_alone(mast, *state.rest);
   BeamState& one = mast.states.emplace_back(BeamState{.words = state.words,
                                                       .analysis = state.analysis,
@@ -463,7 +480,7 @@ void take(const CheckState& state, const CheckedDeck& deck, MastStates& mast) {
                                                       .alone = alone});
   for (const std::size_t beam : mast.beams) one.beams.push_back(state.rest->beams[beam]);
   if (!mast.request->top_criterion) return;
-  const auto k = guy_stiffness(deck, state, beams_of(*mast.request).back() + ".top");
+  const auto k = guy_stiffness(deck, state, mast.beams.back());
   if (!k || *k >= mast.guy_stiffness) return;
   mast.guy_stiffness = *k;
   mast.where_stiffness = state.words;
@@ -540,7 +557,7 @@ void add_machine_masts(const std::vector<MastStates>& masts, const CheckedDeck& 
       bending = std::min(bending, beam_named(deck, beams_of(one)[i])->E * report.materials[i].section.I_z);
     }
     add_top_check(mast, bending, model, r);
-    add_plate_checks(one, deck, model, r);
+    add_plate_checks(mast, deck, model, r);
   }
 }
 

@@ -47,11 +47,11 @@ std::vector<std::string> beams_of(const MastCheckRequest& request);
 const machine::description::Beam* beam_named(const CheckedDeck& deck, const std::string& name);
 
 // The guys of a mast: mast_guys.cpp.
-/// The least horizontal stiffness of all guys at a point, in a state, N/m; none: no taut guy is there.
-std::optional<double> guy_stiffness(const CheckedDeck& deck, const CheckState& state, const std::string& top);
+/// The least horizontal stiffness of all guys at the top of a beam, in a state, N/m; none: no guy is there.
+std::optional<double> guy_stiffness(const CheckedDeck& deck, const CheckState& state, std::size_t beam);
 /// `bending`: least E I of the mast, N m2.
 void add_top_check(const MastStates& mast, double bending, const machine::Model& model, Result& r);
-void add_plate_checks(const MastCheckRequest& request, const CheckedDeck& deck, const machine::Model& model, Result& r);
+void add_plate_checks(const MastStates& mast, const CheckedDeck& deck, const machine::Model& model, Result& r);
 
 void complain_of_masts(const std::vector<MastCheckRequest>& masts, const CheckedDeck& deck, const machine::Model& model,
                        std::vector<Complaint>& complaints);

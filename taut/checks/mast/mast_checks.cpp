@@ -340,7 +340,8 @@ void add_mast_report(const MastCheckRequest& request, const MastReport& report, 
   if (!report.materials.empty()) r.assumptions.push_back(factor_words(request, report));
   r.assumptions.insert(r.assumptions.end(), report.words.begin(), report.words.end());
   for (const std::string& analysis : report.left_out) {
-    r.unjudged.push_back(fmt::format("{} in '{}', which none of its combinations names", report.name, analysis));
+    r.unjudged.push_back(fmt::format("{0} in '{1}', which none of its combinations names: add {{{1}: its factor}}",
+                                     report.name, analysis));
   }
   if (!report.apart.empty()) {
     r.unmade.push_back(fmt::format("{}: {}", report.name, report.apart));

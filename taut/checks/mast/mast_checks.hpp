@@ -46,11 +46,11 @@ struct MastReport {
   std::string refused;                  ///< why there are no forces
   bool unseen = false;                  ///< because no state was found, which is no failure of the mast
   std::string relieved;                 ///< a combination in which its own weight relieves it by too much
-  std::string short_length;             ///< a buckling length of the deck that is shorter than the machine's
-  std::set<std::string> left_out;       ///< analyses with states, or load cases, that no combination names
-  std::string apart;                    ///< load cases that are checked one at a time, though nobody said so
-  std::vector<std::string> words;       ///< how it was computed
-  structure::MastOf in_section;         ///< the same mast in another section, for `choose`
+  std::string short_length;  ///< a buckling length of the deck that is shorter than that of the machine or the column
+  std::set<std::string> left_out;  ///< analyses with states, or load cases, that no combination names
+  std::string apart;               ///< load cases that are checked one at a time, though nobody said so
+  std::vector<std::string> words;  ///< how it was computed
+  structure::MastOf in_section;    ///< the same mast in another section, for `choose`
 };
 
 /// Adds checks (part: the mast), values, a table row, lines and a plot.
@@ -72,6 +72,9 @@ enum class LoadsOf { deck, method, machine };
 void complain_of_own_mast(const MastCheckRequest& request, const std::string& path, LoadsOf loads,
                           const std::vector<std::string>& analyses, std::vector<Complaint>& complaints);
 
+/// Of a number that a deck gives in three digits.
+inline constexpr double as_rounded = 0.98;
+
 /// Partial factors in two places.
 void refuse_both_factors(const MastCheckRequest& request, const std::string& path, std::vector<Complaint>& complaints);
 
@@ -79,6 +82,10 @@ void refuse_both_factors(const MastCheckRequest& request, const std::string& pat
 inline constexpr std::string_view weight_term = "own_weight";
 /// Partial factor of the own weight in a combination: that of its term `own_weight`, else the largest of its factors.
 double weight_factor(const std::vector<MastTerm>& terms);
+
+/// Whether the states while the machine is put up (`put_up_analysis`) count in every combination, with the factor of
+/// its analysis: no combination names them.
+bool counts_put_up_in_all(const MastCheckRequest& request);
 
 /// Such a mast, solved. `loads`: in place of those in the request; `gravity`: of its own weight, m/s2. Of more than 500
 /// combinations, as a motion has them, the cases are those that decide a check or a number of the report.

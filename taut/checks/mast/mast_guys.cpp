@@ -5,60 +5,62 @@
 
 #include "taut/checks/guy/guy_checks.hpp"
 #include "taut/checks/mast/machine_masts.hpp"
+#include "taut/math/index.hpp"
 #include "taut/rope/guy.hpp"
 
 namespace taut::checks {
 namespace {
+
+bool is_guy(const CheckedDeck& deck, const machine::Reeving& rope) {
+  return std::any_of(deck.machine.guys.begin(), deck.machine.guys.end(),
+                     [&](const auto& guy) { return guy.name == rope.name; });
+}
+
+/// Whether a rope ends at such a body, at whatever point of it.
+template <class Is>
+bool ends_at(const machine::Reeving& rope, const Is& is) {
+  return is(rope.nodes.front().at.body) || is(rope.nodes.back().at.body);
+}
 
 /// Guys that are fixed to the mast's beams, and the least of their breaking forces (0: one is not known).
 struct MastGuys {
   int number = 0;
   double weakest = HUGE_VAL;
 };
-MastGuys guys_of(const MastCheckRequest& request, const CheckedDeck& deck, const machine::Model& model) {
-  const std::vector<std::string> beams = beams_of(request);
-  const auto on_mast = [&](const std::string& place) {
-    return std::any_of(beams.begin(), beams.end(), [&](const std::string& beam) {
-      if (place == beam || place.starts_with(beam + ".")) return true;
-      const auto& points = deck.machine.points;
-      return std::any_of(points.begin(), points.end(),
-                         [&](const auto& p) { return p.name == place && p.body && *p.body == beam; });
-    });
+MastGuys guys_of(const MastStates& mast, const CheckedDeck& deck, const machine::Model& model) {
+  const auto on_mast = [&](int body) {
+    if (body == machine::ground || !model.bodies[body].beam) return false;
+    return std::find(mast.beams.begin(), mast.beams.end(), as_size(*model.bodies[body].beam)) != mast.beams.end();
   };
   MastGuys all;
-  for (const auto& guy : deck.machine.guys) {
-    if (!on_mast(guy.from) && !on_mast(guy.to)) continue;
-    const auto rope = std::find_if(model.reevings.begin(), model.reevings.end(),
-                                   [&](const machine::Reeving& one) { return one.name == guy.name; });
-    all.number += rope->copies;
-    all.weakest = std::min(all.weakest, rope->breaking_force);
+  for (const machine::Reeving& rope : model.reevings) {
+    if (!is_guy(deck, rope) || !ends_at(rope, on_mast)) continue;
+    all.number += rope.copies;
+    all.weakest = std::min(all.weakest, rope.breaking_force);
   }
   return all;
 }
 
 }  // namespace
 
-std::optional<double> guy_stiffness(const CheckedDeck& deck, const CheckState& state, const std::string& top) {
+std::optional<double> guy_stiffness(const CheckedDeck& deck, const CheckState& state, std::size_t beam) {
   rope::RingStiffness ring;
   bool any = false;
-  for (const auto& guy : deck.machine.guys) {
-    if (guy.from != top && guy.to != top) continue;
-    for (const CheckBranch& span : state.branches) {
-      const machine::Reeving& rope = state.model->reevings[span.reeving];
-      const double length = span.unstretched * (1 + rope.thermal_strain);
-      if (rope.name != guy.name) continue;
-      any = true;
-      if (length >= span.chord) continue;  // slack ones give nothing
-      const Vector3 d = span.end - span.start;
-      rope::GuyLine line;
-      line.length = span.chord;
-      line.slope = std::atan2(d.z(), std::hypot(d.x(), d.y()));
-      line.weight = rope.weight;
-      line.stiffness = rope.stiffness;
-      line.tension = span.mean;
-      rope::RingStiffness one = rope::in_ring(rope::horizontal_stiffness(line), std::atan2(d.y(), d.x()));
-      for (int copy = 0; copy < rope.copies; ++copy) ring = ring + one;
-    }
+  const int top = state.model->beams[beam].pieces.back().end.body;
+  for (const CheckBranch& span : state.branches) {
+    const machine::Reeving& rope = state.model->reevings[span.reeving];
+    if (!is_guy(deck, rope) || !ends_at(rope, [&](int body) { return body == top; })) continue;
+    any = true;
+    if (span.unstretched * (1 + rope.thermal_strain) >= span.chord) continue;  // slack ones give nothing
+    const Vector3 d = span.end - span.start;
+    rope::GuyLine line;
+    line.length = span.chord;
+    line.slope = std::atan2(d.z(), std::hypot(d.x(), d.y()));
+    line.weight = rope.weight;
+    line.stiffness = rope.stiffness;
+    line.tension = span.mean;
+    rope::RingStiffness one = rope::in_ring(rope::horizontal_stiffness(line), std::atan2(d.y(), d.x()));
+    for (int copy = 0; copy < rope.copies; ++copy) ring = ring + one;
   }
   if (!any) return std::nullopt;
   const double mean = (ring.xx + ring.yy) / 2;
@@ -78,15 +80,15 @@ void add_top_check(const MastStates& mast, double bending, const machine::Model&
        .rule = fmt::format(
            "horizontal stiffness of the guys at its top in their weakest direction against {:.3g} N_cr/L of the "
            "mast hinged at both ends; {}",
-           *request.top_criterion, mast.where_stiffness.empty() ? "no guy holds it" : mast.where_stiffness),
+           *request.top_criterion, mast.where_stiffness.empty() ? "no guy is fixed there" : mast.where_stiffness),
        .trust = "UNVERIFIED: 3 to 4 recalled practice"},
       r);
 }
 
-void add_plate_checks(const MastCheckRequest& request, const CheckedDeck& deck, const machine::Model& model,
-                      Result& r) {
+void add_plate_checks(const MastStates& mast, const CheckedDeck& deck, const machine::Model& model, Result& r) {
+  const MastCheckRequest& request = *mast.request;
   if (!request.plate) return;
-  const MastGuys guys = guys_of(request, deck, model);
+  const MastGuys guys = guys_of(mast, deck, model);
   if (request.plate->guys) {
     add_part_check(request.name, "guys_by_plate", guys.number, si::one,
                    {.sense = Sense::at_least,

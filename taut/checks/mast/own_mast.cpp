@@ -131,6 +131,39 @@ std::string relieved(const ColumnMast& m) {
   return {};
 }
 
+/// The longest buckling length of the column over its cases: of the part that is pressed most, about the axis about
+/// which it is longer. It takes the critical force of the column there.
+struct BucklingLength {
+  double length = 0;  ///< m; 0: nothing is pressed
+  std::string where;
+};
+BucklingLength buckling_length_of(const structure::ColumnMastResult& solved) {
+  BucklingLength longest;
+  for (const structure::MastCase& c : solved.cases) {
+    const auto most = std::max_element(c.critical_force.begin(), c.critical_force.end(),
+                                       [](const auto& a, const auto& b) { return a.z < b.z; });
+    if (most == c.critical_force.end() || most->z <= 0) continue;
+    const structure::SteelSection& steel =
+        solved.mast.parts[static_cast<std::size_t>(most - c.critical_force.begin())].member.steel;
+    for (const double length : {structure::buckling_length(steel.E * steel.section.I_y, 1, most->y),
+                                structure::buckling_length(steel.E * steel.section.I_z, 1, most->z)}) {
+      if (length > longest.length) longest = {.length = length, .where = c.words};
+    }
+  }
+  return longest;
+}
+
+/// What is wrong with the buckling length of the deck; else empty.
+std::string short_length(const MastCheckRequest& request, const structure::ColumnMastResult& solved) {
+  if (!request.buckling_length) return {};
+  const BucklingLength own = buckling_length_of(solved);
+  if (as_rounded * own.length <= *request.buckling_length) return {};
+  return fmt::format(
+      "'buckling_length' of {:.4g} m is shorter than that of the mast with its 'base' and 'top_stiffness', {:.4g} m "
+      "({}); leave 'buckling_length' out, or describe what holds the mast",
+      *request.buckling_length, own.length, own.where);
+}
+
 void use_length(const MastCheckRequest& request, structure::LoadedMast& m) {
   if (!request.buckling_length) return;
   for (auto& part : m.mast.parts) part.member.y.length = part.member.z.length = request.buckling_length;
@@ -171,11 +204,22 @@ std::vector<MastCombination> deciding(const MastCheckRequest& request, const Col
     one.combinations = {column.combinations[i]};
     structure::ColumnMastResult solved = column_mast(one);
     if (!solved.refused.empty()) return one.combinations;
+    const double longest = buckling_length_of(solved).length;
     const structure::LoadedMast loaded = loaded_of(request, solved);
     const structure::MastUse u = mast_use(loaded.mast, loaded.cases);
-    const std::array numbers = {u.slenderness.value, u.section.value, u.shear.value,           u.torsion.value,
-                                u.flexural.value,    u.member.value,  u.stress.value,          u.stress_use.value,
-                                solved.bow,          solved.sway,     solved.top_displacement, -solved.critical_factor};
+    const std::array numbers = {u.slenderness.value,
+                                u.section.value,
+                                u.shear.value,
+                                u.torsion.value,
+                                u.flexural.value,
+                                u.member.value,
+                                u.stress.value,
+                                u.stress_use.value,
+                                solved.bow,
+                                solved.sway,
+                                solved.top_displacement,
+                                -solved.critical_factor,
+                                longest};
     worst.resize(numbers.size());
     for (std::size_t k = 0; k < numbers.size(); ++k) {
       if (numbers.at(k) > worst[k].value) worst[k] = {.value = numbers.at(k), .combination = i};
@@ -220,6 +264,29 @@ tl::expected<FoundPiece, Complaint> piece_of(const MastCheckRequest& request, co
   return found;
 }
 
+/// `known`: names of load cases and of `analyses`.
+void complain_of_combination(const MastCombinationRequest& c, const std::string& at,
+                             const std::vector<std::string>& known, const std::vector<std::string>& analyses,
+                             std::vector<Complaint>& complaints) {
+  if (c.terms.empty()) complaints.push_back({at, "has no load case: `{work: 1.5}`"});
+  const auto of_machine = std::count_if(c.terms.begin(), c.terms.end(), [&](const MastTerm& t) {
+    return std::find(analyses.begin(), analyses.end(), t.name) != analyses.end();
+  });
+  if (of_machine > 1) {
+    complaints.push_back({at,
+                          "takes one analysis: the machine is in one state at a time; put the loads that come "
+                          "together into one analysis"});
+  }
+  for (const MastTerm& t : c.terms) {
+    if (std::find(known.begin(), known.end(), t.name) != known.end()) continue;
+    complaints.push_back({fmt::format("{}.{}", at, t.name),
+                          t.name == weight_term
+                              ? std::string("is the weight of the mast, which needs 'own_weight: true'")
+                              : fmt::format("no load{} is of case '{}'{}", analyses.empty() ? "" : " or analysis",
+                                            t.name, did_you_mean(t.name, known))});
+  }
+}
+
 void complain_of_loads(const MastCheckRequest& request, const std::string& path, double height,
                        const std::vector<std::string>& analyses, std::vector<Complaint>& complaints) {
   for (std::size_t i = 0; i < request.loads.size(); ++i) {
@@ -231,25 +298,18 @@ void complain_of_loads(const MastCheckRequest& request, const std::string& path,
   }
   std::vector<std::string> known = cases_of(request.loads);
   if (request.own_weight) {
-    if (std::find(known.begin(), known.end(), weight_term) != known.end()) {
-      complaints.push_back({path + ".loads", fmt::format("'{}' is the weight of the mast: give the load case "
-                                                         "another name",
-                                                         weight_term)});
-    }
+    const auto refuse = [&](const std::vector<std::string>& names, const char* key, const char* what) {
+      if (std::find(names.begin(), names.end(), weight_term) == names.end()) return;
+      complaints.push_back(
+          {path + key, fmt::format("'{}' is the weight of the mast: give the {} another name", weight_term, what)});
+    };
+    refuse(known, ".loads", "load case");
+    refuse(analyses, ".own_weight", "analysis");
     known.emplace_back(weight_term);
   }
   known.insert(known.end(), analyses.begin(), analyses.end());
   for (const MastCombinationRequest& c : request.combinations) {
-    const std::string at = fmt::format("{}.combinations.{}", path, c.name);
-    if (c.terms.empty()) complaints.push_back({at, "has no load case: `{work: 1.5}`"});
-    for (const MastTerm& t : c.terms) {
-      if (std::find(known.begin(), known.end(), t.name) != known.end()) continue;
-      complaints.push_back({fmt::format("{}.{}", at, t.name),
-                            t.name == weight_term
-                                ? std::string("is the weight of the mast, which needs 'own_weight: true'")
-                                : fmt::format("no load{} is of case '{}'{}", analyses.empty() ? "" : " or analysis",
-                                              t.name, did_you_mean(t.name, known))});
-    }
+    complain_of_combination(c, fmt::format("{}.combinations.{}", path, c.name), known, analyses, complaints);
   }
 }
 
@@ -338,6 +398,13 @@ double weight_factor(const std::vector<MastTerm>& terms) {
   return largest;
 }
 
+bool counts_put_up_in_all(const MastCheckRequest& request) {
+  const auto names_it = [](const MastCombinationRequest& c) {
+    return std::any_of(c.terms.begin(), c.terms.end(), [](const MastTerm& t) { return t.name == put_up_analysis; });
+  };
+  return std::none_of(request.combinations.begin(), request.combinations.end(), names_it);
+}
+
 MastReport own_mast(const MastCheckRequest& request, const std::vector<MastLoadRequest>& loads, double gravity) {
   MastReport report;
   report.name = request.name;
@@ -361,6 +428,7 @@ MastReport own_mast(const MastCheckRequest& request, const std::vector<MastLoadR
         solved.top_displacement);
     report.unseen = true;
   }
+  report.short_length = short_length(request, solved);
   report.loaded = loaded_of(request, solved);
   constexpr double no_way = 1e-9;  // m: what rounding leaves of a top that is held
   const double top = std::abs(solved.top_displacement) < no_way ? 0 : solved.top_displacement;

@@ -85,6 +85,20 @@ TEST(OwnMast, LoadCasesThatAreNotCheckedTogether) {
   EXPECT_TRUE(weighed("combinations: {a: {g: 1.35}, b: {wind: 1.5}}", two).unjudged.empty());
 }
 
+// A cantilever of 20 m buckles as a column of 40 m; with its top held clamped and hinged as one of 14 m (0.699).
+TEST(OwnMast, ABucklingLengthShorterThanThatOfTheMastIsUnsafe) {
+  const auto with = [](const char* keys, const char* loads = "{case: g, down: 10 kN}") {
+    return weighed(std::string("load_factor: 1.5, ") + keys, loads, "").unsafe;
+  };
+  const std::string shorter = "m: 'buckling_length' of 20 m is shorter than that of the mast";
+  EXPECT_TRUE(says(with("buckling_length: 20 m"), shorter));
+  EXPECT_TRUE(says(with("buckling_length: 20 m"), "'top_stiffness', 40 m (g"));
+  EXPECT_TRUE(with("buckling_length: 40 m").empty());
+  EXPECT_TRUE(with("buckling_length: 14 m, top_stiffness: .inf").empty());
+  EXPECT_TRUE(says(with("buckling_length: 10 m, base: hinge, top_stiffness: .inf"), "'top_stiffness', 20 m"));
+  EXPECT_TRUE(with("buckling_length: 10 m", "{case: g, down: -10 kN}").empty());  // pulled
+}
+
 // On a hinge a weak spring lets the top go as far as it is pushed: 1000 kN over 400 kN/m are 2.5 m of 20 m.
 TEST(OwnMast, AMastThatLeansFarIsNotJudged) {
   const auto leans = [](const char* across) {

@@ -240,9 +240,10 @@ void add_answer(const InstallationRun& asked, MachineRun& machine, Result& r) {
   study::solve(machine.model, run);
   compare_lengths(run, machine.model.reevings[run.reeving], machine.display, r);
   add_results(run, machine.checked->judged, machine.display, r);
+  const std::string analysis = checks::analysis_name(run.ending, "installation");
   for (const Row& row : run.rows) {
     if (!row.at.outcome.ok()) continue;
-    machine.checked->take_empty(row.at.at.model, row.at.at.result, run.words, words_of(row, run));
+    machine.checked->take_empty(row.at.at.model, row.at.at.result, run.words, words_of(row, run), analysis);
   }
 }
 
