@@ -46,17 +46,20 @@ std::optional<machine::SignalRange> torque_range(const std::string& name, const 
   return std::nullopt;
 }
 
+void check_grip(const machine::Node& own, const solve::DriveResult& d, std::vector<Check>& made) {
+  if (!std::isfinite(own.law.friction)) return;
+  made.push_back(make_check(
+      own.name + ".grip", d.ratio, si::one,
+      {.sense = Sense::at_most,
+       .limit = d.limit,
+       .rule = d.centrifugal > 0 ? "ratio of tensions less m v^2 that friction holds, exp(mu theta), Euler-Eytelwein"
+                                 : "ratio of tensions that friction holds, exp(mu theta), Euler-Eytelwein",
+       .trust = "derived"}));
+}
+
 void check_drive(const machine::Model& m, const solve::DriveResult& d, std::vector<Check>& made, Unmade& unmade) {
   const machine::Node& own = m.reevings[d.reeving].nodes[d.node];
-  if (std::isfinite(own.law.friction)) {
-    made.push_back(make_check(
-        own.name + ".grip", d.ratio, si::one,
-        {.sense = Sense::at_most,
-         .limit = d.limit,
-         .rule = d.centrifugal > 0 ? "ratio of tensions less m v^2 that friction holds, exp(mu theta), Euler-Eytelwein"
-                                   : "ratio of tensions that friction holds, exp(mu theta), Euler-Eytelwein",
-         .trust = "derived"}));
-  }
+  check_grip(own, d, made);
   if (!own.motor || own.kind != machine::NodeKind::drive || !is_limit(m.reevings[d.reeving])) return;
   const auto range = torque_range(own.name, m.motors[*own.motor].drive.signal, unmade);
   if (!range) return;
@@ -65,6 +68,20 @@ void check_drive(const machine::Model& m, const solve::DriveResult& d, std::vect
   made.push_back(
       make_check(own.name + ".torque", torque, si::N_m,
                  {.sense = Sense::at_most, .limit = range->kept, .rule = "the motor's torque", .trust = "user"}));
+}
+
+bool is_broken(const solve::TransientFrame& frame, int reeving) {
+  return std::any_of(frame.branches.begin(), frame.branches.end(),
+                     [&](const auto& branch) { return branch.reeving == reeving && !branch.whole; });
+}
+
+/// A rope that slips stands at the limit, to the accuracy of a step: by how far it slips is a check of its own.
+void check_grips(const machine::Model& m, const solve::TransientFrame& frame, std::vector<Check>& made) {
+  for (solve::DriveResult& d : solve::drives(m, frame)) {
+    if (is_broken(frame, d.reeving)) continue;
+    d.ratio = std::min(d.ratio, d.limit);
+    check_grip(m.reevings[d.reeving].nodes[d.node], d, made);
+  }
 }
 
 /// All ropes of a drum together.
@@ -250,21 +267,31 @@ void DriveUses::keep_winding(const machine::Model& m, const Array<solve::DrumRes
     hauling.motion = solve::Motion::in;
     flow = solve::flow_of(m, hauling);
   }
-  std::map<int, int> turns;  // +1: as the first of its ropes
+  struct Turn {
+    int sense = 1;  // of the drum
+    int reeving = 0;
+  };
+  std::map<int, Turn> turns;  // by the first of its ropes
   for (const solve::DrumResult& d : ends) {
     const Array<int>& rope = flow[d.reeving];
     if (rope.empty()) continue;
     const int along = d.at_end ? rope.back() : rope.front();
     if (along == 0) continue;
     const int turn = d.sense * (d.at_end ? along : -along);
-    if (turns.try_emplace(d.drum, turn).first->second == turn) continue;
+    const Turn first = turns.try_emplace(d.drum, Turn{.sense = turn, .reeving = d.reeving}).first->second;
+    if (first.sense == turn) continue;
     const std::string& name = m.drums[d.drum].name;
+    const machine::Reeving &one = m.reevings[first.reeving], &other = m.reevings[d.reeving];
     unmade_.try_emplace(
         name + ".winding",
-        fmt::format("'{0}' would have to turn both ways at once, as its ropes run on it and off it: give "
-                    "the 'side' on which each leaves '{0}'; a rope with both ends on one drum is two "
-                    "ropes, which meet where it stands",
-                    name));
+        first.reeving == d.reeving
+            ? fmt::format("'{0}' would have to turn both ways at once: both ends of '{1}' are on it. Describe two "
+                          "ropes, which meet where it stands",
+                          name, one.name)
+            : fmt::format("'{0}' would have to turn both ways at once, as '{1}' and '{2}' run on it and off it. Where "
+                          "it takes both in, give the 'side' on which each leaves it; where '{2}' runs off while '{1}' "
+                          "is hauled in, as a counterweight's does, give '{2}' 'haul: {3}'",
+                          name, one.name, other.name, other.haul > 0 ? "to_start" : "to_end"));
   }
 }
 
@@ -348,9 +375,9 @@ void DriveUses::take_moment(const machine::Model& m, const solve::TransientFrame
   const double time = frame.t - last_moment_;
   last_moment_ = frame.t;
   take_slips(m, frame, time, words);
-  if (drums.empty()) return;
-  take_dragged(m, frame, time, words);
   std::vector<Check> made;
+  check_grips(m, frame, made);
+  if (!drums.empty()) take_dragged(m, frame, time, words);
   check_capacities(m, drums, made);
   for (const auto& [drum, load] : loads_of(drums, {})) {
     if (!m.drums[drum].brake) continue;
@@ -382,13 +409,22 @@ void DriveUses::take_slips(const machine::Model& m, const solve::TransientFrame&
     const machine::Node& node = m.reevings[is.reeving].nodes[is.node];
     const double slip = std::abs(is.slip);
     if (!node.motor || slip < least_slip * std::abs(is.spin) * node.radius) continue;
+    if (is_broken(frame, is.reeving)) continue;
     slides_[c] += slip * time;
-    if (slides_[c] < least_slide * node.radius) continue;
-    Slip& largest = slips_[node.name];
-    if (slides_[c] <= largest.slipped) continue;
-    largest = {.slipped = slides_[c],
-               .words = fmt::format("{}: the rope slips on '{}' by {:.3g} m", words, node.name, slides_[c])};
+    keep_slip(node, slides_[c], least_slide * node.radius, "", words);
   }
+}
+
+/// How far a rope has slipped on a driven sheave, m; creep stays below `limit`.
+void DriveUses::keep_slip(const machine::Node& node, double slipped, double limit, const std::string& share,
+                          const std::string& words) {
+  if (!(slipped > limit)) return;
+  Slip& largest = slips_[node.name];
+  if (slipped <= largest.slipped) return;
+  largest = {.slipped = slipped,
+             .limit = limit,
+             .words = fmt::format("{}: the rope slips on '{}' by {:.3g} m{}", words, node.name, slipped, share),
+             .where = words};
 }
 
 /// A drum by a torque, or by none, whose load turns it back, until the motion ends, by more than the swing of a load
@@ -447,14 +483,12 @@ void DriveUses::take(const machine::Model& m, const solve::TransientResult& moti
   const solve::TransientFrame& first = motion.frames.front();
   if (motion.brake_ways.empty()) take_set_brakes(m, first, words);
   for (std::size_t c = 0; c < motion.ways.size(); ++c) {
-    const machine::Node& node = m.reevings[first.contacts[c].reeving].nodes[first.contacts[c].node];
+    const int reeving = first.contacts[c].reeving;
+    const machine::Node& node = m.reevings[reeving].nodes[first.contacts[c].node];
+    if (!node.motor || is_broken(motion.frames.back(), reeving)) continue;
     const auto [slipped, rim] = motion.ways[c];
-    if (!node.motor || slipped < least_slip * rim || slipped < least_way * node.radius) continue;
-    Slip& largest = slips_[node.name];
-    if (slipped <= largest.slipped) continue;
     const std::string share = slipped < rim ? fmt::format(", {:.3g} % of the way of its rim", 100 * slipped / rim) : "";
-    largest = {.slipped = slipped,
-               .words = fmt::format("{}: the rope slips on '{}' by {:.3g} m{}", words, node.name, slipped, share)};
+    keep_slip(node, slipped, std::max(least_slip * rim, least_way * node.radius), share, words);
   }
   take_brakes(m, motion, words);
 }
@@ -510,7 +544,15 @@ void DriveUses::add_checks(Result& r) const {
     r.unmade.push_back(words);
     r.warnings.push_back(words);
   }
-  for (const auto& [name, slip] : slips_) warn_unsafe(r, slip.words);
+  for (const auto& [name, slip] : slips_) {
+    warn_unsafe(r, slip.words);
+    r.checks.push_back(make_check(name + ".slipped", slip.slipped, si::m,
+                                  {.sense = Sense::at_most,
+                                   .limit = slip.limit,
+                                   .rule = "way that a rope creeps on its sheave",
+                                   .trust = "derived"}));
+    r.checks.back().where = slip.where;
+  }
   for (const auto& [drum, words] : unbraked_) warn_unsafe(r, words);
   for (const auto& [cylinder, words] : yielding_) warn_unsafe(r, words);
   for (const auto& [drum, words] : layers_) warn_unsafe(r, words);

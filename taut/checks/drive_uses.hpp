@@ -21,15 +21,15 @@ class DriveUses {
   /// One of the bounds of a running machine, for the senses in which ropes may creep over their supports: the grip and
   /// torque of its driven sheaves. (At rest friction may take any part of a torque.)
   void take_bound(const machine::Model& model, const solve::EquilibriumResult& bound, const std::string& words);
-  /// A moment of a motion: what lies on its drums, what their brakes have to hold where they stand without a brake that
-  /// is set, cylinders at their limits.
+  /// A moment of a motion: the grip of its driven sheaves, what lies on its drums, what their brakes have to hold where
+  /// they stand without a brake that is set, cylinders at their limits.
   void take_moment(const machine::Model& model, const solve::TransientFrame& frame, const std::string& words);
   /// A motion as a whole, with at least one frame: how far the rope slips on each contact, whether brakes hold and have
   /// stopped their drums.
   void take(const machine::Model& model, const solve::TransientResult& motion, const std::string& words);
 
-  /// Each check at its worst; a rope that slips in a motion, a brake that does not hold, a cylinder that gives way,
-  /// and too few turns on a drum are unsafe warnings.
+  /// Each check at its worst; a rope that slips in a motion, which fails too, a brake that does not hold, a cylinder
+  /// that gives way, and too few turns on a drum are unsafe warnings.
   void add_checks(Result& r) const;
   /// Where a verdict is asked for. A sheave without a friction holds its rope whatever it pulls, which shows nothing of
   /// the grip of a driven one.
@@ -40,6 +40,8 @@ class DriveUses {
   void take_set_brakes(const machine::Model& model, const solve::TransientFrame& rest, const std::string& words);
   void take_slips(const machine::Model& model, const solve::TransientFrame& frame, double time,
                   const std::string& words);
+  void keep_slip(const machine::Node& node, double slipped, double limit, const std::string& share,
+                 const std::string& words);
   void take_dragged(const machine::Model& model, const solve::TransientFrame& frame, double time,
                     const std::string& words);
   void take_brakes(const machine::Model& model, const solve::TransientResult& motion, const std::string& words);
@@ -55,8 +57,8 @@ class DriveUses {
   std::map<std::string, Check> worst_;
   std::map<std::string, std::string> unmade_;  // checks that lack a number: why
   struct Slip {
-    double slipped = 0;  ///< m
-    std::string words;
+    double slipped = 0, limit = 0;  ///< m
+    std::string words, where = {};
   };
   std::map<std::string, Slip> slips_;                   // the largest of each sheave
   std::vector<double> slides_;                          // m, by contact, so far in the motion that is shown now

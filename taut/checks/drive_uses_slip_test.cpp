@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 
 #include "test/support/machine_decks.hpp"
@@ -42,6 +43,22 @@ TEST(DriveSlips, HowLongItRanBeforeDoesNotCount) {
     EXPECT_NE(r.unsafe[0].find("the rope slips on 'head'"), std::string::npos) << r.unsafe[0];
     EXPECT_TRUE(endless(duration, 8.0).unsafe.empty()) << "it creeps";
   }
+}
+
+// What slips fails, and its grip is used up; what creeps is judged at its worst moment, (10 + 8)/10 = 1.8 of 1.874 and
+// a swing of 2 %.
+TEST(DriveSlips, TheGripIsACheckInMotion) {
+  const Result slips = endless(10, 9.6);
+  EXPECT_EQ(to_text(verdict_of(slips)->kind), "fails") << verdict_of(slips)->reason;
+  EXPECT_FALSE(taut_test::check_of(slips, "head.slipped").passes);
+  EXPECT_NEAR(taut_test::check_of(slips, "head.grip").utilisation, 1, 1e-6);
+  EXPECT_NEAR(taut_test::check_of(slips, "head.grip").limit, std::exp(0.2 * M_PI), 1e-3);
+  const Result creeps = endless(10, 8.0);
+  EXPECT_FALSE(taut_test::has_check(creeps, "head.slipped"));
+  const Check grip = taut_test::check_of(creeps, "head.grip");
+  EXPECT_TRUE(grip.passes);
+  EXPECT_NEAR(grip.value, 1.8, 0.05);
+  EXPECT_NE(grip.where.find("transient, t = "), std::string::npos) << grip.where;
 }
 
 // of the half turn 90 deg grip: exp(0.2 pi/2) = 1.37 is less than (10 + 8)/10

@@ -101,6 +101,31 @@ machine:
   EXPECT_NEAR(taut_test::check_of(held, "w.brake_torque").value, 8e3 * 9.80665 / 2 * 0.192, 50);
 }
 
+/// A car of 3 x 1 t and its counterweight of 1 t leave one drum on opposite sides: one runs off as the other comes in.
+TEST(DriveUses, ACounterweightOnTheSameDrumRunsOff) {
+  const auto lift = [](const std::string& haul) {
+    return run_text(R"(taut: 1
+machine:
+  ropes: {r: {mass: 0 kg/m, stiffness: 20 MN, breaking_force: 300 kN}}
+  bodies: {car: {mass: 3 t, at: [-0.5 m, 0 m, 2 m], free: [z]}, cwt: {mass: 1 t, at: [0.5 m, 0 m, 2 m], free: [z]}}
+  drums: {w: {at: [0 m, 0 m, 20 m], core_diameter: 1 m, brake_torque: 10.1 kN m}}
+  reevings:
+    - {rope: r, name: up, path: [{drum: w, side: left}, {anchor: car}], length: 18 m}
+    - {rope: r, name: down, path: [{drum: w, side: right}, {anchor: cwt}], length: 18 m)" +
+                    haul + R"(}
+analyses: [equilibrium: {}]
+checks: {ropes: {up: {safety_factor: 4}, down: {safety_factor: 4}}}
+)");
+  };
+  const Result open = lift("");
+  ASSERT_FALSE(open.unmade.empty()) << open.message << to_text(open.errors);
+  EXPECT_NE(open.unmade[0].find("where 'down' runs off while 'up' is hauled in"), std::string::npos) << open.unmade[0];
+  EXPECT_NE(open.unmade[0].find("give 'down' 'haul: to_end'"), std::string::npos) << open.unmade[0];
+  const Result told = lift(", haul: to_end");
+  EXPECT_TRUE(told.unmade.empty()) << told.unmade.front();
+  EXPECT_NEAR(taut_test::check_of(told, "w.brake_torque").value, (3e3 - 1e3) * 9.80665 * 0.5, 10);
+}
+
 /// A rope with both ends on one drum would run through from one to the other, though the drum takes both in.
 TEST(DriveUses, ARopeWithBothEndsOnADrumIsNotJudged) {
   const Result r = run_text(R"(taut: 1

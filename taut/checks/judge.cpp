@@ -305,6 +305,7 @@ void Judge::take(const machine::Model& m, const solve::TransientResult& motion, 
   }
   take_peaks(m, motion, words);
   take_stop(motion, words);
+  take_never_stood(m, words);
   for (const std::string& branch : hangs_) {
     warn("slack " + branch, fmt::format("{}: {} is slack all the time", words, branch), true);
   }

@@ -161,7 +161,11 @@ class Judge {
   void warn_of_pulled(const machine::Model& model, const machine::Node& node, const Vector3& force,
                       const std::string& words);
   void take_uplift(const machine::Model& model, const solve::TransientFrame& moment, const std::string& words);
+  [[nodiscard]] std::map<int, std::vector<std::size_t>> standing(const machine::Model& model) const;
+  bool is_anchor(const machine::Model& model, int body) const;
+  std::vector<std::size_t> meant_to_stand(const machine::Model& model, std::vector<std::size_t> feet) const;
   void take_stand(const machine::Model& model, const solve::TransientFrame& moment, const std::string& words);
+  void take_never_stood(const machine::Model& model, const std::string& words);
   void take_ways_of_feet(const machine::Model& model, const solve::TransientFrame& moment,
                          const std::vector<std::size_t>& feet, const std::string& words);
   void take_lean(const machine::Model& model, const solve::TransientFrame& moment, std::size_t body,

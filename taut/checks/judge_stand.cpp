@@ -6,13 +6,15 @@
 #include <map>
 
 #include "taut/checks/judge.hpp"
+#include "taut/machine/state.hpp"
 #include "taut/math/index.hpp"
 
 /// Whether a machine stands in a motion: on its feet, upright.
 namespace taut::checks {
 namespace {
 
-constexpr double dragged_way = 0.1;  ///< m; feet give way by less under what they hold
+constexpr double dragged_way = 0.1;     ///< m; feet give way by less under what they hold
+constexpr double rounded_slope = 1e-3;  ///< rad; of the places of a deck, as a slope from foot to foot
 
 /// Whether a rope meets a body at such a node.
 template <class Such>
@@ -23,9 +25,10 @@ bool meets_ropes(const machine::Model& m, int body, const Such& such) {
   });
 }
 
-/// By drums or sheaves on it: a machine, or a part of one, no load.
+/// By drums or sheaves on it, also those that are points: a machine, or a part of one, no load.
 bool carries_ropes(const machine::Model& m, int body) {
-  return meets_ropes(m, body, [](const machine::Node& node) { return node.radius > 0; });
+  return meets_ropes(
+      m, body, [](const machine::Node& node) { return node.kind != machine::NodeKind::anchor || node.radius > 0; });
 }
 
 bool holds_ropes(const machine::Model& m, int body) {
@@ -54,6 +57,46 @@ bool is_turned_by_deck(const machine::Body& body) {
   return body.of_rope || body.beam ||
          std::any_of(body.driven.begin(), body.driven.end(),
                      [](const machine::DrivenWay& way) { return way.about.head<2>().norm() > 0; });
+}
+
+/// Bodies where the deck has them.
+machine::State as_described(const machine::Model& m) {
+  machine::State state;
+  for (const machine::Body& body : m.bodies)
+    state.bodies.push_back({.position = body.position, .orientation = body.orientation});
+  return state;
+}
+
+Vector3 normal_of(const machine::Face& face, const machine::State& state) {
+  return machine::in_ground(state, {.body = face.body, .at = face.from + face.normal}) -
+         machine::in_ground(state, {.body = face.body, .at = face.from});
+}
+
+/// Contacts by which each body stands on what is fixed: on a face that looks up rather than aside, no bumper's.
+std::map<int, std::vector<std::size_t>> feet_of(const machine::Model& m) {
+  const machine::State state = as_described(m);
+  std::map<int, std::vector<std::size_t>> feet;
+  for (std::size_t i = 0; i < m.contacts.size(); ++i) {
+    const machine::Face& face = m.faces[m.contacts[i].face];
+    if (is_fixed(m, m.contacts[i].body) || !is_fixed(m, face.body)) continue;
+    const Vector3 normal = normal_of(face, state);
+    if (normal.z() > normal.head<2>().norm()) feet[m.contacts[i].body].push_back(i);
+  }
+  return feet;
+}
+
+/// How far a foot is over its face, m.
+double gap_of(const machine::Model& m, const machine::FaceContact& foot, const machine::State& state) {
+  const machine::Face& face = m.faces[foot.face];
+  const Vector3 off = machine::in_ground(state, {.body = foot.body, .at = foot.at}) -
+                      machine::in_ground(state, {.body = face.body, .at = face.from});
+  return off.dot(normal_of(face, state)) + foot.clearance;
+}
+
+/// Whether a foot is no higher over the ground than another one of the same body.
+bool as_low_as(const machine::Model& m, std::size_t foot, std::size_t other, const machine::State& state) {
+  const machine::FaceContact &one = m.contacts[foot], &two = m.contacts[other];
+  return gap_of(m, one, state) <= gap_of(m, two, state) + rounded_slope * (one.at - two.at).norm();
 }
 
 /// How a body is turned from where the deck has it.
@@ -85,29 +128,68 @@ std::vector<bool> turned_with_deck(const machine::Model& m, const solve::Transie
 
 }  // namespace
 
-/// What holds ropes may not fall over; what carries them and stands by feet may not lift one of those once all of them
-/// have stood. A load may be picked up.
+/// Bodies that carry ropes, or are an anchor, and stand by feet.
+std::map<int, std::vector<std::size_t>> Judge::standing(const machine::Model& m) const {
+  std::map<int, std::vector<std::size_t>> feet = feet_of(m);
+  std::erase_if(feet, [&](const auto& one) {
+    return one.second.size() < 2 || !(carries_ropes(m, one.first) || is_anchor(m, one.first));
+  });
+  return feet;
+}
+
+/// The end of a rope that the deck checks as an anchor.
+bool Judge::is_anchor(const machine::Model& m, int body) const {
+  return deck_->checks && ends_ropes(m, body, deck_->checks->anchors);
+}
+
+/// Feet that have stood so far, or are meant to: as low as one that has, where the deck has them. Another may hang
+/// above the ground.
+std::vector<std::size_t> Judge::meant_to_stand(const machine::Model& m, std::vector<std::size_t> feet) const {
+  const machine::State described = as_described(m);
+  const std::vector<std::size_t> all = feet;
+  std::erase_if(feet, [&](std::size_t foot) {
+    return !stood_.contains(foot) && std::none_of(all.begin(), all.end(), [&](std::size_t other) {
+      return stood_.contains(other) && as_low_as(m, foot, other, described);
+    });
+  });
+  return feet;
+}
+
+/// What holds ropes may not fall over; what carries them and stands by feet may not lift one of those once all that are
+/// meant to stand have stood. A load may be picked up.
 void Judge::take_stand(const machine::Model& m, const solve::TransientFrame& moment, const std::string& words) {
   const std::vector<bool> with_deck = turned_with_deck(m, moment);
   for (std::size_t b = 0; b < m.bodies.size(); ++b) {
     if (!with_deck[b] && holds_ropes(m, static_cast<int>(b))) take_lean(m, moment, b, words);
   }
-  const auto is_anchor = [&](int body) { return deck_->checks && ends_ropes(m, body, deck_->checks->anchors); };
-  std::map<int, std::vector<std::size_t>> feet;
   for (std::size_t i = 0; i < std::min(m.contacts.size(), moment.faces.size()); ++i) {
     if (moment.faces[i].closed) stood_.insert(i);
-    if (!is_fixed(m, m.contacts[i].body) && is_fixed(m, m.faces[m.contacts[i].face].body))
-      feet[m.contacts[i].body].push_back(i);
   }
-  for (const auto& [body, all] : feet) {
-    const bool all_stood = std::all_of(all.begin(), all.end(), [&](std::size_t i) { return stood_.contains(i); });
-    if (all.size() < 2 || !all_stood || !(carries_ropes(m, body) || is_anchor(body))) continue;
-    if (has_drum(m, body) || is_anchor(body)) take_ways_of_feet(m, moment, all, words);
-    for (const std::size_t foot : all) {
+  if (moment.faces.size() < m.contacts.size()) return;
+  for (const auto& [body, all] : standing(m)) {
+    const std::vector<std::size_t> feet = meant_to_stand(m, all);
+    if (feet.size() < 2) continue;
+    if (!std::all_of(feet.begin(), feet.end(), [&](std::size_t i) { return stood_.contains(i); })) continue;
+    if (has_drum(m, body) || is_anchor(m, body)) take_ways_of_feet(m, moment, feet, words);
+    for (const std::size_t foot : feet) {
       if (moment.faces[foot].closed) continue;
       warn(m.contacts[foot].name + " lifted",
            fmt::format("{}: '{}' lifts '{}' off the ground: it begins to tip", words, m.bodies[body].name,
                        m.contacts[foot].name),
+           true);
+    }
+  }
+}
+
+/// What stands on some of its feet, and in the whole motion never on another that is as low, has tipped from the start.
+void Judge::take_never_stood(const machine::Model& m, const std::string& words) {
+  for (const auto& [body, all] : standing(m)) {
+    for (const std::size_t foot : meant_to_stand(m, all)) {
+      if (stood_.contains(foot)) continue;
+      warn(m.contacts[foot].name + " never stood",
+           fmt::format("{}: '{}' never stands on '{}', though it does on feet that are no lower where the deck has "
+                       "them: it tips or leans from the start",
+                       words, m.bodies[body].name, m.contacts[foot].name),
            true);
     }
   }

@@ -126,4 +126,68 @@ checks: {ropes: {h: {dynamic_safety_factor: 4}}}
   EXPECT_NE(r.unsafe[0].find("'crane' lifts 'f1'"), std::string::npos) << r.unsafe[0];
 }
 
+/// A crane of 5 t with its feet 4 m apart; its load of 3 t hangs 3 m beyond them and grows to 4.5 t.
+std::string crane(const std::string& load, const std::string& point, const std::string& contact,
+                  const std::string& sheave, const std::string& start = "settled") {
+  return fmt::format(R"(taut: 1
+machine:
+  signals: {{more: {{ramp: {{from: 0 kN, to: 15 kN, start: 0.2 s, duration: 0.5 s, smooth: true}}}}}}
+  points:
+    f1: {{body: crane, at: [2 m, 0 m, 0 m]}}
+    f3: {{body: crane, at: [-2 m, 0 m, 0 m]}}
+    foot: {{body: crane, at: [0 m, 0 m, 2 m]}}
+{1}  ropes: {{hoist: {{mass: 0 kg/m, stiffness: 10 MN, breaking_force: 400 kN, damping_ratio: 0.2, diameter: 16 mm}}}}
+  bodies:
+    crane: {{mass: 5 t, at: [0 m, 0 m, 0 m], centre: [0 m, 0 m, 1 m], free: [x, z, ry], inertia: 20000 kg m^2}}
+    load: {{mass: {0}, at: [5 m, 0 m, 3 m], free: [x, z]}}
+  sheaves: {{jib: {{body: crane, {3}}}}}
+  faces:
+    ground: {{from: [-20 m, 0 m, 0 m], to: [20 m, 0 m, 0 m], normal: [0, 0, 1]}}
+    stop: {{from: [12 m, 0 m, 0 m], to: [12 m, 0 m, 3 m], normal: [-1, 0, 0]}}
+  contacts:
+    - {{point: f1, face: ground, stiffness: 10 MN/m, damping: 200 kN s/m, static_friction: 0.5}}
+    - {{point: f3, face: ground, stiffness: 10 MN/m, damping: 200 kN s/m, static_friction: 0.5}}
+{2}  reevings: [{{rope: hoist, path: [{{anchor: foot}}, {{over: jib}}, {{anchor: load}}], length: 13.2 m}}]
+  loads: [{{at: load, force: [0 kN, 0 kN, -1 kN], signal: more}}]
+analyses: [{{transient: {{duration: 1.4 s, output_step: 20 ms, start: {4}}}}}]
+checks: {{ropes: {{hoist: {{safety_factor: 4, diameter_ratio: 16}}}}}}
+)",
+                     load, point, contact, sheave, start);
+}
+constexpr const char* wheel = "at: [4.8 m, 0 m, 8 m], diameter: 400 mm";
+
+/// The unsafe warnings, one a line.
+std::string unsafe(const std::string& deck) {
+  const Result r = run_text(deck);
+  std::string all = r.status == Status::ok ? "" : r.message + to_text(r.errors);
+  for (const std::string& one : r.unsafe) all += one + "\n";
+  return all;
+}
+
+// A bumper that has not met its stop, an outrigger above the ground, and a sheave that is a point took the check away.
+// With 3 t the crane bears 9 t m of 10 t m, with 4.5 t it tips.
+TEST(JudgeStand, NoOtherContactAndNoPointSheaveHidesATippingCrane) {
+  const std::string lifts = "'crane' lifts 'f3'";
+  const auto contact = [](const std::string& face) {
+    return "    - {point: other, face: " + face + ", stiffness: 5 MN/m, damping: 100 kN s/m}\n";
+  };
+  const auto point = [](const std::string& at) { return "    other: {body: crane, at: " + at + "}\n"; };
+  EXPECT_NE(unsafe(crane("3 t", "", "", wheel)).find(lifts), std::string::npos);
+  EXPECT_NE(unsafe(crane("3 t", point("[2.5 m, 0 m, 0.5 m]"), contact("stop"), wheel)).find(lifts), std::string::npos);
+  EXPECT_NE(unsafe(crane("3 t", point("[-1 m, 0 m, 0.3 m]"), contact("ground"), wheel)).find(lifts), std::string::npos);
+  const std::string no_wheel = crane("3 t", "", "", "at: [5 m, 0 m, 8 m]");
+  EXPECT_NE(unsafe(no_wheel).find(lifts), std::string::npos) << unsafe(no_wheel);
+  // what bears 6 t m at most stands, an outrigger above the ground lifts nothing
+  const std::string stands = crane("0.5 t", point("[-1 m, 0 m, 0.3 m]"), contact("ground"), wheel);
+  EXPECT_EQ(unsafe(stands), "");
+}
+
+// With 5 t it tips from the start, as its rope is tight there: its back foot has never stood.
+TEST(JudgeStand, ACraneThatTipsFromTheStartIsUnsafe) {
+  std::string deck = crane("5 t", "", "", wheel, "assembled");
+  deck.replace(deck.find("13.2 m"), 6, "13.11 m");
+  const std::string told = unsafe(deck);
+  EXPECT_NE(told.find("'crane' never stands on 'f3'"), std::string::npos) << told;
+}
+
 }  // namespace taut::judge_stand_test

@@ -8,36 +8,41 @@
 namespace taut::checks {
 namespace {
 
-/// Whether it turns, and stands in the way of a block: a drum, a driven sheave, or one with an efficiency.
-bool is_wheel(const machine::Model& m, const machine::Node& node) {
+/// Whether it is a round that stands in the way of a block, on no carriage: a drum, a sheave, a saddle.
+bool is_round(const machine::Model& m, const machine::Node& node) {
   if (!(node.radius > 0) || machine::rides(m, node)) return false;
-  return node.drum || node.kind == machine::NodeKind::drive ||
-         (node.kind == machine::NodeKind::contact && node.law.efficiency > 0);
+  return node.drum || node.kind == machine::NodeKind::drive || node.kind == machine::NodeKind::contact;
+}
+
+/// A saddle, which does not turn: supports that carriages pass are such.
+bool lets_pass(const machine::Model& m, const machine::Node& round, const machine::Node& end) {
+  return round.kind == machine::NodeKind::contact && round.law.efficiency == 0 && machine::rides(m, end);
 }
 
 bool stands(const machine::Model& m, int body) {
   return body == machine::ground || (m.bodies[body].free.empty() && m.bodies[body].driven.empty());
 }
 
-/// Whether a rope ends at a point of another part than the one that carries the wheel, and one of them moves.
-bool ends_beside(const machine::Model& m, const machine::Node& wheel, const machine::Node& end) {
+/// Whether a rope ends at a point of another part than the one that carries the round, and one of them moves.
+bool ends_beside(const machine::Model& m, const machine::Node& round, const machine::Node& end) {
   const bool a_point = end.kind == machine::NodeKind::anchor && !end.drum && end.radius == 0;
-  return a_point && is_wheel(m, wheel) && !(stands(m, wheel.at.body) && stands(m, end.at.body));
+  if (!a_point || !is_round(m, round) || lets_pass(m, round, end)) return false;
+  return !(stands(m, round.at.body) && stands(m, end.at.body));
 }
 
 }  // namespace
 
-/// The free rope between a wheel and its end on another part touches the wheel's rim: it is a leg of a right angle, of
+/// The free rope between a round and its end on another part touches the rim: it is a leg of a right angle, of
 /// which the radius is the other one.
-void TwoBlocked::take_end(const machine::Model& m, const machine::State& state, const machine::Node& wheel,
+void TwoBlocked::take_end(const machine::Model& m, const machine::State& state, const machine::Node& round,
                           const machine::Node& end, const std::string& words) {
-  if (!ends_beside(m, wheel, end)) return;
-  const double distance = (machine::in_ground(state, wheel.at) - machine::in_ground(state, end.at)).norm();
-  const double square = distance * distance - wheel.radius * wheel.radius;
+  if (!ends_beside(m, round, end)) return;
+  const double distance = (machine::in_ground(state, round.at) - machine::in_ground(state, end.at)).norm();
+  const double square = distance * distance - round.radius * round.radius;
   const double rope = square > 0 ? std::sqrt(square) : 0;
-  if (rope >= wheel.radius) return;
+  if (rope >= round.radius) return;
   const Worst here = {.gap = rope, .distance = distance, .where = words};
-  const auto [at, is_new] = ends_.try_emplace({wheel.name, end.name}, here);
+  const auto [at, is_new] = ends_.try_emplace({round.name, end.name}, here);
   if (!is_new && distance < at->second.distance) at->second = here;
 }
 
@@ -51,7 +56,7 @@ void TwoBlocked::take(const machine::Model& m, const machine::State& state, cons
       if (one.at.body == next.at.body) continue;
       take_end(m, state, one, next, words);
       take_end(m, state, next, one, words);
-      if (!is_wheel(m, one) || !is_wheel(m, next)) continue;
+      if (!is_round(m, one) || !is_round(m, next)) continue;
       const double distance = (machine::in_ground(state, one.at) - machine::in_ground(state, next.at)).norm();
       const double gap = distance - one.radius - next.radius;
       if (gap >= 0) continue;

@@ -10,10 +10,10 @@
 
 namespace taut::checks {
 
-/// Blocks that run into each other: two neighbours of one rope, sheaves or drums on different bodies, whose centres are
-/// nearer to each other than the sum of their radii. Carriages pass supports, so these do not count. And a part without
-/// a round at the end of a rope that is drawn into a sheave or drum of another part: the free rope between them is
-/// shorter than its radius. Of two parts that both stand that is how they are built.
+/// Blocks that run into each other: two neighbours of one rope, sheaves, saddles or drums on different bodies, whose
+/// centres are nearer to each other than the sum of their radii. Rounds on carriages do not count. And a part without a
+/// round at the end of a rope that is drawn into a sheave, saddle or drum of another part: the free rope between them
+/// is shorter than its radius. A carriage passes a saddle. Of two parts that both stand that is how they are built.
 class TwoBlocked {
  public:
   /// `words`: which state it is, "sweep, loads[0].mass = 40 t". `broken`: ropes that do not count.
@@ -30,11 +30,11 @@ class TwoBlocked {
     std::string where;
   };
 
-  void take_end(const machine::Model& model, const machine::State& state, const machine::Node& wheel,
+  void take_end(const machine::Model& model, const machine::State& state, const machine::Node& round,
                 const machine::Node& end, const std::string& words);
 
   std::map<std::pair<std::string, std::string>, Worst> worst_;  ///< by the names of the rounds
-  std::map<std::pair<std::string, std::string>, Worst> ends_;   ///< by those of the wheel and of the end; gap: of rope
+  std::map<std::pair<std::string, std::string>, Worst> ends_;   ///< by those of the round and of the end; gap: of rope
 };
 
 }  // namespace taut::checks

@@ -53,10 +53,7 @@ TEST(TwoBlocked, TheWorstStateCounts) {
   EXPECT_NE(said(blocks).find("0.200000: 'head' and 'hook'"), std::string::npos) << said(blocks);
 }
 
-TEST(TwoBlocked, SupportsCarriagesAndWheelsOfOneBodyDoNotCount) {
-  machine::Model support = hook(0.1);
-  support.reevings[0].nodes[1].law.efficiency = 0;  // a saddle
-  EXPECT_EQ(at_rest(support), "");
+TEST(TwoBlocked, CarriagesAndWheelsOfOneBodyDoNotCount) {
   machine::Model carriage = hook(0.1);
   carriage.carriages.push_back({"block", 0, 0, 2, std::nullopt});
   EXPECT_EQ(at_rest(carriage), "");
@@ -88,6 +85,19 @@ TEST(TwoBlocked, AWeightIsDrawnIntoItsSheave) {
   beside.reevings[0].nodes[1].at.body = 0;
   beside.reevings[0].nodes[1].at.at = {-0.2, 0, 0.1};
   EXPECT_EQ(at_rest(beside), "") << "parts of one body";
+}
+
+// A bollard is a support, whose law is a saddle's: a weight was hauled into it and passed.
+TEST(TwoBlocked, ASaddleIsInTheWayOfAllButCarriages) {
+  const machine::ContactLaw saddle = {.friction = 0.2, .efficiency = 0};
+  machine::Model block = hook(0.4);
+  block.reevings[0].nodes[1].law = saddle;
+  EXPECT_NE(at_rest(block).find("'head' and 'hook' run into each other"), std::string::npos) << at_rest(block);
+  machine::Model m = weight(0.1);
+  m.reevings[0].nodes[1].law = saddle;
+  EXPECT_NE(at_rest(m).find("'eye' runs into 'head'"), std::string::npos) << at_rest(m);
+  m.carriages.push_back({"weight", 0, 0, 2, std::nullopt});
+  EXPECT_EQ(at_rest(m), "") << "a carriage passes its supports";
 }
 
 TEST(TwoBlocked, ADrumIsInTheWayToo) {

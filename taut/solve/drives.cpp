@@ -162,6 +162,25 @@ Array<DriveResult> drives(const machine::Model& model, const EquilibriumResult& 
   return all;
 }
 
+Array<DriveResult> drives(const machine::Model& model, const TransientFrame& frame) {
+  Array<DriveResult> all;
+  for (const TransientFrame::Contact& c : frame.contacts) {
+    const machine::Reeving& rope = model.reevings[c.reeving];
+    const machine::Node& node = rope.nodes[c.node];
+    if (!node.motor || c.state == ContactState::lifted) continue;
+    DriveResult d;
+    d.reeving = c.reeving;
+    d.node = c.node;
+    d.T_in = c.T_in;
+    d.T_out = c.T_out;
+    d.wrap = c.wrap;
+    d.centrifugal = c.centrifugal;
+    fill_grip(node, rope, model.motors[*node.motor].working_arc, d);
+    all.push_back(d);
+  }
+  return all;
+}
+
 namespace {
 
 /// Of the end of a rope that lies on a drum, before it is known in which layer: `pull` at its drum, and the rope on

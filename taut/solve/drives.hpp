@@ -41,6 +41,9 @@ std::optional<std::string> not_ready(const machine::Model& model);
 /// Of every motor of the model.
 Array<DriveResult> drives(const machine::Model& model, const EquilibriumResult& result);
 
+/// The same at a moment of a motion where its rope presses on it: tensions and grip; no torque, no power.
+Array<DriveResult> drives(const machine::Model& model, const TransientFrame& frame);
+
 /// What lies on a drum, and what it pulls.
 struct DrumResult {
   int drum = 0;         ///< index in the model

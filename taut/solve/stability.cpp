@@ -506,10 +506,12 @@ Stability stability(const mechanics::System& s, const mechanics::Configuration& 
   result.rope = row.of != EnergyCurvature::Of::freedom;
   result.push = curvature->unknowns.times(*direction);
   result.push *= pushed * s.layout.length / result.push.cwiseAbs().maxCoeff();
+  // a fall from a place of symmetry, which nothing pushes, leads back to it
+  const char* const beside = result.rope ? "" : ", or describe it a little off this place, where it is meant to rest";
   result.outcome = infeasible(
       fmt::format("the equilibrium found is not one to stay in: at the least push {}; hold it by another rope, or "
-                  "change lengths or weights{}",
-                  words(s, row), of_given_tension(s)));
+                  "change lengths or weights{}{}",
+                  words(s, row), of_given_tension(s), beside));
   return result;
 }
 

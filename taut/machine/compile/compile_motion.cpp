@@ -94,6 +94,7 @@ Drive drive_of(const description::Drum& given, const Array<Signal>& signals, Com
 }
 
 void add_faces(const Machine& machine, Model& model, Complaints& complaints) {
+  constexpr double rounded = 1e-3;  // of a normal with three digits
   for (const auto& given : machine.faces) {
     const std::string path = fmt::format("faces.{}", given.name);
     Face face;
@@ -101,16 +102,20 @@ void add_faces(const Machine& machine, Model& model, Complaints& complaints) {
     face.from = vector_of(given.from);
     face.to = vector_of(given.to);
     if (given.body) face.body = named(model.bodies, *given.body, "body", path + ".body", complaints).value_or(ground);
-    const Vector3 along = face.to - face.from;
-    const Vector3 normal = vector_of(given.normal);
+    const Vector3 along = (face.to - face.from).normalized(), normal = vector_of(given.normal).normalized();
+    const double askew = normal.dot(along);
+    const Vector3 across = normal - askew * along;
     if (along.norm() == 0) {
       complaints.push_back({path + ".to", "is the same place as 'from'"});
     } else if (normal.norm() == 0) {
       complaints.push_back({path + ".normal", "the direction is zero"});
-    } else if (std::abs(normal.normalized().dot(along.normalized())) > 1e-6) {
-      complaints.push_back({path + ".normal", "is not square to the line from 'from' to 'to'"});
+    } else if (std::abs(askew) > rounded) {
+      const Vector3 fits = across.norm() > rounded ? across.normalized() : along.unitOrthogonal();
+      complaints.push_back(
+          {path + ".normal", fmt::format("is not square to the line from 'from' to 'to'; [{:.4g}, {:.4g}, {:.4g}] is",
+                                         fits.x(), fits.y(), fits.z())});
     } else {
-      face.normal = normal.normalized();
+      face.normal = across.normalized();
     }
     model.faces.push_back(std::move(face));
   }

@@ -291,7 +291,17 @@ TEST(CompileMotion, ContactsActuatorsAndTensioners) {
   EXPECT_NEAR(at(model->tensioners[0].change, 1).value, -3e-3, 1e-18);
   EXPECT_EQ(model->observed[0].quantity, Observed::contact_N);
   m.faces[0].normal = {1, 0, 1};
-  EXPECT_THAT(complaints_of(m), HasSubstr("faces.floor.normal: is not square"));
+  EXPECT_THAT(complaints_of(m),
+              HasSubstr("faces.floor.normal: is not square to the line from 'from' to 'to'; [0, 0, 1] is"));
+  // a slope of 20 deg with three digits
+  const Machine level = m;
+  m.faces[0].to = {20, 0, -6 + 20 * std::tan(M_PI / 9)};
+  m.faces[0].normal = {-0.342, 0, 0.940};
+  const auto sloping = compile(m);
+  ASSERT_TRUE(sloping) << complaints_of(m);
+  EXPECT_NEAR(sloping->faces[0].normal.dot(Vector3(1, 0, std::tan(M_PI / 9))), 0, 1e-15);
+  EXPECT_NEAR(sloping->faces[0].normal.norm(), 1, 1e-15);
+  m = level;
   m.faces[0].normal = {0, 0, 1};
   m.contacts[0].kinetic_friction = 0.2;
   EXPECT_THAT(complaints_of(m), HasSubstr("must not be larger than the static"));

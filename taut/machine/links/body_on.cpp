@@ -12,14 +12,17 @@
 namespace taut::machine {
 namespace {
 
-/// Driven by more than constants, which only say where it stands.
-bool is_moved(const Body& body) {
-  return std::any_of(body.driven.begin(), body.driven.end(),
-                     [](const DrivenWay& way) { return !std::holds_alternative<double>(way.signal.law); });
+/// The ways in which a signal drives a body by more than a constant, which only says where it stands.
+Array<Freedom> driven_ways(const Body& body) {
+  Array<Freedom> ways;
+  for (const DrivenWay& way : body.driven) {
+    if (!std::holds_alternative<double>(way.signal.law)) ways.push_back({.along = way.along, .about = way.about});
+  }
+  return ways;
 }
 
 /// The body that each one is on; empty: on none, or on one that can't be.
-Array<std::optional<int>> parents_of(const Machine& machine, const Model& model, std::vector<Complaint>& complaints) {
+Array<std::optional<int>> parents_of(const Machine& machine, std::vector<Complaint>& complaints) {
   std::vector<std::string> names;
   names.reserve(machine.bodies.size());
   for (const auto& body : machine.bodies) names.push_back(body.name);
@@ -36,14 +39,6 @@ Array<std::optional<int>> parents_of(const Machine& machine, const Model& model,
     parents[i] = static_cast<int>(found - names.begin());
     if (given.motion) {
       complaints.push_back({path, "a driven body has its place in the ground frame"});
-    }
-    const bool stays = !given.guide && std::none_of(given.free.begin(), given.free.end(),
-                                                    [](const std::string& way) { return way.front() != 'r'; });
-    if (stays && is_moved(model.bodies[*parents[i]])) {
-      complaints.push_back(
-          {path, fmt::format("'{}' has a 'motion', and '{}' would stay behind: 'on' gives its place at the start, no "
-                             "joint. Give it the same 'motion', or 'free' ways and what holds it",
-                             *given.on, given.name)});
     }
     const auto joined = [&](const auto& beam) { return beam.from == given.name || beam.to == given.name; };
     if (std::any_of(machine.beams.begin(), machine.beams.end(), joined)) {
@@ -64,8 +59,9 @@ bool spans(const Array<Vector3>& directions, const Vector3& way) {
   return (found - way).norm() <= rounding * way.norm();
 }
 
-/// Whether a body has the ways to go where a freedom of the one that it is on takes it. Its place has to: about an axis
-/// it goes round, in the plane across it. It need not turn as well where it can shift, as what hangs on ropes.
+/// Whether a body has the ways to go where one of the ways of the body that it is on takes it. About an axis it goes
+/// round: in all directions across the axis, and need not turn then, as what hangs on ropes; or it is on the axis,
+/// moves along that only, and turns as well.
 bool follows(const Body& body, const Body& under, const Freedom& way) {
   Array<Vector3> shifts, turns;
   for (const Freedom& own : body.free) {
@@ -74,29 +70,40 @@ bool follows(const Body& body, const Body& under, const Freedom& way) {
   }
   if (!spans(shifts, way.along)) return false;
   if (way.about == Vector3::Zero()) return true;
-  const Vector3 around = way.about.cross(body.position - under.position);
-  if (!spans(shifts, around) || !spans(shifts, way.about.cross(around))) return false;
-  return !shifts.empty() || spans(turns, way.about);
+  const Vector3 across = way.about.unitOrthogonal();
+  if (spans(shifts, across) && spans(shifts, way.about.cross(across))) return true;
+  const auto on_axis = [&](const Vector3& one) { return spans({way.about}, one); };
+  return on_axis(body.position - under.position) && std::all_of(shifts.begin(), shifts.end(), on_axis) &&
+         spans(turns, way.about);
 }
 
 /// A body that has not the ways of the one that it is on.
 std::optional<Complaint> left_behind(const description::Body& given, const Body& body, const Body& under) {
-  if (given.guide) return {};
-  const bool goes_along =
-      std::all_of(under.free.begin(), under.free.end(), [&](const Freedom& way) { return follows(body, under, way); });
-  if (goes_along) return {};
-  return Complaint{
-      fmt::format("bodies.{}.on", given.name),
-      fmt::format("'{}' is free to move, and '{}' would stay behind: 'on' gives its place at the start, no joint. What "
-                  "is fixed to '{}' is part of it: put its points, loads and mass there. What moves on it needs the "
-                  "'free' ways to go along, and ropes, cylinders or contacts that hold it",
-                  under.name, given.name, under.name)};
+  const auto goes_along = [&](const Array<Freedom>& ways) {
+    return std::all_of(ways.begin(), ways.end(), [&](const Freedom& way) { return follows(body, under, way); });
+  };
+  const std::string path = fmt::format("bodies.{}.on", given.name);
+  if (!goes_along(under.free)) {
+    return Complaint{
+        path, fmt::format("'{}' is free to move, and '{}' would stay behind: 'on' gives its place at the start, no "
+                          "joint. What is fixed to '{}' is part of it: put its points, loads and mass there. What "
+                          "moves on it needs the 'free' ways to go along (a 'guide' does not turn), and ropes, "
+                          "cylinders or contacts that hold it",
+                          under.name, given.name, under.name)};
+  }
+  if (!goes_along(driven_ways(under))) {
+    return Complaint{path, fmt::format("'{}' has a 'motion', and '{}' would stay behind: 'on' gives its place at the "
+                                       "start, no joint. Give it the same 'motion', or the 'free' ways to go along (a "
+                                       "'guide' does not turn) and what holds it",
+                                       under.name, given.name)};
+  }
+  return {};
 }
 
 }  // namespace
 
 void place_bodies_on_others(const Machine& machine, Model& model, std::vector<Complaint>& complaints) {
-  const auto parents = parents_of(machine, model, complaints);
+  const auto parents = parents_of(machine, complaints);
   enum class Now { open, under_way, done };
   Array<Now> now(parents.size(), Now::open);
   for (std::size_t first = 0; first < parents.size(); ++first) {

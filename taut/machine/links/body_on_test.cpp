@@ -104,6 +104,55 @@ TEST(BodyOn, WhatCannotFollowAFreeBodyIsRefused) {
   EXPECT_EQ(on_tower({"x"}, {"x"}, aside), "");
 }
 
+// A trolley on a guide kept to the line of the start while its boom fell (pendant 9.54 kN for 95.3 kN), and passed; so
+// did a section with one way to shift on a boom that a signal luffs.
+TEST(BodyOn, AGuideDoesNotTurnWithTheBodyUnderIt) {
+  const auto reported = [](Machine m) {
+    m.bodies.erase(m.bodies.begin());
+    m.points[1].body = "base";
+    const auto compiled = compile(m);
+    return compiled ? std::string() : compiled.error().front().path + ": " + compiled.error().front().message;
+  };
+  Machine free = boom();
+  free.bodies[2].mass = 1000;
+  free.bodies[2].motion.reset();
+  free.bodies[2].free = {"ry"};
+  EXPECT_NE(reported(free).find("bodies.section.on: 'base' is free to move, and 'section' would stay"),
+            std::string::npos)
+      << reported(free);
+  free.bodies[1].at = {0, 0, 0};
+  EXPECT_NE(reported(free), "") << "from the axis it moves along the line of the start";
+  free.bodies[1].at = {2, 0, 0};
+  free.bodies[2].free = {"x"};
+  EXPECT_EQ(reported(free), "") << "it is shifted along the guide";
+  free.bodies[2].free = {"rz"};
+  free.bodies[1].guide = Triple{0, 0, 1};
+  EXPECT_NE(reported(free), "");
+  free.bodies[1].at = {0, 0, 3};
+  EXPECT_NE(reported(free), "") << "on the axis it has to turn";
+  free.bodies[1].free = {"rz"};
+  EXPECT_EQ(reported(free), "");
+
+  Machine driven = boom();
+  driven.signals.emplace_back().name = "luff";
+  driven.signals[0].ramp.emplace().to = "1 rad";
+  driven.bodies[2].motion->ry = "luff";
+  EXPECT_NE(reported(driven).find("'base' has a 'motion', and 'section' would stay behind"), std::string::npos)
+      << reported(driven);
+  driven.bodies[1].guide.reset();
+  driven.bodies[1].free = {"x"};
+  EXPECT_NE(reported(driven), "");
+  driven.bodies[1].free = {"x", "z"};
+  EXPECT_EQ(reported(driven), "");
+  driven.bodies[2].motion->ry.reset();
+  driven.bodies[2].motion->x = "luff";
+  driven.signals[0].ramp->to = "1 m";
+  driven.bodies[1].free = {"z"};
+  EXPECT_NE(reported(driven), "");
+  driven.bodies[1].free = {"x", "z"};
+  EXPECT_EQ(reported(driven), "");
+}
+
 TEST(BodyOn, MistakesAreToldAtTheirPlace) {
   const auto reported = [](const Machine& m) {
     const auto compiled = compile(m);

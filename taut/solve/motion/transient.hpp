@@ -176,6 +176,7 @@ struct TransientFrame {
   struct Contact {
     int reeving = 0, node = 0;
     double T_in = 0, T_out = 0;  ///< N, by the order of the path
+    double centrifugal = 0;      ///< m v^2, what the momentum of its rope takes of both, N
     double wrap = 0;             ///< rad
     double angle = 0, spin = 0;  ///< of the sheave against its body, path sense, rad, 1/s
     double flow = 0;             ///< stretched rope along the path relative to the body, m/s

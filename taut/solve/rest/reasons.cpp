@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <utility>
 
 #include "taut/base/array.hpp"
@@ -103,21 +104,42 @@ std::optional<int> vanished(const mechanics::System& s, const mechanics::Configu
   return std::nullopt;
 }
 
+bool is_on_free_body(const mechanics::System& s, const machine::Node& node) {
+  return node.at.body != machine::ground && !s.model.bodies[node.at.body].free.empty();
+}
+
+/// Of a branch that vanished, the end on a free body that was drawn up to its neighbour, in words. Where the rope holds
+/// other bodies too, which of them is drawn up follows from the way of the search: together they do not balance.
+std::string drawn_up(const mechanics::System& s, const machine::Reeving& rope, const machine::Node& own,
+                     const machine::Node& other) {
+  std::set<std::string> others;
+  for (const machine::Node& node : rope.nodes) {
+    if (is_on_free_body(s, node) && node.at.body != own.at.body)
+      others.insert(fmt::format("'{}'", s.model.bodies[node.at.body].name));
+  }
+  const std::string& body = s.model.bodies[own.at.body].name;
+  if (others.empty()) {
+    return fmt::format(
+        "body '{}' is drawn up to '{}': rope '{}' between them shrinks to nothing; make it heavier, give the rope more "
+        "length, or pull less",
+        body, other.name, rope.name);
+  }
+  return fmt::format(
+      "body '{}' and {} do not balance on rope '{}', which runs through until nothing is left of a branch; change "
+      "their "
+      "weights, or hold one of them",
+      body, fmt::join(others, ", "), rope.name);
+}
+
 /// The end of a rope on a free body that was drawn up to its neighbour, in words; empty without one.
 std::string drawn_up(const mechanics::System& s, const mechanics::Configuration& c) {
   for (std::size_t k = 0; k < s.layout.branches.size(); ++k) {
     const mechanics::Layout::Branch& laid = s.layout.branches[k];
-    const machine::Reeving& rope = s.model.reevings[laid.reeving];
     if (c.branches[k].length >= vanishing * s.layout.length) continue;
-    for (const bool first : {true, false}) {
-      const machine::Node &own = rope.nodes[first ? laid.from : laid.to],
-                          &other = rope.nodes[first ? laid.to : laid.from];
-      if (own.at.body == machine::ground || s.model.bodies[own.at.body].free.empty()) continue;
-      return fmt::format(
-          "body '{}' is drawn up to '{}': rope '{}' between them shrinks to {:.3g} m; make it heavier, "
-          "give the rope more length, or pull less",
-          s.model.bodies[own.at.body].name, other.name, rope.name, c.branches[k].length);
-    }
+    const machine::Reeving& rope = s.model.reevings[laid.reeving];
+    const machine::Node &from = rope.nodes[laid.from], &to = rope.nodes[laid.to];
+    if (is_on_free_body(s, from)) return drawn_up(s, rope, from, to);
+    if (is_on_free_body(s, to)) return drawn_up(s, rope, to, from);
   }
   return {};
 }

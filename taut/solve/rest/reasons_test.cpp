@@ -31,6 +31,21 @@ TEST(Reasons, ACounterweightTooLightIsDrawnUpToItsSheave) {
   expect_reason(with_counterweight(200), "body 'counterweight' is drawn up to 'deflection'");
 }
 
+// Which of two branches vanishes in the search does not tell which weight is too light.
+TEST(Reasons, TwoUnequalWeightsOnOneRopeAreNamedTogether) {
+  for (const double other : {510.0, 600.0, 400.0}) {
+    machine::Model m;
+    m.bodies.push_back(body("a", {-0.5, 0, -6}, 500, "z"));
+    m.bodies.push_back(body("b", {0.5, 0, -6}, other, "z"));
+    m.reevings.push_back(
+        reeve("r", {anchor_on("a", 0), sheave("top", {0, 0, 0}, 0.5, 1), anchor_on("b", 1)}, 14, 0, 10e6));
+    const EquilibriumResult r = equilibrium(m);
+    ASSERT_FALSE(r.outcome.ok());
+    EXPECT_NE(r.outcome.message.find("do not balance on rope 'r'"), std::string::npos) << r.outcome.message;
+    EXPECT_EQ(r.outcome.message.find("make it heavier"), std::string::npos) << r.outcome.message;
+  }
+}
+
 TEST(Reasons, ATensionBelowTheRopesOwnWeightIsNamed) {
   machine::Model m;
   m.reevings.push_back(reeve("guy", {anchor("top", {0, 0, 40}), anchor("foot", {30, 0, 0})}, 0, 40, 5e6));

@@ -38,6 +38,7 @@ TransientFrame::Contact contact_of(const Mechanism& m, const Values& v, std::siz
   c.side = m.model->reevings[contact.reeving].nodes[contact.node].side;
   c.T_in = in.end_T[1];
   c.T_out = out.end_T[0];
+  c.centrifugal = out.thrust[0];
   c.wrap = wrap_of(m, i, v);
   if (contact.spin >= 0) {
     c.angle = contact.sense * v.spins[contact.spin].angle;
