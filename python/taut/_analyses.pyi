@@ -1,6 +1,6 @@
 """Made from the descriptions by python/tools/make_stub.py; do not edit. `./dev python stub` makes it again.
 
-schema: cfeee8f881e0a5db294413ed5d9396cc573feb8b63fe1bbeebf63a9bfbbd9cdc
+schema: 929735ba82d9ea5755f072ac9a1a2a7116f786ac5f04569b3ede1bc2f1219a01
 """
 
 from collections.abc import Mapping, Sequence
