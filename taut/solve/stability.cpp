@@ -23,8 +23,7 @@ using Triplets = Array<Eigen::Triplet<double, int>>;
 
 constexpr double matrix_rounding = 1e-7;  ///< of the scaled matrix
 constexpr double weight_of_bodies = 100;
-constexpr double pushed = 0.01;  ///< of the longest span
-constexpr double far = 0.01;     ///< of the longest span
+constexpr double noticed = 0.01;  ///< of the longest span: a push, and a place that is another one
 
 /// Rows of the residual and columns of rope fed in that belong to the coordinates.
 struct Coordinates {
@@ -448,7 +447,7 @@ Array<Vector3> ways(const mechanics::System& s, const EnergyCurvature& curvature
 
 std::string indifferent(const mechanics::System& s, const mechanics::Configuration& c, const mechanics::Evaluation& e) {
   Array<Vector3> moved(s.model.bodies.size(), Vector3::Zero());
-  const double most = far * s.layout.length;
+  const double most = noticed * s.layout.length;
   bool any = false;
   for (int body = 0; body < static_cast<int>(moved.size()); ++body) {
     if (s.model.bodies[body].of_rope) continue;
@@ -505,7 +504,7 @@ Stability stability(const mechanics::System& s, const mechanics::Configuration& 
   const EnergyCurvature::Row& row = curvature->rows[most];
   result.rope = row.of != EnergyCurvature::Of::freedom;
   result.push = curvature->unknowns.times(*direction);
-  result.push *= pushed * s.layout.length / result.push.cwiseAbs().maxCoeff();
+  result.push *= noticed * s.layout.length / result.push.cwiseAbs().maxCoeff();
   // a fall from a place of symmetry, which nothing pushes, leads back to it
   const char* const beside = result.rope ? "" : ", or describe it a little off this place, where it is meant to rest";
   result.outcome = infeasible(

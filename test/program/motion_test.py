@@ -16,6 +16,7 @@ import cpu_time
 import example_runs
 
 PROGRAM = os.environ["TAUT_PROGRAM"]
+FAILS = 4  # exit code: computed, and a check fails
 FEWER = "TAUT_FEWER" in os.environ
 EXAMPLES = pathlib.Path(os.environ["TAUT_SOURCE_DIR"]) / "examples" / "motion"
 
@@ -150,17 +151,18 @@ checks: {ropes: {r: {safety_factor: 2}}}
             second = self.run_to(folder + "/second", f"analyses[0].transient.restart={folder}/first/state.json", deck=deck)
             self.assertIn("lifts 'f1' off the ground", " ".join(second["warnings"]))
 
-    def goes_on(self, deck, step, whole, halves):
+    def goes_on(self, deck, step, whole, halves, expected=0):
         """Each half run and what goes on from it give the lines of the whole run, but at the moment between them."""
         with tempfile.TemporaryDirectory() as folder:
             given = f"analyses[0].transient.step={step}"
             last = "analyses[0].transient.duration="
-            self.run_to(folder + "/whole", given, f"{last}{whole:.15g} s", deck=deck)
+            self.run_to(folder + "/whole", given, f"{last}{whole:.15g} s", deck=deck, expected=expected)
             head, rows = rows_of(folder + "/whole/time.csv")
             for half in halves:
-                self.run_to(folder + "/first", given, f"{last}{half:.15g} s", "analyses[0].transient.save=state.json", deck=deck)
+                self.run_to(folder + "/first", given, f"{last}{half:.15g} s", "analyses[0].transient.save=state.json",
+                            deck=deck, expected=expected)
                 self.run_to(folder + "/second", given, f"{last}{whole - half:.15g} s",
-                            f"analyses[0].transient.restart={folder}/first/state.json", deck=deck)
+                            f"analyses[0].transient.restart={folder}/first/state.json", deck=deck, expected=expected)
                 second = rows_of(folder + "/second/time.csv")[1]
                 self.assertGreater(len(second), 2)
                 self.assertEqual(second[1:], rows[len(rows) - len(second) + 1:], f"{head} from {half} s on")
@@ -169,17 +171,22 @@ checks: {ropes: {r: {safety_factor: 2}}}
     def test_a_rope_that_slips_goes_on_to_the_last_bit(self):
         for method in ("implicit", "verlet"):
             halves = (0.3,) if FEWER else (0.3, 0.4, 0.55, 0.6)
-            head, rows = self.goes_on(SLIPPING.replace("METHOD", method), "0.5 ms", 1, halves)
+            head, rows = self.goes_on(SLIPPING.replace("METHOD", method), "0.5 ms", 1, halves, FAILS)
             slip = [row[head.index("drive.slip [m/s]")] for row in rows]
             self.assertGreater(min(abs(x) for x in slip[6:]), 1, "it slips all the time")
 
     def test_a_saw_driven_at_once_either_way_round(self):
-        """The example's rope saw, whose sheaves are light, with its six forces along the rope: from rest to full speed."""
+        """The example's rope saw, whose sheaves are light, with its six forces along the rope: from rest to full speed.
+        Backwards the tight side is the short one, and the rope slips all the way."""
         deck = (EXAMPLES.parent / "machines" / "rope_saw_drive.yaml").read_text().split("analyses:")[0]
         deck += "analyses: [transient: {duration: 4 s, output_step: 10 ms, tolerance: 1e-3, damping_ratio: 0.02}]\n"
         for speed in (-5,) if FEWER else (18, 5, -5, -18):
             with tempfile.TemporaryDirectory() as folder:
-                values = self.run_to(folder, f"machine.sheaves.drive.motor.speed={speed} m/s", deck=deck)["values"]
+                result = self.run_to(folder, f"machine.sheaves.drive.motor.speed={speed} m/s", deck=deck,
+                                     expected=FAILS if speed < 0 else 0)
+                values = result["values"]
+                failed = [check["name"] for check in result["checks"] if not check["passes"]]
+                self.assertEqual(failed, ["drive.slipped"] if speed < 0 else [], speed)
                 self.assertLess(abs(values["energy_residual"]["value"]), 1e-5, speed)
                 self.assertLess(values["T_max"]["value"], 60e3, speed)
 
