@@ -275,26 +275,40 @@ void add_smooth_saddles(const machine::Machine& machine, std::vector<std::string
       names));
 }
 
-/// A bunch that travels away from its mainline: the ground would help to draw it.
-void add_dragged_away(const machine::Machine& given, const machine::Model& model, std::vector<std::string>& warnings) {
-  for (std::size_t i = 0; i < given.loads.size(); ++i) {
-    if (!given.loads[i].dragged) continue;
-    const auto car = std::find_if(model.carriages.begin(), model.carriages.end(),
-                                  [&](const machine::Carriage& one) { return one.name == given.loads[i].at; });
-    if (car == model.carriages.end() || !car->mainline) continue;
-    const auto& nodes = model.reevings[*car->mainline].nodes;
-    const auto at_car =
-        std::find_if(nodes.begin(), nodes.end(), [&](const machine::Node& node) { return node.at.body == car->body; });
-    const machine::Node& next = at_car == nodes.begin() ? nodes[1] : *std::prev(at_car);
-    const Vector3 pull = machine::in_ground(model, next.at) - model.bodies[car->body].position;
-    const auto& along = given.loads[i].dragged->along;
-    if (along[0] * pull.x() + along[1] * pull.y() >= 0) continue;
-    warnings.push_back(
-        fmt::format("loads[{}].dragged.along points away from '{}', the mainline of '{}': as the bunch is drawn in, "
-                    "the friction of "
-                    "the ground would help the winch",
-                    i, model.reevings[*car->mainline].name, car->name));
+/// The carriage at which a body hangs, or which it is; null without one.
+const machine::Carriage* carriage_over(const machine::Model& model, int body) {
+  const auto meets = [](const machine::Reeving& rope, int one) {
+    return std::any_of(rope.nodes.begin(), rope.nodes.end(), [&](const auto& node) { return node.at.body == one; });
+  };
+  for (const machine::Carriage& car : model.carriages) {
+    if (car.body == body) return &car;
   }
+  for (const machine::Carriage& car : model.carriages) {
+    const bool hangs = std::any_of(model.reevings.begin(), model.reevings.end(),
+                                   [&](const auto& rope) { return meets(rope, car.body) && meets(rope, body); });
+    if (hangs) return &car;
+  }
+  return nullptr;
+}
+
+/// In plan: where a carriage's line goes, and where its mainline draws it (zero without one).
+struct WaysOfCarriage {
+  Vector3 line = Vector3::Zero(), pull = Vector3::Zero();
+};
+WaysOfCarriage ways_of(const machine::Model& model, const machine::Carriage& car) {
+  const auto place = [&](const machine::Node& node) { return machine::in_ground(model, node.at); };
+  const auto& line = model.reevings[car.reeving].nodes;
+  const auto count = static_cast<int>(line.size());
+  WaysOfCarriage ways;
+  ways.line = place(line[(car.node + car.rollers) % count]) - place(line[(car.node + count - 1) % count]);
+  if (car.mainline) {
+    const auto& nodes = model.reevings[*car.mainline].nodes;
+    const auto at =
+        std::find_if(nodes.begin(), nodes.end(), [&](const auto& node) { return node.at.body == car.body; });
+    ways.pull = place(at == nodes.begin() ? nodes[1] : *std::prev(at)) - model.bodies[car.body].position;
+  }
+  ways.line.z() = ways.pull.z() = 0;
+  return ways;
 }
 
 }  // namespace
@@ -315,7 +329,29 @@ std::vector<std::string> absurd_machine(const MachineDeck& deck, const machine::
   add_smooth_saddles(m, warnings);
   add_motionless(deck, warnings);
   add_references(m, warnings);
-  add_dragged_away(m, model, warnings);
+  return warnings;
+}
+
+std::vector<std::string> dragged_astray(const machine::Machine& given, const machine::Model& model) {
+  std::vector<std::string> warnings;
+  for (std::size_t i = 0; i < given.loads.size(); ++i) {
+    const machine::Carriage* const car =
+        given.loads[i].dragged ? carriage_over(model, model.loads[i].at.body) : nullptr;
+    if (car == nullptr) continue;
+    const Vector3 along = Vector3(given.loads[i].dragged->along[0], given.loads[i].dragged->along[1], 0).normalized();
+    const WaysOfCarriage ways = ways_of(model, *car);
+    if (std::abs(along.dot(ways.line)) < M_SQRT1_2 * ways.line.norm()) {
+      warnings.push_back(
+          fmt::format("loads[{}].dragged.along goes across the line of '{}': the friction of the ground "
+                      "would not act against the winch; give the direction of travel",
+                      i, car->name));
+    } else if (along.dot(ways.pull) < 0) {
+      warnings.push_back(
+          fmt::format("loads[{}].dragged.along points away from '{}', the mainline of '{}': the friction of the ground "
+                      "helps the winch, which is right only where the bunch is let down by it",
+                      i, model.reevings[*car->mainline].name, car->name));
+    }
+  }
   return warnings;
 }
 

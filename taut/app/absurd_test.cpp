@@ -172,6 +172,13 @@ analyses: [{{equilibrium: {{}}}}]
   };
   EXPECT_EQ(warned(deck("[-1, 0]")), "");
   EXPECT_TRUE(has(warned(deck("[1, 0]")), "points away from 'main', the mainline of 'car'"));
+  EXPECT_TRUE(has(warned(deck("[0.17, 0.98]")), "goes across the line of 'car'"));
+  // on a hook below the carriage too
+  const std::string hook = std::regex_replace(
+      std::regex_replace(deck("[1, 0]"), std::regex("at: car, mass"), "at: hook, mass"), std::regex("  reevings:\n"),
+      "  bodies: {hook: {mass: 20 kg, at: [125 m, 0 m, 28 m], free: [x, y, z]}}\n  reevings:\n"
+      "    - {rope: main, name: drop, path: [{anchor: car}, {anchor: hook}], length: 2 m}\n");
+  EXPECT_TRUE(has(warned(hook), "points away from 'main'")) << hook;
   const Result none = run(Job{
       .text = std::regex_replace(deck("[1, 0]"), std::regex(", along: .1, 0."), ""), .name = "deck.yaml", .set = {}});
   EXPECT_TRUE(has(to_text(none.errors), "along")) << to_text(none.errors);

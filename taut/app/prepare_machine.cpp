@@ -228,6 +228,7 @@ Result described(const MachineDeck& deck, const machine::Model& model, bool repo
     r.given = given_of(MachineDeck::describe(), &deck);
     r.assumptions = results::assumptions_of(deck.machine);
     r.warnings = absurd_machine(deck, model);
+    for (std::string& text : dragged_astray(deck.machine, model)) warn_unsafe(r, std::move(text));
   }
   for (const auto& car : deck.machine.carriages) {
     if (!car.from_library.empty()) r.assumptions.push_back(car.from_library);

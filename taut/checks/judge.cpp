@@ -139,12 +139,12 @@ void Judge::take_contacts(const machine::Model& m, const solve::EquilibriumResul
     warn("band", fmt::format("{}: friction may hold more than what is judged: {}", words, e.unbounded), true);
   }
   if (!e.indifferent.empty()) {
-    warn("indifferent",
-         fmt::format(
-             "{}: in balance at any place between, so that the place found is one of many: {}; describe it where "
-             "it is to stand, or hold it there",
-             words, e.indifferent),
-         true);
+    warn(
+        "indifferent",
+        fmt::format("{}: in balance all along a way; of its places the one found is not that nearest to where the deck "
+                    "has it: {}; describe it where it is to stand, or hold it there",
+                    words, e.indifferent),
+        true);
   }
   for (const solve::ContactResult& c : e.contacts) {
     const machine::Node& node = m.reevings[c.reeving].nodes[c.node];
@@ -305,7 +305,7 @@ void Judge::take(const machine::Model& m, const solve::TransientResult& motion, 
   }
   take_peaks(m, motion, words);
   take_stop(motion, words);
-  take_never_stood(m, words);
+  take_feet(m, words);
   for (const std::string& branch : hangs_) {
     warn("slack " + branch, fmt::format("{}: {} is slack all the time", words, branch), true);
   }
@@ -357,6 +357,8 @@ void Judge::begin_motion(const machine::Model& m, const solve::TransientFrame& f
   events_seen_ = 0;
   broken_.clear();
   stood_.clear();
+  lifted_.clear();
+  picked_up_.clear();
   footprints_.clear();
   // a motion that goes on from a saved state does not see where its feet stood before: they count as all down
   for (std::size_t i = 0; first.t > 0 && i < first.faces.size(); ++i) stood_.insert(i);

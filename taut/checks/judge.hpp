@@ -165,7 +165,7 @@ class Judge {
   bool is_anchor(const machine::Model& model, int body) const;
   std::vector<std::size_t> meant_to_stand(const machine::Model& model, std::vector<std::size_t> feet) const;
   void take_stand(const machine::Model& model, const solve::TransientFrame& moment, const std::string& words);
-  void take_never_stood(const machine::Model& model, const std::string& words);
+  void take_feet(const machine::Model& model, const std::string& words);
   void take_ways_of_feet(const machine::Model& model, const solve::TransientFrame& moment,
                          const std::vector<std::size_t>& feet, const std::string& words);
   void take_lean(const machine::Model& model, const solve::TransientFrame& moment, std::size_t body,
@@ -205,6 +205,8 @@ class Judge {
   std::size_t events_seen_ = 0;                ///< of the motion that is shown now
   std::set<std::string> broken_;               ///< its ropes that the deck has broken so far
   std::set<std::size_t> stood_;                ///< its contacts with faces that have been closed so far
+  std::map<std::size_t, std::string> lifted_;  ///< of these, those that were opened: what is told of it
+  std::set<int> picked_up_;                    ///< bodies that were on no foot, without a drum and no anchor
   std::map<std::size_t, Vector3> footprints_;  ///< where feet were when all of their body stood, m
   std::vector<std::string> hangs_;             ///< its branches that have been slack so far, from its beginning on
 };

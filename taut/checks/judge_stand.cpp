@@ -72,13 +72,21 @@ Vector3 normal_of(const machine::Face& face, const machine::State& state) {
          machine::in_ground(state, {.body = face.body, .at = face.from});
 }
 
-/// Contacts by which each body stands on what is fixed: on a face that looks up rather than aside, no bumper's.
+/// What is fixed, or stands on that: a mat.
+bool bears(const machine::Model& m, int body) {
+  return is_fixed(m, body) || std::any_of(m.contacts.begin(), m.contacts.end(), [&](const machine::FaceContact& one) {
+           return one.body == body && is_fixed(m, m.faces[one.face].body);
+         });
+}
+
+/// Contacts by which each body stands on what is fixed, or on a mat there: on a face that looks up rather than aside,
+/// no bumper's.
 std::map<int, std::vector<std::size_t>> feet_of(const machine::Model& m) {
   const machine::State state = as_described(m);
   std::map<int, std::vector<std::size_t>> feet;
   for (std::size_t i = 0; i < m.contacts.size(); ++i) {
     const machine::Face& face = m.faces[m.contacts[i].face];
-    if (is_fixed(m, m.contacts[i].body) || !is_fixed(m, face.body)) continue;
+    if (is_fixed(m, m.contacts[i].body) || !bears(m, face.body)) continue;
     const Vector3 normal = normal_of(face, state);
     if (normal.z() > normal.head<2>().norm()) feet[m.contacts[i].body].push_back(i);
   }
@@ -156,7 +164,7 @@ std::vector<std::size_t> Judge::meant_to_stand(const machine::Model& m, std::vec
 }
 
 /// What holds ropes may not fall over; what carries them and stands by feet may not lift one of those once all that are
-/// meant to stand have stood. A load may be picked up.
+/// meant to stand have stood. A load, or a hook block, may be picked up: then all of its feet are off the ground.
 void Judge::take_stand(const machine::Model& m, const solve::TransientFrame& moment, const std::string& words) {
   const std::vector<bool> with_deck = turned_with_deck(m, moment);
   for (std::size_t b = 0; b < m.bodies.size(); ++b) {
@@ -171,18 +179,22 @@ void Judge::take_stand(const machine::Model& m, const solve::TransientFrame& mom
     if (feet.size() < 2) continue;
     if (!std::all_of(feet.begin(), feet.end(), [&](std::size_t i) { return stood_.contains(i); })) continue;
     if (has_drum(m, body) || is_anchor(m, body)) take_ways_of_feet(m, moment, feet, words);
+    const bool stands = std::any_of(feet.begin(), feet.end(), [&](std::size_t i) { return moment.faces[i].closed; });
+    if (!stands && !has_drum(m, body) && !is_anchor(m, body)) picked_up_.insert(body);
     for (const std::size_t foot : feet) {
       if (moment.faces[foot].closed) continue;
-      warn(m.contacts[foot].name + " lifted",
-           fmt::format("{}: '{}' lifts '{}' off the ground: it begins to tip", words, m.bodies[body].name,
-                       m.contacts[foot].name),
-           true);
+      lifted_.try_emplace(foot, fmt::format("{}: '{}' lifts '{}' off the ground: it begins to tip", words,
+                                            m.bodies[body].name, m.contacts[foot].name));
     }
   }
 }
 
-/// What stands on some of its feet, and in the whole motion never on another that is as low, has tipped from the start.
-void Judge::take_never_stood(const machine::Model& m, const std::string& words) {
+/// Of the motion as a whole: feet that were lifted by what was not picked up. And what stands on some of its feet, and
+/// never on another that is as low, has tipped from the start.
+void Judge::take_feet(const machine::Model& m, const std::string& words) {
+  for (const auto& [foot, lifted] : lifted_) {
+    if (!picked_up_.contains(m.contacts[foot].body)) warn(m.contacts[foot].name + " lifted", lifted, true);
+  }
   for (const auto& [body, all] : standing(m)) {
     for (const std::size_t foot : meant_to_stand(m, all)) {
       if (stood_.contains(foot)) continue;
@@ -219,7 +231,7 @@ void Judge::take_lean(const machine::Model& m, const solve::TransientFrame& mome
   if (lean <= fallen_angle) return;
   warn(name + " fallen",
        fmt::format("{}: '{}' has tipped over, or begins far from where it works: it leans {:.3g} deg from where the "
-                   "deck has it",
+                   "deck has it; where that is its work, describe it in the middle of its range",
                    words, name, lean * 180 / std::numbers::pi),
        true, lean);
 }

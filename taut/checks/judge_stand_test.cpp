@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <regex>
 #include <string>
 
 #include "test/support/machine_decks.hpp"
@@ -180,6 +181,49 @@ TEST(JudgeStand, NoOtherContactAndNoPointSheaveHidesATippingCrane) {
   // what bears 6 t m at most stands, an outrigger above the ground lifts nothing
   const std::string stands = crane("0.5 t", point("[-1 m, 0 m, 0.3 m]"), contact("ground"), wheel);
   EXPECT_EQ(unsafe(stands), "");
+}
+
+// A crane on a mat that itself stands on the ground.
+TEST(JudgeStand, ACraneOnAMatTipsToo) {
+  std::string deck = crane("3 t", "", "", wheel);
+  const auto put = [&](const std::string& behind, const std::string& text) {
+    ASSERT_NE(deck.find(behind), std::string::npos) << behind;
+    deck.insert(deck.find(behind) + behind.size(), text);
+  };
+  put("  points:\n", "    under: {body: mat, at: [0 m, 0 m, -0.2 m]}\n");
+  put("  bodies:\n", "    mat: {mass: 3 t, at: [0 m, 0 m, 0 m], free: [z]}\n");
+  put("ground: {", "body: mat, ");
+  put("  faces:\n", "    soil: {from: [-20 m, 0 m, -0.2 m], to: [20 m, 0 m, -0.2 m], normal: [0, 0, 1]}\n");
+  put("  contacts:\n", "    - {point: under, face: soil, stiffness: 200 MN/m, damping: 1 MN s/m}\n");
+  EXPECT_NE(unsafe(deck).find("'crane' lifts 'f3'"), std::string::npos) << unsafe(deck);
+}
+
+// A cage with the lower block of its tackle stands on two skids, of which one leaves the ground first.
+TEST(JudgeStand, AHookBlockIsPickedUp) {
+  const std::string cage = R"(taut: 1
+machine:
+  signals: {v: {ramp: {to: 0.6 m/s, start: 0.5 s, duration: 0.5 s, smooth: true}}}
+  points:
+    dead: [0.4 m, 0 m, 8 m]
+    k1: {body: cage, at: [-0.6 m, 0 m, -1 m]}
+    k2: {body: cage, at: [0.6 m, 0 m, -1 m]}
+  ropes: {h: {mass: 0.8 kg/m, stiffness: 10 MN, breaking_force: 200 kN, damping_ratio: 0.2, diameter: 16 mm}}
+  sheaves:
+    top: {at: [0 m, 0 m, 8 m], diameter: 400 mm}
+    blk: {body: cage, at: [0 m, 0 m, 0.4 m], diameter: 400 mm}
+  drums: {w: {at: [-6 m, 0 m, 1.5 m], core_diameter: 400 mm, drive: {speed: v}}}
+  bodies:
+    cage: {mass: 2 t, at: [0.4 m, 0 m, 1 m], centre: [0 m, 0 m, -0.4 m], free: [x, z, ry], inertia: 1000 kg m^2}
+  faces: {ground: {from: [-20 m, 0 m, 0 m], to: [20 m, 0 m, 0 m], normal: [0, 0, 1]}}
+  contacts:
+    - {point: k1, face: ground, stiffness: 5e6 N/m, damping: 1e5 N s/m, static_friction: 0.5}
+    - {point: k2, face: ground, stiffness: 5e6 N/m, damping: 1e5 N s/m, static_friction: 0.5}
+  reevings: [{rope: h, path: [{drum: w}, {over: top}, {over: blk}, {anchor: dead}], length: 23.4 m}]
+analyses: [{transient: {duration: 3 s, output_step: 10 ms}}]
+checks: {ropes: {h: {dynamic_safety_factor: 4}}}
+)";
+  const std::string told = unsafe(cage);
+  EXPECT_EQ(told.find("begins to tip"), std::string::npos) << told;
 }
 
 // With 5 t it tips from the start, as its rope is tight there: its back foot has never stood.

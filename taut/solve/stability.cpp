@@ -468,8 +468,7 @@ std::string indifferent(const mechanics::System& s, const mechanics::Configurati
     for (std::size_t body = 0; body < way.size(); ++body) {
       const double far_by = std::abs(along) / size * way[body].norm();
       if (far_by <= most) continue;
-      words += fmt::format("{}'{}' {:.3g} m from where it is described", words.empty() ? "" : ", ",
-                           s.model.bodies[body].name, far_by);
+      words += fmt::format("{}'{}' by {:.3g} m", words.empty() ? "" : ", ", s.model.bodies[body].name, far_by);
     }
   }
   return words;

@@ -215,7 +215,7 @@ TEST(Stability, ABodyThatBalancesAnywhereIsToldWhereItIsPutFarAway) {
   EXPECT_NEAR(goes.state.bodies[0].position.x(), 0, 1e-6);
   const double far = std::abs(goes.state.bodies[0].position.z() - 3);
   EXPECT_GT(far, 0.1);
-  EXPECT_EQ(goes.indifferent, fmt::format("'hook' {:.3g} m from where it is described", far));
+  EXPECT_EQ(goes.indifferent, fmt::format("'hook' by {:.3g} m", far));
   // a rope of a given length has one place for it
   m.reevings[0].given = machine::Given::length;
   m.reevings[0].value = 19;

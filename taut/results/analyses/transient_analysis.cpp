@@ -120,6 +120,7 @@ void add_motion(const study::TransientRun& run, const Display& display, bool jud
 void warn_of_sag(const study::TransientRun& run, const checks::CheckedParts& checked, Result& r) {
   const solve::TransientOptions& o = run.options;
   if (!o.rope_mass || o.branches == solve::Branches::catenary || run.result.interrupted) return;
+  if (run.result.frames.front().t > 0) return;  // it goes on: its first part has told
   std::vector<double> peaks;
   peaks.reserve(run.result.ropes.size());
   for (const solve::RopeExtreme& rope : run.result.ropes) peaks.push_back(rope.T.max);
