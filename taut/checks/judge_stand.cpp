@@ -178,19 +178,25 @@ void Judge::take_stand(const machine::Model& m, const solve::TransientFrame& mom
     const std::vector<std::size_t> feet = meant_to_stand(m, all);
     if (feet.size() < 2) continue;
     if (!std::all_of(feet.begin(), feet.end(), [&](std::size_t i) { return stood_.contains(i); })) continue;
-    if (has_drum(m, body) || is_anchor(m, body)) take_ways_of_feet(m, moment, feet, words);
+    const bool is_load = !has_drum(m, body) && !is_anchor(m, body);
+    if (!is_load) take_ways_of_feet(m, moment, feet, words);
     const bool stands = std::any_of(feet.begin(), feet.end(), [&](std::size_t i) { return moment.faces[i].closed; });
-    if (!stands && !has_drum(m, body) && !is_anchor(m, body)) picked_up_.insert(body);
+    if (!stands && is_load) picked_up_.insert(body);
     for (const std::size_t foot : feet) {
       if (moment.faces[foot].closed) continue;
-      lifted_.try_emplace(foot, fmt::format("{}: '{}' lifts '{}' off the ground: it begins to tip", words,
-                                            m.bodies[body].name, m.contacts[foot].name));
+      const std::string told = fmt::format("{}: '{}' lifts '{}' off the ground: it begins to tip", words,
+                                           m.bodies[body].name, m.contacts[foot].name);
+      if (is_load) {
+        lifted_.try_emplace(foot, told);
+      } else {
+        warn(m.contacts[foot].name + " lifted", told, true);
+      }
     }
   }
 }
 
-/// Of the motion as a whole: feet that were lifted by what was not picked up. And what stands on some of its feet, and
-/// never on another that is as low, has tipped from the start.
+/// Of the motion as a whole: feet that were lifted by what may be a load, but was not picked up. And what stands on
+/// some of its feet, and never on another that is as low, has tipped from the start.
 void Judge::take_feet(const machine::Model& m, const std::string& words) {
   for (const auto& [foot, lifted] : lifted_) {
     if (!picked_up_.contains(m.contacts[foot].body)) warn(m.contacts[foot].name + " lifted", lifted, true);
