@@ -165,6 +165,8 @@ class Judge {
   bool is_anchor(const machine::Model& model, int body) const;
   std::vector<std::size_t> meant_to_stand(const machine::Model& model, std::vector<std::size_t> feet) const;
   void take_stand(const machine::Model& model, const solve::TransientFrame& moment, const std::string& words);
+  void take_lifted(const machine::Model& model, const solve::TransientFrame& moment,
+                   const std::vector<std::size_t>& feet, bool is_load, const std::string& words);
   void take_feet(const machine::Model& model, const std::string& words);
   void take_ways_of_feet(const machine::Model& model, const solve::TransientFrame& moment,
                          const std::vector<std::size_t>& feet, const std::string& words);

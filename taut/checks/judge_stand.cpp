@@ -139,7 +139,7 @@ std::vector<bool> turned_with_deck(const machine::Model& m, const solve::Transie
 /// Bodies that carry ropes, or are an anchor, and stand by feet.
 std::map<int, std::vector<std::size_t>> Judge::standing(const machine::Model& m) const {
   std::map<int, std::vector<std::size_t>> feet = feet_of(m);
-  std::erase_if(feet, [&](const auto& one) {
+  std::erase_if(feet, [&](const std::pair<const int, std::vector<std::size_t>>& one) {
     return one.second.size() < 2 || !(carries_ropes(m, one.first) || is_anchor(m, one.first));
   });
   return feet;
@@ -180,17 +180,24 @@ void Judge::take_stand(const machine::Model& m, const solve::TransientFrame& mom
     if (!std::all_of(feet.begin(), feet.end(), [&](std::size_t i) { return stood_.contains(i); })) continue;
     const bool is_load = !has_drum(m, body) && !is_anchor(m, body);
     if (!is_load) take_ways_of_feet(m, moment, feet, words);
-    const bool stands = std::any_of(feet.begin(), feet.end(), [&](std::size_t i) { return moment.faces[i].closed; });
-    if (!stands && is_load) picked_up_.insert(body);
-    for (const std::size_t foot : feet) {
-      if (moment.faces[foot].closed) continue;
-      const std::string told = fmt::format("{}: '{}' lifts '{}' off the ground: it begins to tip", words,
-                                           m.bodies[body].name, m.contacts[foot].name);
-      if (is_load) {
-        lifted_.try_emplace(foot, told);
-      } else {
-        warn(m.contacts[foot].name + " lifted", told, true);
-      }
+    take_lifted(m, moment, feet, is_load, words);
+  }
+}
+
+/// Feet of one body that are off the ground.
+void Judge::take_lifted(const machine::Model& m, const solve::TransientFrame& moment,
+                        const std::vector<std::size_t>& feet, bool is_load, const std::string& words) {
+  const int body = m.contacts[feet.front()].body;
+  const bool stands = std::any_of(feet.begin(), feet.end(), [&](std::size_t i) { return moment.faces[i].closed; });
+  if (!stands && is_load) picked_up_.insert(body);
+  for (const std::size_t foot : feet) {
+    if (moment.faces[foot].closed) continue;
+    const std::string told = fmt::format("{}: '{}' lifts '{}' off the ground: it begins to tip", words,
+                                         m.bodies[body].name, m.contacts[foot].name);
+    if (is_load) {
+      lifted_.try_emplace(foot, told);
+    } else {
+      warn(m.contacts[foot].name + " lifted", told, true);
     }
   }
 }

@@ -84,18 +84,21 @@ std::optional<Complaint> left_behind(const description::Body& given, const Body&
   };
   const std::string path = fmt::format("bodies.{}.on", given.name);
   if (!goes_along(under.free)) {
-    return Complaint{
-        path, fmt::format("'{}' is free to move, and '{}' would stay behind: 'on' gives its place at the start, no "
-                          "joint. What is fixed to '{}' is part of it: put its points, loads and mass there. What "
-                          "moves on it needs the 'free' ways to go along (a 'guide' does not turn), and ropes, "
-                          "cylinders or contacts that hold it",
-                          under.name, given.name, under.name)};
+    return Complaint{.path = path,
+                     .message = fmt::format(
+                         "'{}' is free to move, and '{}' would stay behind: 'on' gives its place at the start, no "
+                         "joint. What is fixed to '{}' is part of it: put its points, loads and mass there. What "
+                         "moves on it needs the 'free' ways to go along (a 'guide' does not turn), and ropes, "
+                         "cylinders or contacts that hold it",
+                         under.name, given.name, under.name)};
   }
   if (!goes_along(driven_ways(under))) {
-    return Complaint{path, fmt::format("'{}' has a 'motion', and '{}' would stay behind: 'on' gives its place at the "
-                                       "start, no joint. Give it the same 'motion', or the 'free' ways to go along (a "
-                                       "'guide' does not turn) and what holds it",
-                                       under.name, given.name)};
+    return Complaint{
+        .path = path,
+        .message = fmt::format("'{}' has a 'motion', and '{}' would stay behind: 'on' gives its place at the "
+                               "start, no joint. Give it the same 'motion', or the 'free' ways to go along (a "
+                               "'guide' does not turn) and what holds it",
+                               under.name, given.name)};
   }
   return {};
 }
