@@ -50,9 +50,9 @@ struct Stability {
 };
 
 /// Bodies that could as well stand elsewhere (an indifferent equilibrium: the energy is the same all along a way) and
-/// are, along that way, more than a hundredth of the longest span from where they are described; in words, empty
-/// without one. No way is sought with a carriage at a prescribed x, as this costs a fifth of a load path, nor with
-/// forces along ropes or beams.
+/// are, along that way, more than a hundredth of the longest span from where they are described; in words: which
+/// bodies, and by how much; empty without one. No way is sought with a carriage at a prescribed x, as this costs a
+/// fifth of a load path, nor with forces along ropes or beams.
 std::string indifferent(const mechanics::System& system, const mechanics::Configuration& c,
                         const mechanics::Evaluation& e);
 

@@ -168,9 +168,10 @@ std::optional<int> hung_on(const machine::Model& model, const machine::Carriage&
   const Array<machine::Node>& nodes = model.reevings[reeving].nodes;
   // a mainline may run on over a sheave of the carriage, to a hook
   const int last_node = static_cast<int>(nodes.size()) - 1;
-  const bool to_hook = carriage.mainline == reeving && reeving != carriage.reeving && last_node > 1 &&
-                       ((from == 0 && nodes[to].at.body == carriage.body && to < last_node) ||
-                        (to == last_node && nodes[from].at.body == carriage.body && from > 0));
+  const auto is_end = [&](int node) { return (node == 0 || node == last_node) && !nodes[node].drum; };
+  const bool runs_on = carriage.mainline == reeving && reeving != carriage.reeving;
+  const bool to_hook =
+      runs_on && (is_end(from) != is_end(to)) && nodes[is_end(from) ? to : from].at.body == carriage.body;
   if (draws_along(carriage, reeving) && !to_hook) return std::nullopt;
   const int first = nodes[from].at.body, last = nodes[to].at.body;
   if (first == last || (first != carriage.body && last != carriage.body)) return std::nullopt;
