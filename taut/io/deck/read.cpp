@@ -368,7 +368,7 @@ std::string example_value(const Field& f) {
       const std::string number = short_number(example_in(f.unit, f.range));
       const std::string text = f.unit.needs_text() ? fmt::format("{} {}", number, f.unit.shown) : number;
       if (f.kind == FieldKind::triple) return fmt::format("[{0}, {0}, {0}]", text);
-      return f.kind == FieldKind::numbers ? fmt::format("[{}]", text) : text;
+      return f.kind == FieldKind::numbers ? fmt::format("[{0}, {0}]", text) : text;
     }
     case FieldKind::whole_number:
       return short_number(std::ceil(example_in(f.unit, f.range)));
