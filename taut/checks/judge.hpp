@@ -204,12 +204,11 @@ class Judge {
   std::vector<Warned> warned_;
   std::map<std::string, std::size_t> known_;  ///< where in `warned_` the warning of a thing stands
   std::string preface_;
-  std::size_t events_seen_ = 0;   ///< of the motion that is shown now
-  std::set<std::string> broken_;  ///< its ropes that the deck has broken so far
-  std::set<std::size_t> stood_;   ///< its contacts with faces that have been closed so far
-  std::map<std::size_t, std::string>
-      lifted_;               ///< of these, those that what may be a load has lifted: what is told of it
-  std::set<int> picked_up_;  ///< bodies that were on no foot, without a drum and no anchor
+  std::size_t events_seen_ = 0;                ///< of the motion that is shown now
+  std::set<std::string> broken_;               ///< its ropes that the deck has broken so far
+  std::set<std::size_t> stood_;                ///< its contacts with faces that have been closed so far
+  std::map<std::size_t, std::string> lifted_;  ///< warnings of feet that were lifted, unless their body is a load
+  std::set<int> picked_up_;                    ///< bodies that are loads: upright, on no foot
   std::map<std::size_t, Vector3> footprints_;  ///< where feet were when all of their body stood, m
   std::vector<std::string> hangs_;             ///< its branches that have been slack so far, from its beginning on
 };

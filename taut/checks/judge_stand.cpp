@@ -13,8 +13,9 @@
 namespace taut::checks {
 namespace {
 
-constexpr double dragged_way = 0.1;     ///< m; feet give way by less under what they hold
-constexpr double rounded_slope = 1e-3;  ///< rad; of the places of a deck, as a slope from foot to foot
+constexpr double dragged_way = 0.1;                      ///< m; feet give way by less under what they hold
+constexpr double upright = 10 * std::numbers::pi / 180;  ///< rad; a load that is lifted swings by less
+constexpr double rounded_slope = 1e-3;                   ///< rad; of the places of a deck, as a slope from foot to foot
 
 /// Whether a rope meets a body at such a node.
 template <class Such>
@@ -189,7 +190,8 @@ void Judge::take_lifted(const machine::Model& m, const solve::TransientFrame& mo
                         const std::vector<std::size_t>& feet, bool is_load, const std::string& words) {
   const int body = m.contacts[feet.front()].body;
   const bool stands = std::any_of(feet.begin(), feet.end(), [&](std::size_t i) { return moment.faces[i].closed; });
-  if (!stands && is_load) picked_up_.insert(body);
+  // in a fall a crane may jump off its last foot too
+  if (!stands && is_load && leans_by(turned_to(m, moment, as_size(body))) < upright) picked_up_.insert(body);
   for (const std::size_t foot : feet) {
     if (moment.faces[foot].closed) continue;
     const std::string told = fmt::format("{}: '{}' lifts '{}' off the ground: it begins to tip", words,

@@ -116,7 +116,7 @@ void note_fallen(const machine::Model& model, std::size_t first_guy, const study
   const Outcome& outcome = stand.state.outcome;
   if (outcome.ok()) return;
   std::string text = fmt::format("{}: {}", stand.words, outcome.message);
-  if (outcome.status != Status::infeasible || study::other_ropes_hold_beams(model, first_guy)) {
+  if (study::other_ropes_hold_beams(model, first_guy)) {
     warn_unsafe(r, std::move(text));
     return;
   }

@@ -24,8 +24,8 @@ void show_put_up(const machine::Model& model, const std::vector<study::PutUpLine
 void show_stand_on_guys(const machine::Machine& machine, const study::PutUpMoment& stand,
                         checks::CheckedParts& checked);
 
-/// A machine that its guys alone do not hold is not judged in that state. Where the solver found no answer, and where
-/// other ropes than guys (`first_guy`: the first of these) hold its beams, that is an unsafe warning.
+/// A machine without an answer on its guys alone is not judged in that state. Where other ropes than guys (`first_guy`:
+/// the first of these) hold its beams, that is an unsafe warning.
 void note_fallen(const machine::Model& model, std::size_t first_guy, const study::PutUpMoment& stand, Result& r);
 
 /// Names the guys that have another tension there than they are put up with: they are not in balance.

@@ -130,6 +130,23 @@ std::optional<std::string> not_ready(const machine::Model& model) {
   return undetermined_drive(model);
 }
 
+namespace {
+
+/// What a contact at rest, or of a motion, has for its drive.
+template <class Contact>
+DriveResult at_contact(const Contact& c, double centrifugal) {
+  DriveResult d;
+  d.reeving = c.reeving;
+  d.node = c.node;
+  d.T_in = c.T_in;
+  d.T_out = c.T_out;
+  d.wrap = c.wrap;
+  d.centrifugal = centrifugal;
+  return d;
+}
+
+}  // namespace
+
 Array<DriveResult> drives(const machine::Model& model, const EquilibriumResult& result) {
   Array<DriveResult> all;
   for (int r = 0; r < static_cast<int>(model.reevings.size()); ++r) {
@@ -139,13 +156,7 @@ Array<DriveResult> drives(const machine::Model& model, const EquilibriumResult& 
       const bool drives = node.kind == machine::NodeKind::drive || node.tension_drop;
       const ContactResult* c = drives ? contact_at(result, r, n) : nullptr;
       if (c == nullptr) continue;
-      DriveResult d;
-      d.reeving = r;
-      d.node = n;
-      d.T_in = c->T_in;
-      d.T_out = c->T_out;
-      d.wrap = c->wrap;
-      d.centrifugal = centrifugal(rope, result.flow[r]);
+      DriveResult d = at_contact(*c, centrifugal(rope, result.flow[r]));
       const int sense = sense_of(result.flow[r]);
       d.bearing = std::abs(sense) * bearing_pull(node, d.T_in, d.T_out, d.centrifugal);
       const double pull = rope.copies * (d.T_in - d.T_out + sense * d.bearing);
@@ -168,13 +179,7 @@ Array<DriveResult> drives(const machine::Model& model, const TransientFrame& fra
     const machine::Reeving& rope = model.reevings[c.reeving];
     const machine::Node& node = rope.nodes[c.node];
     if (!node.motor || c.state == ContactState::lifted) continue;
-    DriveResult d;
-    d.reeving = c.reeving;
-    d.node = c.node;
-    d.T_in = c.T_in;
-    d.T_out = c.T_out;
-    d.wrap = c.wrap;
-    d.centrifugal = c.centrifugal;
+    DriveResult d = at_contact(c, c.centrifugal);
     fill_grip(node, rope, model.motors[*node.motor].working_arc, d);
     all.push_back(d);
   }

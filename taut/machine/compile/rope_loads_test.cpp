@@ -84,6 +84,32 @@ TEST(RopeLoads, TheOtherOrderCountsFromTheOtherSide) {
   EXPECT_EQ(model->reevings[0].nodes[3].load.share, 0.75);
 }
 
+// Sheaves on a body stand where its turn puts them: the load is where it is with the same sheaves on the ground.
+TEST(RopeLoads, StandBesideRoundsOnATurnedBody) {
+  const auto place = [](bool turned) {
+    Machine m = saw();
+    if (turned) {
+      description::Body frame;
+      frame.name = "frame";
+      frame.at = {1, 0, 0};
+      frame.turned.emplace();
+      frame.turned->ry = M_PI / 2;  // z of the body along x, x of it along -z
+      m.bodies = {frame};
+      m.sheaves[0].body = "frame";
+      m.sheaves[0].at = {0, 0, 8};
+    }
+    const auto model = compile(m);
+    EXPECT_TRUE(model) << complaints_of(m);
+    for (const Body& body : model->bodies) {
+      if (body.of_rope) return body.position;
+    }
+    ADD_FAILURE() << "no point of the rope";
+    return Vector3(Vector3::Zero());
+  };
+  EXPECT_LT((place(true) - place(false)).norm(), 1e-12);
+  EXPECT_GT(place(false).norm(), 1) << "between two sheaves, not at one";
+}
+
 TEST(RopeLoads, OfTwoSheavesTheOrderOfThePathDecides) {
   Machine m = saw();
   m.reevings[0].path.pop_back();

@@ -276,8 +276,13 @@ std::vector<Kept> kept_of(const machine::Model& m) {
     if (body.free.empty() && body.driven.empty())
       all.push_back({fmt::format("'{}' has another place", body.name), components(body.position)});
   }
+  for (const machine::Face& face : m.faces) {
+    const std::string words = fmt::format("face '{}' has another place", face.name);
+    for (const Vector3* one : {&face.from, &face.to, &face.normal}) all.push_back({words, components(*one)});
+  }
   for (const machine::Reeving& rope : m.reevings) {
     const auto is = [&](const char* what) { return fmt::format("rope '{}' has another {}", rope.name, what); };
+    all.push_back({is("number of copies"), {static_cast<double>(rope.copies)}});
     all.push_back({is("stiffness"), {rope.stiffness}});
     all.push_back({is("mass"), {rope.mass}});
     if (rope.given == machine::Given::length) all.push_back({is("length"), {rope.value}});

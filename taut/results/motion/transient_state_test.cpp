@@ -160,6 +160,7 @@ TEST(TransientState, GoesOnInTheSameMachineOnly) {
   EXPECT_THAT(with([](Reeving& r, Body&) { r.nodes[0].at.at.x() += 1; }), HasSubstr("'winch' has another place"));
   EXPECT_THAT(with([](Reeving& r, Body&) { r.nodes[0].side = -r.nodes[0].side; }), HasSubstr("another side"));
   EXPECT_THAT(with([](Reeving& r, Body&) { r.stiffness *= 2; }), HasSubstr("rope 'hoist' has another stiffness"));
+  EXPECT_THAT(with([](Reeving& r, Body&) { r.copies = 2; }), HasSubstr("another number of copies"));
   EXPECT_THAT(with([](Reeving& r, Body&) { r.value += 1; }), HasSubstr("rope 'hoist' has another length"));
   EXPECT_THAT(with([](Reeving& r, Body&) { r.given = machine::Given::tension_at_end; }), HasSubstr("another kind"));
   // masses, losses and drives may change in the course of a motion
