@@ -42,6 +42,10 @@ struct BeamResult {
   /// The same with the forces of all beams of the machine growing alike: several legs buckle together before one would
   /// with the others as they are.
   double critical_together = std::numeric_limits<double>::infinity();
+  /// The same where the machine swings away instead, as a pendulum upside down: the tensions of ropes, as they are,
+  /// hold more there than all that is elastic. Then the factors above are those with which the beams buckle while the
+  /// tensions grow with them, as they do where they carry the same load.
+  double swing_factor = std::numeric_limits<double>::infinity();
   /// alpha_cr of EN 1993-1-1, 5.2.1: the least factor on the loading at which it buckles, alone or with the others;
   /// of what is not pressed anywhere that of its own forces.
   double least_factor() const {

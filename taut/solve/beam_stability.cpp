@@ -28,6 +28,7 @@ using Matrix12 = Eigen::Matrix<double, 12, 12>;
 constexpr int elements = 16;  ///< of a whole beam at least
 constexpr double largest_factor = 1000;
 constexpr double factor_precision = 1e-5;
+constexpr double hardly_less = 1 - factor_precision;  ///< than the forces as they are
 constexpr double ritz_precision = 1e-10;
 constexpr Eigen::Index directions = 3;
 constexpr int most_iterations = 60;
@@ -49,9 +50,12 @@ struct Element {
 /// matter where on the body its origin is.
 struct BodyArms {
   int body = machine::ground;
-  Array<int> beams;  ///< that end there
+  Array<int> beams;  ///< that end there; none: the forces are those of ropes and weights alone
   Matrix3 of_beams = Matrix3::Zero(), of_others = Matrix3::Zero();
 };
+
+/// What happens to the tensions of ropes while the forces of beams grow.
+enum class RopeForces { stay, grow };
 
 /// The stiffness against the turns a and b of such a sum S, of (a x arm) x force: (a.b) tr S - a S b, its symmetric
 /// part.
@@ -125,24 +129,35 @@ class StiffnessAssembly {
     collect();
   }
 
-  /// Factors of the stiffness with the forces of one beam, or of `every` one, multiplied; empty where it gives way.
-  std::optional<SkylineFactors> factors(std::optional<int> beam, double factor) const {
+  /// What is multiplied: the forces of one beam, or of `every` one, and the tensions of ropes with them or not.
+  struct Growing {
+    std::optional<int> beam;
+    RopeForces ropes = RopeForces::stay;
+  };
+
+  /// Factors of the stiffness with those multiplied; empty where it gives way.
+  std::optional<SkylineFactors> factors(const Growing& of, double factor) const {
     SkylineMatrix K(first_);
-    for (const Term& t : terms_) K.add(t.row, t.column, t.elastic + (scales(t, beam) ? factor : 1) * t.geometric);
+    // neutral ways stay so while tensions grow: hardly more of them, so that rounding does not make them ways to swing
+    const double more = factor / hardly_less;
+    for (const Term& t : terms_) {
+      K.add(t.row, t.column, t.elastic + (!scales(t, of) ? 1 : t.tension ? more : factor) * t.geometric);
+    }
     return K.factors();
   }
 
-  bool definite(std::optional<int> beam, double factor) const { return factors(beam, factor).has_value(); }
+  bool definite(const Growing& of, double factor) const { return factors(of, factor).has_value(); }
 
   /// What a unit of the factor takes from the stiffness, along each column.
-  Eigen::MatrixXd softening(std::optional<int> beam, const Eigen::MatrixXd& X) const {
-    Eigen::MatrixXd Y = Eigen::MatrixXd::Zero(X.rows(), X.cols());
-    for (const Term& t : terms_) {
-      if (!scales(t, beam)) continue;
-      Y.row(t.row) -= t.geometric * X.row(t.column);
-      if (t.row != t.column) Y.row(t.column) -= t.geometric * X.row(t.row);
-    }
-    return Y;
+  Eigen::MatrixXd softening(const Growing& of, const Eigen::MatrixXd& X) const {
+    return taken([&](const Term& t) { return scales(t, of); }, X);
+  }
+
+  /// Whether the tensions of ropes hold more of a way than all that is elastic, where a `factor` on the forces of the
+  /// beams takes all of its stiffness: the machine swings there, as a pendulum does.
+  bool swings(std::optional<int> beam, double factor, const Eigen::VectorXd& way) const {
+    const double held = -way.dot(taken([](const Term& t) { return t.tension; }, way).col(0));
+    return 2 * held > factor * way.dot(softening({.beam = beam}, way).col(0));
   }
 
   Eigen::Index size() const { return static_cast<Eigen::Index>(first_.size()); }
@@ -154,13 +169,33 @@ class StiffnessAssembly {
     double elastic = 0, geometric = 0;
     std::optional<int> beam = std::nullopt;
     std::optional<std::size_t> arms = std::nullopt;
+    bool tension = false;
   };
 
-  bool scales(const Term& t, std::optional<int> beam) const {
-    if (!beam) return t.beam || t.arms;
-    if (!t.arms) return t.beam == beam;
+  /// A branch: its tension, of all copies, over its length, N/m, its direction, how its ends move.
+  struct Rope {
+    double across = 0;
+    Vector3 direction;
+    SectionMotion from, to;
+  };
+
+  bool scales(const Term& t, const Growing& of) const {
+    if (t.tension) return of.ropes == RopeForces::grow;
+    if (!t.arms) return of.beam ? t.beam == of.beam : t.beam.has_value();
     const Array<int>& beams = arms_[*t.arms].beams;
-    return std::find(beams.begin(), beams.end(), *beam) != beams.end();
+    if (beams.empty()) return of.ropes == RopeForces::grow;
+    return !of.beam || std::find(beams.begin(), beams.end(), *of.beam) != beams.end();
+  }
+
+  template <typename Which>
+  Eigen::MatrixXd taken(const Which& which, const Eigen::MatrixXd& X) const {
+    Eigen::MatrixXd Y = Eigen::MatrixXd::Zero(X.rows(), X.cols());
+    for (const Term& t : terms_) {
+      if (!which(t)) continue;
+      Y.row(t.row) -= t.geometric * X.row(t.column);
+      if (t.row != t.column) Y.row(t.column) -= t.geometric * X.row(t.row);
+    }
+    return Y;
   }
 
   int index(int i) const { return i < 0 ? inner_ - 1 - i : i; }
@@ -171,6 +206,7 @@ class StiffnessAssembly {
     }
     for (const Element& e : elements_) add_terms(e);
     for (std::size_t k = 0; k < arms_.size(); ++k) add_arm_terms(k);
+    for (const Rope& rope : ropes_) add_tension_terms(rope);
     first_.resize(as_size(inner_ + static_cast<int>(rest_.rows())));
     std::iota(first_.begin(), first_.end(), 0);
     for (const Term& t : terms_) {
@@ -201,6 +237,22 @@ class StiffnessAssembly {
         const double beams = against_turns(a.tail<3>(), b.tail<3>(), arms.of_beams);
         const double others = against_turns(a.tail<3>(), b.tail<3>(), arms.of_others);
         terms_.push_back({index(i), index(j), -others, beams + others, std::nullopt, k});
+      }
+    }
+  }
+
+  /// The stiffness of the rest has the tension of a rope once, whatever the factor. Its length keeps it: where its ends
+  /// part by u across it, it pulls them back with T/l u.
+  void add_tension_terms(const Rope& rope) {
+    Array<std::pair<int, Vector3>> apart;
+    const auto across = [&](const Vector3& u) { return Vector3(u - rope.direction * rope.direction.dot(u)); };
+    for (const auto& [i, v] : rope.from) apart.emplace_back(index(i), across(-v.head<3>()));
+    for (const auto& [i, v] : rope.to) apart.emplace_back(index(i), across(v.head<3>()));
+    for (const auto& [i, a] : apart) {
+      for (const auto& [j, b] : apart) {
+        const double holds = rope.across * a.dot(b);
+        if (j > i || holds == 0) continue;
+        terms_.push_back({.row = i, .column = j, .elastic = -holds, .geometric = holds, .tension = true});
       }
     }
   }
@@ -290,6 +342,9 @@ class StiffnessAssembly {
   }
 
   void add_dead_forces() {
+    for (int body = 0; body < static_cast<int>(s_.model.bodies.size()); ++body) {
+      if (arms_of(body) == nullptr) arms_.push_back({.body = body, .beams = {}});
+    }
     for (BodyArms& arms : arms_) {
       const machine::Body& body = s_.model.bodies[arms.body];
       const Vector3 centre = c_.bodies[arms.body].orientation * body.centre;
@@ -314,7 +369,20 @@ class StiffnessAssembly {
       };
       add(rope.nodes[laid.from], b.offset_from, b.pull_from);
       add(rope.nodes[laid.to], b.offset_to, -b.pull_to);
+      ropes_.push_back(rope_between(rope, rope.nodes[laid.from], rope.nodes[laid.to], b));
     }
+  }
+
+  Rope rope_between(const machine::Reeving& rope, const machine::Node& from, const machine::Node& to,
+                    const mechanics::Branch& b) const {
+    const auto motion = [&](const machine::Node& node, const Vector3& place) {
+      const int body = node.at.body;
+      return body == machine::ground ? SectionMotion{} : body_motion(body, place - c_.bodies[body].position);
+    };
+    const Vector3 start = mechanics::end_at(from, c_.bodies).centre, end = mechanics::end_at(to, c_.bodies).centre;
+    const Vector3 chord = end + b.offset_to - start - b.offset_from;
+    const double l = chord.norm(), T = (b.pull_from + b.pull_to).dot(chord) / (2 * l);
+    return {.across = rope.copies * T / l, .direction = chord / l, .from = motion(from, start), .to = motion(to, end)};
   }
 
   const mechanics::System& s_;
@@ -323,58 +391,83 @@ class StiffnessAssembly {
   Array<std::optional<int>> coordinates_;  ///< by freedom: its index among those left, empty: prescribed
   Array<Element> elements_;
   Array<BodyArms> arms_;
+  Array<Rope> ropes_;
   Array<Term> terms_;
   Array<int> first_;  ///< by row of the stiffness: the first column with something in it
   int inner_ = 0;
 };
 
+/// A factor at which a way loses its stiffness, and that way; empty where it is not known.
+struct Root {
+  double factor = std::numeric_limits<double>::infinity();
+  Eigen::VectorXd way{};
+};
+
 /// The factor nearest above `from` at which a direction loses its stiffness, by inverse iteration on a few directions
 /// at once, as a round mast buckles in two nearly alike: K(from) Y = S X, where S is what a unit of the factor takes,
 /// and 1/(factor - from) the largest Ritz value of S in the space of Y. Infinite where it finds none.
-double nearest_factor(const StiffnessAssembly& machine, std::optional<int> beam, double from) {
-  constexpr double none = std::numeric_limits<double>::infinity();
-  const std::optional<SkylineFactors> K = machine.factors(beam, from);
+Root nearest_root(const StiffnessAssembly& machine, const StiffnessAssembly::Growing& of, double from) {
+  const std::optional<SkylineFactors> K = machine.factors(of, from);
   const Eigen::Index n = machine.size(), count = std::min(n, directions);
-  if (!K || count == 0) return none;
+  if (!K || count == 0) return {};
   Eigen::MatrixXd Y(n, count);
   for (Eigen::Index k = 0; k < Y.size(); ++k) Y(k) = std::fmod(0.6180339887 * static_cast<double>(k + 1), 1.0) - 0.5;
-  double found = none;
+  Root found;
   for (int i = 0; i < most_iterations; ++i) {
-    const Eigen::MatrixXd pushed = machine.softening(beam, Y);
+    const Eigen::MatrixXd pushed = machine.softening(of, Y);
     Y = pushed;
     for (Eigen::Index k = 0; k < count; ++k) K->solve(Y.col(k));
-    const Eigen::MatrixXd energy = Y.transpose() * pushed, work = Y.transpose() * machine.softening(beam, Y);
+    const Eigen::MatrixXd energy = Y.transpose() * pushed, work = Y.transpose() * machine.softening(of, Y);
     const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> ritz((work + work.transpose()) / 2,
                                                                          (energy + energy.transpose()) / 2);
-    if (ritz.info() != Eigen::Success || !(ritz.eigenvalues()[count - 1] > 0)) return none;
-    const double before = std::exchange(found, from + 1 / ritz.eigenvalues()[count - 1]);
-    if (std::abs(found - before) <= ritz_precision * found) return found;
+    if (ritz.info() != Eigen::Success || !(ritz.eigenvalues()[count - 1] > 0)) return {};
+    const double before = std::exchange(found.factor, from + 1 / ritz.eigenvalues()[count - 1]);
     Y = (Y * ritz.eigenvectors()).eval();
     Y.colwise().normalize();
+    found.way = Y.col(count - 1);
+    if (std::abs(found.factor - before) <= ritz_precision * found.factor) return found;
   }
   return found;
 }
 
-double critical_factor(const StiffnessAssembly& machine, std::optional<int> beam, bool stable) {
+Root critical_root(const StiffnessAssembly& machine, const StiffnessAssembly::Growing& of, bool stable) {
   double low = 0, high = 1;
   if (stable) {
     low = 1;
-    for (high = 2; machine.definite(beam, high); high *= 2) {
-      if (high > largest_factor) return std::numeric_limits<double>::infinity();
+    for (high = 2; machine.definite(of, high); high *= 2) {
+      if (high > largest_factor) return {};
       low = high;
     }
-  } else if (!machine.definite(beam, hardly_any)) {
-    return 0;
+  } else if (!machine.definite(of, hardly_any)) {
+    return {.factor = 0};
   }
-  const double guess = nearest_factor(machine, beam, std::max(low, hardly_any));
-  const double below = guess * (1 - factor_precision), above = guess * (1 + factor_precision);
-  const bool stands = low <= below && below < high && machine.definite(beam, below);
-  if (stands && !machine.definite(beam, above)) return guess;
+  const Root guess = nearest_root(machine, of, low == 1 ? hardly_less : std::max(low, hardly_any));
+  const double below = guess.factor * (1 - factor_precision), above = guess.factor * (1 + factor_precision);
+  const bool stands = low <= below && below < high && machine.definite(of, below);
+  if (stands && !machine.definite(of, above)) return guess;
   while (high - low > factor_precision * high) {
     const double middle = (low + high) / 2;
-    (machine.definite(beam, middle) ? low : high) = middle;
+    (machine.definite(of, middle) ? low : high) = middle;
   }
-  return (low + high) / 2;
+  const double found = (low + high) / 2;
+  const bool known = std::abs(guess.factor - found) <= 2 * factor_precision * found;
+  return {.factor = found, .way = known ? guess.way : Eigen::VectorXd()};
+}
+
+/// Critical factors of one beam, or of `every` one: that at which it buckles, and that at which the machine swings away
+/// before.
+struct Critical {
+  double buckles = 0, swings = std::numeric_limits<double>::infinity();
+};
+
+Critical critical_factors(const StiffnessAssembly& machine, std::optional<int> beam, bool stable) {
+  constexpr double none = std::numeric_limits<double>::infinity();
+  const Root root = critical_root(machine, {.beam = beam}, stable);
+  if (root.way.size() == 0 || !machine.swings(beam, root.factor, root.way)) return {.buckles = root.factor};
+  const Root grown = critical_root(machine, {.beam = beam, .ropes = RopeForces::grow}, stable);
+  // where the forces as they are hold it just so, it may stand anywhere along that way: as a hook may spin
+  const bool neutral = stable && root.factor <= 1 + 2 * factor_precision;
+  return {.buckles = grown.factor, .swings = neutral ? none : root.factor};
 }
 
 }  // namespace
@@ -396,13 +489,19 @@ std::optional<BeamStability> beam_stability(const mechanics::System& s, const me
   for (std::size_t i = 0; i < all->freedoms.size(); ++i) coordinates[all->freedoms[i]] = static_cast<int>(i);
   const StiffnessAssembly machine(s, c, e, all->matrix, coordinates);
   BeamStability result;
-  result.stable = machine.definite(every, 1);
+  // what stands under hardly less is neutral, whatever rounding makes of it
+  result.stable = machine.definite({.beam = every}, 1) || machine.definite({.beam = every}, hardly_less);
   if (!factors) return result;
   const int beams = static_cast<int>(s.model.beams.size());
   const bool one = beams == 1 && result.stable;
-  if (!one) result.together = critical_factor(machine, every, result.stable);
+  const auto critical = [&](std::optional<int> beam) {
+    const Critical found = critical_factors(machine, beam, result.stable);
+    result.swings = std::min(result.swings, found.swings);
+    return found.buckles;
+  };
+  if (!one) result.together = critical(every);
   for (int b = 0; b < beams; ++b) {
-    const double own = critical_factor(machine, b, result.stable);
+    const double own = critical(b);
     result.factors.push_back(own > 0 ? own : result.together);
   }
   if (one) result.together = result.factors.front();

@@ -1,4 +1,5 @@
 #pragma once
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -12,6 +13,7 @@ struct BeamStability {
   Array<double> factors;  ///< by beam: see BeamResult::critical_factor; 0: not stable without its forces either; empty
                           ///< where they are not asked for
   double together = 0;    ///< the same with the forces of all beams growing alike
+  double swings = std::numeric_limits<double>::infinity();  ///< see BeamResult::swing_factor
 };
 
 /// Tangent stiffness of the machine around an equilibrium: ropes and dead forces as in the Jacobian, the unknowns that

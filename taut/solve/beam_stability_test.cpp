@@ -119,6 +119,66 @@ TEST(BeamStability, AStiffMastOnAHingeFallsWhereItsRopesGiveWay) {
   }
 }
 
+/// A rope of tension T to a place that holds a beam's end.
+machine::Reeving stay(const Vector3& hold, int body, const Vector3& end, double T) {
+  const double EA = 1e7;
+  return reeve("stay", {anchor("hold", hold), anchor_on("end", body)}, (hold - end).norm() / (1 + T / EA), 0, EA);
+}
+
+/// A boom on a hinge whose stay is held above a place before its foot: sideways the stay pulls the tip back by T/l, the
+/// boom pushes it out by N/h. With T as it is the tip swings away at (T/l)/(N/h); with T in proportion it never does,
+/// and the boom buckles as Euler's strut. Behind the foot it does not stand at all.
+TEST(BeamStability, ABoomSwingsAwayWhereItsStayKeepsItsTension) {
+  const double h = 8, EI = structure::tube_section(0.2, 0.008).EI_x, T = 5e3;
+  for (const double before : {0.5, -0.5}) {
+    const Vector3 hold(before, 0, 6), tip(h, 0, 0);
+    const double l = (tip - hold).norm(), N = T * (h - before) / l;
+    machine::Model m;
+    m.bodies.push_back(body("tip", tip, 100, "xyz"));
+    machine::StraightBeam b;
+    b.name = "boom";
+    b.to = {.body = 0, .at = Vector3::Zero()};
+    b.section = structure::tube_section(0.2, 0.008);
+    b.base = BeamHold::hinged;
+    b.top = BeamTop::hinged;
+    machine::add_beam(m, b);
+    m.reevings.push_back(stay(hold, 0, tip, T));
+    const auto found = pressed(m, {-N, 0, 0});
+    ASSERT_TRUE(found);
+    EXPECT_EQ(found->stable, before > 0);
+    EXPECT_NEAR(found->swings, h / (h - before), 1e-4);
+    if (before < 0) continue;
+    EXPECT_NEAR(found->factors.at(0) * N / (std::pow(std::numbers::pi / h, 2) * EI), 1, 1e-3);
+  }
+}
+
+/// A spreader beam on two slings from one hook turns about the upright through it: neutral, whatever it carries.
+TEST(BeamStability, ASpreaderBeamBucklesAtEulersLoad) {
+  const double half = 2, EI = structure::tube_section(0.1, 0.006).EI_x;
+  for (const double T : {5e3, 150e3}) {
+    const Vector3 hook(0, 0, 3), left(-half, 0, 0), right(half, 0, 0);
+    const double N = T * half / (hook - left).norm();
+    machine::Model m;
+    m.bodies = {body("left", left, 100, "xyz"), body("right", right, 100, "xyz")};
+    machine::StraightBeam b;
+    b.name = "bar";
+    b.from = {.body = 0, .at = Vector3::Zero()};
+    b.to = {.body = 1, .at = Vector3::Zero()};
+    b.section = structure::tube_section(0.1, 0.006);
+    b.section.EA *= 1e5;  // it keeps its length
+    b.base = BeamHold::hinged;
+    b.top = BeamTop::hinged;
+    machine::add_beam(m, b);
+    m.reevings = {stay(hook, 0, left, T), stay(hook, 1, right, T)};
+    const auto found = pressed(m, {-N, 0, 0});
+    ASSERT_TRUE(found);
+    EXPECT_TRUE(found->stable);
+    EXPECT_TRUE(std::isinf(found->swings));
+    const double critical = std::pow(std::numbers::pi / (2 * half), 2) * EI;
+    EXPECT_NEAR(found->factors.at(0) * N / critical, 1, 1e-3);
+  }
+}
+
 /// Two masts on hinges side by side, joined by nothing: each has its own factor.
 TEST(BeamStability, EachBeamHasItsOwnFactor) {
   machine::Model m = strut(BeamHold::hinged, BeamTop::hinged, up(), 7),

@@ -153,8 +153,16 @@ Outcome judge(const mechanics::System& s, const mechanics::Configuration& c, boo
   for (BeamResult& r : results) {
     r.critical_factor = stability->factors[r.beam];
     r.critical_together = stability->together;
+    r.swing_factor = stability->swings;
   }
   if (stability->stable) return {};
+  if (stability->swings < 1) {
+    return infeasible(fmt::format(
+        "the equilibrium found is not one to stay in: under {:.4g} of its forces the machine with beam '{}' "
+        "swings away, which its ropes hold by their tension alone; hold it by a rope across, or move "
+        "the place about which it turns",
+        stability->swings, name(results.front())));
+  }
   const auto worst = std::min_element(results.begin(), results.end(), [](const BeamResult& a, const BeamResult& b) {
     return a.critical_factor < b.critical_factor;
   });

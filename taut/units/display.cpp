@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <mutex>
+#include <tuple>
 #include <utility>
 
 #include "taut/base/expects.hpp"
@@ -27,7 +29,8 @@ constexpr double first_small = 1e-4;  // below here too
 
 struct Display::Factors {
   std::mutex lock;
-  std::map<std::pair<std::string, std::string>, double> of;  ///< (SI unit, unit of print) -> SI value of the latter
+  /// Dimension, its own unit of print (1/s or Hz), whether it is an angle, unit of print -> SI value of the latter.
+  std::map<std::tuple<std::array<int, 4>, std::string, bool, std::string>, double> of;
 };
 
 const std::vector<Unit>& display_kinds() {
@@ -64,7 +67,9 @@ Display::Display(std::map<std::string, std::string> units)
 
 double Display::factor(const Unit& unit, const std::string& shown) const {
   const std::lock_guard guard(factors_->lock);
-  const auto key = std::make_pair(fmt::format("{} {} {}", unit.symbol, to_text(unit.dimension), unit.shown), shown);
+  const Dimension& of = unit.dimension;
+  const auto key = std::make_tuple(std::array<int, 4>{of.mass, of.length, of.time, of.temperature},
+                                   std::string(unit.shown), unit.is_angle, shown);
   const auto known = factors_->of.find(key);
   if (known != factors_->of.end()) return known->second;
   const auto found = unit_factor(shown, unit);

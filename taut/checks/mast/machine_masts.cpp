@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "taut/base/suggest.hpp"
@@ -299,11 +300,23 @@ class MachineMast {
         surely ? "" : " (a lower bound, from those of its beams by Dunkerley, because other beams press as well)");
   }
 
+  void tell_of_swing(double factor, double swings, const std::string& words) {
+    if (swings > factor || swings >= swings_) return;
+    swings_ = swings;
+    report_.swings = fmt::format(
+        "{}: from {:.4g} times the forces on its beams the machine swings away if the tensions of its ropes stay as "
+        "they "
+        "are, {:.4g} times are asked for; tensions that carry the same load grow with it, those of ropes put up "
+        "tight do not",
+        words, swings, factor);
+  }
+
   /// The engine has bent the mast under its forces as they are, of second order by 1/(1 - 1/alpha) more than of first,
   /// alpha the critical factor; under `factor` times them it is 1/(1 - factor/alpha), EN 1993-1-1, (5.4). First order
   /// does where alpha/factor is 10 at least, 5.2.1 (3).
-  double magnified(double factor, const Inverse& bounds, const std::string& words) {
+  double magnified(const BeamState& state, double factor, const Inverse& bounds, const std::string& words) {
     const double inverse = bounds.most;
+    for (const solve::BeamResult& b : state.beams) tell_of_swing(factor, b.swing_factor, words);
     bool second = true;
     for (const std::string& name : beams_of(request_)) {
       second = second && beam_named(deck_, name)->order == machine::description::Order::second;
@@ -323,7 +336,7 @@ class MachineMast {
     c.members = !built_crooked(state);
     const double all = factor * request_.dynamic_factor;
     const Inverse inverse = inverse_critical(state);
-    const double bends = magnified(all, inverse, words);
+    const double bends = magnified(state, all, inverse, words);
     double height = 0;
     for (std::size_t i = 0; i < state.beams.size(); ++i) {
       const solve::BeamResult& b = state.beams[i];
@@ -409,7 +422,8 @@ class MachineMast {
   MastReport report_;
   std::vector<double> lengths_;
   double longest_ = 0;  ///< of the buckling lengths that are longer than that of the deck, m
-  double softer_ = 1;   ///< stiffness of the nominal wall over that of the wall that counts, the largest of the beams
+  double swings_ = std::numeric_limits<double>::infinity();  ///< the least that is told
+  double softer_ = 1;  ///< stiffness of the nominal wall over that of the wall that counts, the largest of the beams
 };
 
 }  // namespace

@@ -349,6 +349,7 @@ void add_mast_report(const MastCheckRequest& request, const MastReport& report, 
   }
   if (!report.relieved.empty()) r.warnings.push_back(fmt::format("{}: {}", report.name, report.relieved));
   warn_of_small_factors(request, report, r);
+  if (!report.swings.empty()) warn_unsafe(r, fmt::format("{}: {}", report.name, report.swings));
   if (!report.short_length.empty()) warn_unsafe(r, fmt::format("{}: {}", report.name, report.short_length));
   const bool factored = request.load_factor != 1 || !request.combinations.empty();
   if (!factored) {

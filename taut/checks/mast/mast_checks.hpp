@@ -47,6 +47,7 @@ struct MastReport {
   bool unseen = false;                  ///< because no state was found, which is no failure of the mast
   std::string relieved;                 ///< a combination in which its own weight relieves it by too much
   std::string short_length;  ///< a buckling length of the deck that is shorter than that of the machine or the column
+  std::string swings;        ///< a state whose factor the machine reaches only if the tensions of its ropes grow
   std::set<std::string> left_out;  ///< analyses with states, or load cases, that no combination names
   std::string apart;               ///< load cases that are checked one at a time, though nobody said so
   std::vector<std::string> words;  ///< how it was computed

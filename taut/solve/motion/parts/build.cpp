@@ -133,12 +133,14 @@ class Builder {
           line.body[0] = m().inside.back().back();
           line.place[0].setZero();
           line.radius[0] = 0;
+          line.inner[0] = true;
         }
         if (s + 1 < pieces || (pieces > 1 && is_load(rope, (k + 1) % nodes))) {
           m().inside.back().push_back(add_inner_node());
           line.body[1] = m().inside.back().back();
           line.place[1].setZero();
           line.radius[1] = 0;
+          line.inner[1] = true;
         }
         set_kind(line);
         mark_sagging(line, k);

@@ -176,24 +176,20 @@ int couple_columns(const Mechanism& m, const Couple& couple, const Values& now, 
 
 void add_force(Mechanism& m, const Scheme& s, const Couple& couple, const Vector3& force, bool together, int count,
                const CoupleColumns& columns, Work& w) {
+  double* const values = m.solver.values().data();
   const double square = s.reach * s.reach;
-  auto& values = m.solver.values();
-  for (int j = 0; j < count; ++j) {
-    const CoupleColumn& row = columns[as_size(j)];
-    w.residual[couple.column[as_size(j)]] -= force.dot(row.velocity);
-    const int* const places = couple.places.data() + static_cast<std::ptrdiff_t>(j) * count;
-    for (int k = 0; k < count; ++k) {
-      const CoupleColumn& by = columns[as_size(k)];
-      double Q = by.force.dot(row.velocity);
-      // the lever of the row's side as the freedom k moves
-      Vector3 lever = Vector3::Zero();
-      if (row.side == 0 || !together) {
-        if (by.side == row.side) lever = by.b.cross(by.lever);
-      } else {
-        lever = by.side == 0 ? by.velocity : Vector3(-by.a);
-      }
-      Q += (row.side == 0 ? square : -square) * force.dot(row.b.cross(lever));
-      values[places[k]] -= Q;
+  for (int j = 0; j < count; ++j) w.residual[couple.column[as_size(j)]] -= force.dot(columns[as_size(j)].velocity);
+  for (int k = 0; k < count; ++k) {
+    const CoupleColumn& by = columns[as_size(k)];
+    // the levers of both sides as the freedom k moves
+    std::array<Vector3, 2> lever{Vector3::Zero(), Vector3::Zero()};
+    lever[as_size(by.side)] = by.b.cross(by.lever);
+    if (together) lever[1] = by.side == 0 ? by.velocity : Vector3(-by.a);
+    const std::array<Vector3, 2> moment{square * lever[0].cross(force), -square * lever[1].cross(force)};
+    for (int j = 0; j < count; ++j) {
+      const CoupleColumn& row = columns[as_size(j)];
+      values[couple.places[as_size(j * count + k)]] -=
+          by.force.dot(row.velocity) + row.b.dot(moment[as_size(row.side)]);
     }
   }
 }

@@ -52,8 +52,9 @@ enum class LineKind {
 
 /// One free branch of a rope, or one segment of it. Ends: 0 where the path enters it, 1 where it leaves it.
 struct Line {
-  int reeving = 0, from = 0, to = 0;  ///< nodes
-  int segment = -1;                   ///< of a branch in segments
+  int reeving = 0, from = 0, to = 0;        ///< nodes
+  int segment = -1;                         ///< of a branch in segments
+  std::array<bool, 2> inner{false, false};  ///< its ends that are joints between segments
   LineKind kind = LineKind::points;
   bool between_points = false;  ///< from a point body to another one, without flow
   std::array<int, 2> body{-1, -1};
@@ -92,9 +93,9 @@ struct Line {
   Array<int> places;                ///< of the local matrix, row by row, in the values of the solver
 };
 
-/// Whether half of a line's weight is part of its tension at an end: where the rope runs on over a round the tension
-/// there is that of the rope itself; between the joints of a chain, and where one is held, it is the segment's.
-inline bool bears_half(const Line& line, std::size_t end) { return line.segment < 0 || line.contact[end] >= 0; }
+/// Whether half of a line's weight is part of its tension at an end: there the tension is that of the rope itself; at
+/// the joints of a chain it is the segment's.
+inline bool bears_half(const Line& line, std::size_t end) { return !line.inner[end]; }
 
 /// Length of a line, or of a part of one, where the free line has the length l.
 inline double length_of(const Line& line, double l) { return line.share * l + line.more; }

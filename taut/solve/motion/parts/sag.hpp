@@ -33,6 +33,11 @@ struct SagValues {
 /// Whether the line hangs as a catenary: one that is broken does no more.
 inline bool sags(const Line& line, const LineValues& now) { return line.sag >= 0 && now.gone > 0; }
 
+/// Strain of a line if it were straight. Below 0 a line that sags bears nothing but its own weight: it is slack.
+inline double strain_of_chord(const Line& line, const LineValues& now) {
+  return sags(line, now) ? now.l / now.hung - 1 : now.e;
+}
+
 /// The catenary between the rounds of `now` (their centres and radii, and the rope on them as of `before`), with the
 /// unstretched length `fed` (that rope's too) while the rope leaves and arrives as it did in `before`, seen from its
 /// bodies; `winding`: stretch of what it leaves on a round where none stretches with it, infinite where the turning of

@@ -206,8 +206,11 @@ void note_faces(Run& run) {
 
 void note_changes(Run& run) {
   for (std::size_t i = 0; i < run.m.lines.size(); ++i) {
+    const Line& line = run.m.lines[i];
     const LineValues &was = run.before.lines[i], &is = run.now.lines[i];
-    if ((was.e > 0) != (is.e > 0) && is.gone > 0) note_slack(run, i, was.e, is.e, run.before.t, run.scheme.h);
+    if (is.gone == 0) continue;
+    if (sags(line, is) && run.tight_first[i] <= 0) continue;  // it hangs by its weight from the start
+    note_slack(run, i, strain_of_chord(line, was), strain_of_chord(line, is), run.before.t, run.scheme.h);
   }
   for (std::size_t i = 0; i < run.m.contacts.size(); ++i) {
     const Grip was = run.before.contacts[i].grip, is = run.now.contacts[i].grip;

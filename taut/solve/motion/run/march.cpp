@@ -294,7 +294,11 @@ StepEnd begin(Run& run) {
   StepEnd end = StepEnd::ok;
   if (!run.resumed) {
     run.L_first.clear();
-    for (const LineValues& line : run.before.lines) run.L_first.push_back(free_rope(line));
+    run.tight_first.clear();
+    for (std::size_t i = 0; i < run.m.lines.size(); ++i) {
+      run.L_first.push_back(free_rope(run.before.lines[i]));
+      run.tight_first.push_back(strain_of_chord(run.m.lines[i], run.before.lines[i]));
+    }
   }
   if (!run.resumed) run.floor = resolving_step(run) / shorter_at_kinks;
   run.ledger = open_ledger(run.m, run.before);

@@ -125,7 +125,10 @@ void walk_run(W& w, Run& run) {
   w.all(run.w.q_mean);
   w.all(run.w.nu_mean);
   w.number(run.w.mean_step);
-  for (auto* list : {&run.nu_old, &run.rate_old, &run.T_old, &run.T_older, &run.T_largest, &run.L_first}) w.all(*list);
+  for (auto* list :
+       {&run.nu_old, &run.rate_old, &run.T_old, &run.T_older, &run.T_largest, &run.L_first, &run.tight_first}) {
+    w.all(*list);
+  }
   for (double* one :
        {&run.h, &run.h_last, &run.h_older, &run.m.size_of_machine, &run.grid_from, &run.grid_step, &run.floor}) {
     w.number(*one);
@@ -140,7 +143,7 @@ void walk_run(W& w, Run& run) {
   for (ChainLoad& load : run.m.chain_loads) w.number(load.more);
 }
 
-constexpr double layout = 5;  ///< of the list: another one is not understood
+constexpr double layout = 6;  ///< of the list: another one is not understood
 
 /// What the numbers belong to: how many they are, the method, its damping, the kinds of steps, the rope on rounds.
 Array<double> head_of(Run& run) {
@@ -202,6 +205,7 @@ Array<double> memory_of(Run& run) {
 
 Remembered take_memory(Run& run, const Array<double>& memory) {
   run.L_first.resize(run.m.lines.size());
+  run.tight_first.resize(run.m.lines.size());
   if (memory.empty()) return Remembered::other;
   const Array<double> head = head_of(run);
   if (memory.size() < head.size()) return Remembered::damaged;

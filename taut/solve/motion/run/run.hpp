@@ -60,7 +60,8 @@ struct Run {
   Array<Watched> watched{};  ///< the largest tension of each reeving, those at the ends of branches, loads over time, N
   double shown = 0;          ///< time of what was shown last, s
   Array<double> L_first{};   ///< by line, m
-  double lacks = 0;          ///< largest residual of the ledger at an output step, J
+  Array<double> tight_first{};  ///< by line: strain_of_chord
+  double lacks = 0;             ///< largest residual of the ledger at an output step, J
   // of Verlet's steps
   Array<double> T_rate{};      ///< by line: change of its tension in the last step over that step, N/s; NaN: none
   Array<double> T_error{};     ///< by reeving: largest error of its tensions, N

@@ -11,38 +11,55 @@
 namespace taut::solve::dynamics {
 namespace {
 
-/// Acceleration of the centre of mass and rate of the angular momentum of a body: mass * a, I b + w x I w.
+/// A force and its moment about a body's origin: on a virtual velocity `along` of the origin and `about` it, their
+/// power is force . along + moment . about.
+struct Wrench {
+  Vector3 force = Vector3::Zero(), moment = Vector3::Zero();
+  double power(const Vector3& along, const Vector3& about) const { return force.dot(along) + moment.dot(about); }
+};
+
+/// A turning body: what its inertia asks of the forces on it.
 struct Inertia {
-  Vector3 c, force, moment;  ///< centre seen from the origin; moment about the centre
-  Matrix3 I;
+  Vector3 c, beta, force;  ///< centre of mass, seen from the origin; angular acceleration; mass * that of the centre
+  Matrix3 I;               ///< about the centre
+  Wrench asks;             ///< c x force + I beta + w x I w
 };
 
 Inertia inertia_of(const Mechanism& m, int body, const Values& now) {
   const Body& shape = m.bodies[body];
   const Motion3& is = now.bodies[body];
-  const auto [a, b] = acceleration(m, body, now);
+  const auto [a, beta] = acceleration(m, body, now);
   Inertia of;
   of.c = is.R * shape.centre;
+  of.beta = beta;
   of.I = is.R * shape.inertia * is.R.transpose();
-  of.force = shape.mass * (a + b.cross(of.c) + is.w.cross(is.w.cross(of.c)));
-  of.moment = of.I * b + is.w.cross(of.I * is.w);
+  of.force = shape.mass * (a + beta.cross(of.c) + is.w.cross(is.w.cross(of.c)));
+  of.asks = {of.force, of.c.cross(of.force) + of.I * beta + is.w.cross(of.I * is.w)};
   return of;
 }
 
-/// Weight and dead loads of a body on a virtual velocity.
-double dead_power(const Mechanism& m, int body, const Values& now, const Vector3& along, const Vector3& about) {
+/// Each dead force on a body and its place, seen from the origin.
+template <typename Use>
+void for_each_dead_force(const Mechanism& m, int body, const Values& now, const Use& use) {
   const Body& shape = m.bodies[body];
-  const Motion3& is = now.bodies[body];
-  double power = 0;
+  const Matrix3& R = now.bodies[body].R;
   if (shape.own_mass > 0) {
-    const Vector3 c = is.R * shape.own_centre;
-    power -= shape.own_mass * m.model->gravity * (along + about.cross(c)).z();
+    use(Vector3(-shape.own_mass * m.model->gravity * Vector3::UnitZ()), Vector3(R * shape.own_centre));
   }
-  if (shape.model < 0) return power;
+  if (shape.model < 0) return;
   for (const machine::Load& load : m.model->loads) {
-    if (load.at.body == shape.model && !load.over_time) power += load.force.dot(along + about.cross(is.R * load.at.at));
+    if (load.at.body == shape.model && !load.over_time) use(load.force, Vector3(R * load.at.at));
   }
-  return power;
+}
+
+/// What the inertia of a body asks, less its weight and its dead loads.
+Wrench asked_of(const Mechanism& m, int body, const Values& now, const Inertia& of) {
+  Wrench asked = of.asks;
+  for_each_dead_force(m, body, now, [&](const Vector3& force, const Vector3& at) {
+    asked.force -= force;
+    asked.moment -= at.cross(force);
+  });
+  return asked;
 }
 
 /// Of a body that only shifts.
@@ -72,44 +89,38 @@ void assemble_shifting(Mechanism& m, int body, const Values& now, Work& w) {
   }
 }
 
-/// How inertia and dead forces of a turning body at row i follow its freedom j.
-double turning_entry(const Mechanism& m, const Scheme& s, int body, const Values& now, const Inertia& of, int i,
-                     int j) {
-  const Body& shape = m.bodies[body];
-  const Motion3& is = now.bodies[body];
-  const Vector3 &A = shape.along[as_size(i)], &B = shape.about[as_size(i)];
-  const Vector3 &a = shape.along[as_size(j)], &b = shape.about[as_size(j)];
-  const Vector3 lever = A + B.cross(of.c);
-  double entry = shape.mass * (a + b.cross(of.c)).dot(lever) + B.dot(of.I * b);
-  const Vector3 Iw = of.I * is.w;
-  entry += s.reach * (shape.mass * (b.cross(is.w.cross(of.c)) + is.w.cross(b.cross(of.c))).dot(lever) +
-                      B.dot(b.cross(Iw) + is.w.cross(of.I * b)));
-  // the body turned by b: its centre, its inertia, the lever, the weights
-  const Vector3 beta = acceleration(m, body, now).second;
-  const Vector3 dc = b.cross(of.c);
-  double turned = shape.mass * (beta.cross(dc) + is.w.cross(is.w.cross(dc))).dot(lever) + of.force.dot(B.cross(dc));
-  const Vector3 dI_beta = b.cross(of.I * beta) - of.I * b.cross(beta);
-  const Vector3 dI_w = b.cross(Iw) - of.I * b.cross(is.w);
-  turned += B.dot(dI_beta + is.w.cross(dI_w));
-  turned += shape.own_mass * m.model->gravity * B.cross(b.cross(is.R * shape.own_centre)).z();
-  if (shape.model >= 0) {
-    for (const machine::Load& load : m.model->loads) {
-      if (load.at.body == shape.model && !load.over_time) turned -= load.force.dot(B.cross(b.cross(is.R * load.at.at)));
-    }
-  }
-  return entry + s.reach * s.reach * turned;
+/// How what is asked of a turning body follows its freedom (a, b).
+Wrench asked_by(const Mechanism& m, const Scheme& s, int body, const Values& now, const Inertia& of, const Vector3& a,
+                const Vector3& b) {
+  const double mass = m.bodies[body].mass;
+  const Vector3& w = now.bodies[body].w;
+  const Vector3 dc = b.cross(of.c), Ib = of.I * b, Iw = of.I * w;
+  Wrench by_rate{mass * (a + dc), Ib};
+  Wrench by_velocity{mass * (b.cross(w.cross(of.c)) + w.cross(dc)), b.cross(Iw) + w.cross(Ib)};
+  // the body turned by b: its centre, its inertia, the levers
+  const Vector3 dI_beta = b.cross(of.I * of.beta) - of.I * b.cross(of.beta);
+  const Vector3 dI_w = b.cross(Iw) - of.I * b.cross(w);
+  Wrench by_place{mass * (of.beta.cross(dc) + w.cross(w.cross(dc))), dc.cross(of.force) + dI_beta + w.cross(dI_w)};
+  for_each_dead_force(m, body, now,
+                      [&](const Vector3& force, const Vector3& at) { by_place.moment -= b.cross(at).cross(force); });
+  const double square = s.reach * s.reach;
+  const Vector3 force = by_rate.force + s.reach * by_velocity.force + square * by_place.force;
+  return {force, of.c.cross(force) + by_rate.moment + s.reach * by_velocity.moment + square * by_place.moment};
 }
 
 void assemble_turning(Mechanism& m, const Scheme& s, int body, const Values& now, Work& w) {
   const Body& shape = m.bodies[body];
   auto& values = m.solver.values();
   const Inertia of = inertia_of(m, body, now);
+  const Wrench asked = asked_of(m, body, now, of);
   for (int i = 0; i < shape.count; ++i) {
-    const Vector3 &along = shape.along[as_size(i)], &about = shape.about[as_size(i)];
-    w.residual[shape.first + i] +=
-        of.force.dot(along + about.cross(of.c)) + about.dot(of.moment) - dead_power(m, body, now, along, about);
-    for (int j = 0; j < shape.count && w.tangent; ++j) {
-      values[m.body_places[m.body_place_first[body] + i * shape.count + j]] += turning_entry(m, s, body, now, of, i, j);
+    w.residual[shape.first + i] += asked.power(shape.along[as_size(i)], shape.about[as_size(i)]);
+  }
+  const int* const places = m.body_places.data() + m.body_place_first[body];
+  for (int j = 0; j < shape.count && w.tangent; ++j) {
+    const Wrench by = asked_by(m, s, body, now, of, shape.along[as_size(j)], shape.about[as_size(j)]);
+    for (int i = 0; i < shape.count; ++i) {
+      values[places[std::ptrdiff_t{i} * shape.count + j]] += by.power(shape.along[as_size(i)], shape.about[as_size(i)]);
     }
   }
 }
@@ -235,30 +246,26 @@ void assemble_line(Mechanism& m, const Scheme& s, const Values& before, std::siz
     add_part_slopes(m, s, line, now, tangent, d.free, w);
     return;
   }
-  auto& values = m.solver.values();
+  double* const values = m.solver.values().data();
   const double square = s.reach * s.reach, half = line.weight * free_rope(now) / 2;
   const int freedoms = line.freedoms[0] + line.freedoms[1];
   for (int r = 0; r < freedoms; ++r) {
     const std::size_t end = r < line.freedoms[0] ? 0 : 1;
-    const std::size_t f = as_size(end == 0 ? r : r - line.freedoms[0]);
     const double T = (end == 0 ? 1 : -1) * body_pull(now, end);
-    const double sign = T == 0 ? 0 : end == 0 ? 1 : -1;
     const Vector3& V = w.columns[as_size(r)].velocity;
-    const double along = now.t.dot(V);
-    const Body& shape = m.bodies[line.body[end]];
+    const double along = T == 0 ? 0 : (end == 0 ? 1 : -1) * line.copies * now.t.dot(V);
+    const double down = line.copies * line.weight / 2 * V.z();
     const int* const places = line.places.data() + static_cast<std::ptrdiff_t>(r) * line.columns;
-    for (int k = 0; k < line.columns; ++k) {
-      double Q = sign * d.T[as_size(k)] * along - line.weight / 2 * d.free[as_size(k)] * V.z();
-      if (k < freedoms) {
-        const LineColumn& c = w.columns[as_size(k)];
-        Q += square * T * c.t.dot(V);
-        if (shape.turns) {
-          const Vector3 moved = shape.about[f].cross(c.touch[end]);
-          Q += square * (T * now.t.dot(moved) - half * moved.z());
-        }
-      }
-      values[places[k]] -= line.copies * Q;
-    }
+    for (int k = 0; k < line.columns; ++k) values[places[k]] -= along * d.T[as_size(k)] - down * d.free[as_size(k)];
+    // the line turns, and its end moves on the body: V follows
+    const Vector3 turns = line.copies * square * T * V;
+    for (int k = 0; k < freedoms; ++k) values[places[k]] -= turns.dot(w.columns[as_size(k)].t);
+    const Body& shape = m.bodies[line.body[end]];
+    if (!shape.turns) continue;
+    const std::size_t f = as_size(end == 0 ? r : r - line.freedoms[0]);
+    const Vector3 pulls = line.copies * square * (T * now.t - half * Vector3::UnitZ());
+    const Vector3 moves = pulls.cross(shape.about[f]);
+    for (int k = 0; k < freedoms; ++k) values[places[k]] -= moves.dot(w.columns[as_size(k)].touch[end]);
   }
 }
 
@@ -273,8 +280,7 @@ Vector3 dead_load(const Mechanism& m, int model_body) {
 }
 
 double inertia_power(const Mechanism& m, int body, const Values& now, const Vector3& along, const Vector3& about) {
-  const Inertia of = inertia_of(m, body, now);
-  return of.force.dot(along + about.cross(of.c)) + about.dot(of.moment) - dead_power(m, body, now, along, about);
+  return asked_of(m, body, now, inertia_of(m, body, now)).power(along, about);
 }
 
 void assemble(Mechanism& m, const Scheme& s, const Values& before, const Values& now, Work& w) {

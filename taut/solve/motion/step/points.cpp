@@ -57,8 +57,8 @@ void resize(Points& p, Eigen::Index links) {
   for (Points::Places* of : {&p.x, &p.v, &p.a, &p.free_fall}) of->setZero(links + 1, 3);
   p.share.setZero(links + 1);
   p.force.setZero(links, 3);
-  for (Points::Column* of : {&p.L, &p.per_length, &p.stiffness, &p.damping, &p.copies, &p.hangs, &p.l, &p.e, &p.e_was,
-                             &p.T, &p.held, &p.change, &p.error}) {
+  for (Points::Column* of : {&p.L, &p.per_length, &p.stiffness, &p.damping, &p.copies, &p.hangs[0], &p.hangs[1], &p.l,
+                             &p.e, &p.e_was, &p.T, &p.held, &p.change, &p.error}) {
     of->setZero(links);
   }
   p.e.setConstant(-1);
@@ -72,13 +72,12 @@ void gather_links(const Run& run, Points& p) {
     const Line& line = m.lines[i];
     const LineValues& is = run.before.lines[i];
     const Eigen::Index k = p.link[i];
-    const double half = line.weight * is.L / 2;
     p.L[k] = is.L;
     p.per_length[k] = 1 / is.L;
     p.stiffness[k] = line.stiffness * is.gone;
     p.damping[k] = line.damping;
     p.copies[k] = line.copies;
-    p.hangs[k] = line.segment < 0 ? half : 0;
+    for (std::size_t end = 0; end < 2; ++end) p.hangs[end][k] = bears_half(line, end) ? line.weight * is.L / 2 : 0;
     p.e[k] = is.e;
     p.T[k] = is.T;
     p.held[k] = is.T - p.stiffness[k] * std::max(0.0, is.e);
@@ -235,21 +234,32 @@ void go_on_to_next(Points& p, double h) {
   }
 }
 
+/// Tensions at the ends of a link.
+std::array<double, 2> end_tensions(const Points& p, Eigen::Index k) {
+  const double T = p.T[k], rises = (p.x(k + 1, 2) - p.x(k, 2)) / p.l[k];
+  const auto hung = [&](std::size_t end) {
+    return p.hangs[end][k] == 0 ? 0 : hung_at_ends(p.hangs[end][k] * rises, T);
+  };
+  return {T - hung(0), T + hung(1)};
+}
+
 /// Of the rope that is in links from first to first + count.
 struct LeastTensions {
   double anywhere = std::numeric_limits<double>::infinity();
   double loosest = std::numeric_limits<double>::infinity();  ///< mean of the ends of a branch
 };
 
-template <class Hung>
-LeastTensions least_tensions(const Run& run, const Points& p, std::size_t reeving, const Hung& hung) {
+LeastTensions least_tensions(const Run& run, const Points& p, std::size_t reeving) {
   const auto [first, count] = run.m.first_line[reeving];
   const int pieces = std::max(1, run.model.reevings[reeving].segments);
   LeastTensions least;
-  for (int i = first; i < first + count; ++i)
-    least.anywhere = std::min(least.anywhere, p.T[p.link[i]] - hung(p.link[i]));
-  for (int i = first; i + pieces <= first + count; i += pieces)
-    least.loosest = std::min(least.loosest, (p.T[p.link[i]] + p.T[p.link[i + pieces - 1]]) / 2);
+  least.anywhere = p.T.segment(p.link[first], p.link[first + count - 1] + 1 - p.link[first]).minCoeff();
+  for (int i = first; i + pieces <= first + count; i += pieces) {
+    const std::array<double, 2> of_first = end_tensions(p, p.link[i]);
+    const std::array<double, 2> of_last = pieces > 1 ? end_tensions(p, p.link[i + pieces - 1]) : of_first;
+    least.anywhere = std::min({least.anywhere, of_first[0], of_last[1]});
+    least.loosest = std::min(least.loosest, (of_first[0] + of_last[1]) / 2);
+  }
   return least;
 }
 
@@ -259,25 +269,23 @@ void watch_ropes(Run& run, const Points& p, double t, double h) {
     const auto [first, count] = run.m.first_line[r];
     if (count == 0) continue;
     const Eigen::Index from = p.link[first], links = p.link[first + count - 1] + 1 - from;
-    const auto hung = [&](Eigen::Index k) {
-      return p.hangs[k] == 0 ? 0 : hung_at_ends(p.hangs[k] * std::abs(p.x(k + 1, 2) - p.x(k, 2)) / p.l[k], p.T[k]);
-    };
-    const auto at_ends = [&](Eigen::Index k) { return p.T[k] + hung(k); };
-    double largest = run.m.lines[first].segment < 0 ? 0 : p.T.segment(from, links).maxCoeff();
-    if (run.m.lines[first].segment < 0) {
-      for (int i = first; i < first + count; ++i) largest = std::max(largest, at_ends(p.link[i]));
+    const int pieces = std::max(1, run.model.reevings[r].segments);
+    double largest = p.T.segment(from, links).maxCoeff();
+    for (int i = first; i + pieces <= first + count; i += pieces) {
+      largest = std::max({largest, end_tensions(p, p.link[i])[0], end_tensions(p, p.link[i + pieces - 1])[1]});
     }
     RopeExtreme& of = run.result.ropes[r];
     of.T.end = largest;
     if (!is_broken(run.m, run.before, r)) {
-      const LeastTensions least = least_tensions(run, p, r, hung);
+      const LeastTensions least = least_tensions(run, p, r);
       keep_least(least.anywhere, least.loosest, t, of);
     }
     if (largest > of.T.max) {
       of.T.max = largest;
       of.T.t_max = t;
       for (int i = first + count - 1; i >= first; --i) {
-        if (at_ends(p.link[i]) >= largest) of.branch = i - first;
+        const std::array<double, 2> T = end_tensions(p, p.link[i]);
+        if (std::max(T[0], T[1]) >= largest) of.branch = i - first;
       }
       run.T_largest[r] = std::max(run.T_largest[r], largest);
     }
@@ -317,8 +325,7 @@ void scatter(Run& run, const Points& p, double t) {
     is.e = p.e[k];
     is.T = p.T[k];
     is.l = (1 + is.e) * is.L;
-    const double hangs = hung_at_ends(p.hangs[k] * (p.x(k + 1, 2) - p.x(k, 2)) / is.l, is.T);
-    is.end_T = {is.T - hangs, is.T + hangs};
+    is.end_T = end_tensions(p, k);
   }
 }
 

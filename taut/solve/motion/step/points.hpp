@@ -32,7 +32,7 @@ struct Points {
   Array<int> body;                           ///< of the mechanism's, those that are no joints
   Column L, per_length, stiffness, damping;  ///< by link: m, 1/m, EA of one copy, N, beta, s
   Column copies;
-  Column hangs;  ///< half of its weight, of one copy, N; 0 between joints
+  std::array<Column, 2> hangs;  ///< half of its weight at each end, of one copy, N; 0 at joints
   bool damped = false;
   bool changes_known = false;  ///< `change` is that of a step before
   Places force;                ///< by link: on the node before it, of all copies, N

@@ -31,8 +31,8 @@ void pull_lines(const Mechanism& m, const Values& before, Values& now, Work& w) 
     }
     pull(line, is);
     const double half = line.weight * is.L / 2;
-    const double hangs = line.segment < 0 ? hung_at_ends(half * is.t.z(), is.T) : 0;
-    is.end_T = {is.T - hangs, is.T + hangs};
+    const double hangs = hung_at_ends(half * is.t.z(), is.T);
+    is.end_T = {is.T - (bears_half(line, 0) ? hangs : 0), is.T + (bears_half(line, 1) ? hangs : 0)};
     const Vector3 force = line.copies * is.T * is.t;
     for (std::size_t end = 0; end < 2; ++end) {
       if (line.body[end] < 0 || m.bodies[line.body[end]].count == 0) continue;
