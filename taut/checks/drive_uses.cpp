@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "taut/calc/verdict.hpp"
-#include "taut/checks/drawn_out.hpp"
 #include "taut/checks/guy/guy_checks.hpp"
 #include "taut/solve/drives.hpp"
 #include "taut/solve/running.hpp"
@@ -377,7 +376,7 @@ void DriveUses::take_moment(const machine::Model& m, const solve::TransientFrame
   take_slips(m, frame, time, words);
   std::vector<Check> made;
   check_grips(m, frame, made);
-  if (!drums.empty()) take_dragged(m, frame, time, words);
+  dragged_.take_moment(m, frame, time, words);
   check_capacities(m, drums, made);
   for (const auto& [drum, load] : loads_of(drums, {})) {
     if (!m.drums[drum].brake) continue;
@@ -427,32 +426,6 @@ void DriveUses::keep_slip(const machine::Node& node, double slipped, double limi
              .where = words};
 }
 
-/// A drum by a torque, or by none, whose load turns it back, until the motion ends, by more than the swing of a load
-/// that it bears. Where other drives give the work they draw the rope out: a haulback that is kept tight.
-void DriveUses::take_dragged(const machine::Model& m, const solve::TransientFrame& frame, double time,
-                             const std::string& words) {
-  const auto gives_way = [](const solve::TransientFrame::Drum& is) {
-    const bool runs_free = is.torque == 0 && is.speed < 0 && is.T > 0;
-    return is.by_torque && !is.braked && (is.power < 0 || runs_free);
-  };
-  const bool any = std::any_of(frame.drums.begin(), frame.drums.end(), gives_way);
-  const std::vector<bool> drawn = any ? drawn_out(m, frame) : std::vector<bool>(frame.drums.size(), false);
-  for (std::size_t d = 0; d < frame.drums.size(); ++d) {
-    const solve::TransientFrame::Drum& is = frame.drums[d];
-    if (!gives_way(is) || drawn[d]) {
-      dragged_.erase(m.drums[d].name);
-      continue;
-    }
-    Slip& back = dragged_[m.drums[d].name];
-    back.slipped += std::abs(is.speed) * std::max(time, 0.0);
-    const std::string against = is.torque == 0
-                                    ? std::string(", which turns freely: set its brake, or give a drive")
-                                    : fmt::format(" against its torque of {:.4g} kN m", std::abs(is.torque) / 1e3);
-    back.words = fmt::format("{}: at its end, t = {:.4g} s, the load drags '{}' at {:.3g} m/s{}", words, frame.t,
-                             m.drums[d].name, std::abs(is.speed), against);
-  }
-}
-
 /// Of a motion without a step, which is a place of rest: no brake can slip there.
 void DriveUses::take_set_brakes(const machine::Model& m, const solve::TransientFrame& rest, const std::string& words) {
   std::vector<Check> made;
@@ -463,12 +436,9 @@ void DriveUses::take_set_brakes(const machine::Model& m, const solve::TransientF
 }
 
 void DriveUses::take(const machine::Model& m, const solve::TransientResult& motion, const std::string& words) {
-  for (const machine::Drum& drum : m.drums) {
-    const auto back = dragged_.find(drum.name);
-    if (back == dragged_.end() || back->second.slipped < drum.core_radius) continue;
-    unbraked_.try_emplace(drum.name, back->second.words);
+  for (const auto& [name, told] : dragged_.at_end(m, motion)) {
+    if (!yielding_.contains(name)) unbraked_.try_emplace(name, told);  // a cylinder at its limit is told as such
   }
-  dragged_.clear();
   slides_.clear();
   for (std::size_t d = 0; d < m.drums.size(); ++d) {
     const machine::Drum& drum = m.drums[d];

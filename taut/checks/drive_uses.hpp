@@ -6,6 +6,7 @@
 
 #include "taut/base/array.hpp"
 #include "taut/calc/result.hpp"
+#include "taut/checks/dragged.hpp"
 #include "taut/solve/drives.hpp"
 #include "taut/solve/equilibrium.hpp"
 
@@ -42,8 +43,6 @@ class DriveUses {
                   const std::string& words);
   void keep_slip(const machine::Node& node, double slipped, double limit, const std::string& share,
                  const std::string& words);
-  void take_dragged(const machine::Model& model, const solve::TransientFrame& frame, double time,
-                    const std::string& words);
   void take_brakes(const machine::Model& model, const solve::TransientResult& motion, const std::string& words);
   void keep_turns(const machine::Model& model, const solve::DrumResult& drum, const std::string& words);
   void keep_winding(const machine::Model& m, const Array<solve::DrumResult>& ends,
@@ -62,9 +61,9 @@ class DriveUses {
   };
   std::map<std::string, Slip> slips_;                   // the largest of each sheave
   std::vector<double> slides_;                          // m, by contact, so far in the motion that is shown now
-  std::map<std::string, Slip> dragged_;                 // its drums that their load turns back now: by how much rope
+  Dragged dragged_;                                     // what gives way to its load in it
   double last_moment_ = 0;                              // s, of that motion
-  std::map<std::string, std::string> unbraked_;         // drums whose brake slips, or has not stopped them
+  std::map<std::string, std::string> unbraked_;         // drums whose brake does not hold; drives that give way
   std::map<std::string, std::string> unloaded_brakes_;  // drums that no state shows by their brake: where
   std::map<std::string, std::string> paid_out_;  // ropes that a state shows as they run off their drum, with losses
   std::set<std::string> hauled_;                 // ropes that a state shows otherwise

@@ -94,6 +94,19 @@ std::map<int, std::vector<std::size_t>> feet_of(const machine::Model& m) {
   return feet;
 }
 
+/// By a plain end of a rope whose other end a body hangs on: below it rather than aside.
+bool hangs_loads(const machine::Model& m, int body) {
+  const machine::State state = as_described(m);
+  return std::any_of(m.reevings.begin(), m.reevings.end(), [&](const machine::Reeving& rope) {
+    const auto hangs_on = [&](const machine::Node& held, const machine::Node& by) {
+      if (rope.closed || by.at.body != body || held.at.body == body || is_fixed(m, held.at.body)) return false;
+      const Vector3 up = machine::in_ground(state, by.at) - machine::in_ground(state, held.at);
+      return up.z() > up.head<2>().norm();
+    };
+    return hangs_on(rope.nodes.front(), rope.nodes.back()) || hangs_on(rope.nodes.back(), rope.nodes.front());
+  });
+}
+
 /// How far a foot is over its face, m.
 double gap_of(const machine::Model& m, const machine::FaceContact& foot, const machine::State& state) {
   const machine::Face& face = m.faces[foot.face];
@@ -137,11 +150,12 @@ std::vector<bool> turned_with_deck(const machine::Model& m, const solve::Transie
 
 }  // namespace
 
-/// Bodies that carry ropes, or are an anchor, and stand by feet.
+/// Bodies that carry ropes, or are an anchor, or have loads hang on them, and stand by feet.
 std::map<int, std::vector<std::size_t>> Judge::standing(const machine::Model& m) const {
   std::map<int, std::vector<std::size_t>> feet = feet_of(m);
   std::erase_if(feet, [&](const std::pair<const int, std::vector<std::size_t>>& one) {
-    return one.second.size() < 2 || !(carries_ropes(m, one.first) || is_anchor(m, one.first));
+    return one.second.size() < 2 ||
+           !(carries_ropes(m, one.first) || is_anchor(m, one.first) || hangs_loads(m, one.first));
   });
   return feet;
 }

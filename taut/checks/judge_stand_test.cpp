@@ -234,4 +234,29 @@ TEST(JudgeStand, ACraneThatTipsFromTheStartIsUnsafe) {
   EXPECT_NE(told.find("'crane' never stands on 'f3'"), std::string::npos) << told;
 }
 
+// A crane of 3 t with its feet at 1 m, which holds its load by the plain end of a rope at 3.2 m: 3000 x 1 > m x 2.2 up
+// to 1364 kg.
+TEST(JudgeStand, ACraneTipsUnderALoadOnAPlainEnd) {
+  const auto crane_with = [](const std::string& mass, const std::string& place = "[3.2 m, 0 m, 2 m]") {
+    return fmt::format(R"(taut: 1
+machine:
+  ropes: {{r: {{mass: 0 kg/m, stiffness: 5 MN, breaking_force: 200 kN, damping_ratio: 0.05}}}}
+  bodies:
+    c: {{mass: 3 t, at: [0 m, 0 m, 0 m], centre: [0 m, 0 m, 1.5 m], free: [x, z, ry], inertia: 4000 kg m^2}}
+    w: {{mass: {}, at: {}, free: [x, z]}}
+  points: {{f1: {{body: c, at: [-1 m, 0 m, 0 m]}}, f2: {{body: c, at: [1 m, 0 m, 0 m]}}, tip: {{body: c, at: [3.2 m, 0 m, 5 m]}}}}
+  faces: {{g: {{from: [-20 m, 0 m, 0 m], to: [20 m, 0 m, 0 m], normal: [0, 0, 1]}}}}
+  contacts:
+    - {{point: f1, face: g, stiffness: 5 MN/m, damping: 60 kN s/m, static_friction: 0.8}}
+    - {{point: f2, face: g, stiffness: 5 MN/m, damping: 60 kN s/m, static_friction: 0.8}}
+  reevings: [{{rope: r, path: [{{anchor: tip}}, {{anchor: w}}], length: 3 m}}]
+analyses: [{{transient: {{duration: 0.8 s, tolerance: 1e-4, start: assembled}}}}]
+checks: {{ropes: {{r: {{dynamic_safety_factor: 2}}}}}}
+)",
+                       mass, place);
+  };
+  EXPECT_NE(unsafe(crane_with("1.7 t")).find("'c' lifts 'f1'"), std::string::npos) << unsafe(crane_with("1.7 t"));
+  EXPECT_EQ(unsafe(crane_with("600 kg")).find("'f1'"), std::string::npos) << unsafe(crane_with("600 kg"));
+}
+
 }  // namespace taut::judge_stand_test

@@ -203,6 +203,12 @@ TEST(Compile, TellsEachMistakeAtItsPath) {
              m.supports[0].motor->speed = "3 m/s";
            },
        .expected = "or the motor's 'torque' in place of its 'speed'; it has"},
+      {.spoil =
+           [](Machine& m) {
+             m.supports[0].motor.emplace();
+             m.supports[0].motor->speed = "3 m/s";
+           },
+       .expected = "A motion can begin with the torque, and an event at its start give the speed: events"},
       {.spoil = [](Machine& m) { m.carriages[0].rides = "main"; },
        .expected = "carriages.car: rides on 'main', but the path of 'skyline'"},
       {.spoil = [](Machine& m) { m.carriages[0].mainline = "skyline"; },

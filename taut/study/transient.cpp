@@ -459,6 +459,22 @@ const Quantities<ObservedRow>& observed_quantities() {
   return all;
 }
 
+bool begins_at_rest(const TransientRun& run, int reeving) {
+  if (run.options.start != solve::Start::assembled || run.options.from || run.result.frames.empty()) return true;
+  constexpr double same = 0.01;  // of the tension
+  const machine::Reeving& rope = run.model.reevings[reeving];
+  const solve::TransientFrame& first = run.result.frames.front();
+  const double tension = rope.copies * run.result.ropes[reeving].T_static;
+  return std::none_of(rope.nodes.begin(), rope.nodes.end(), [&](const machine::Node& node) {
+    if (node.at.body == machine::ground) return false;
+    double mass = run.model.bodies[node.at.body].mass;
+    for (const machine::Load& load : run.model.loads) {
+      if (load.at.body == node.at.body) mass += load.mass;
+    }
+    return mass * first.bodies[node.at.body].acceleration.norm() > same * tension;
+  });
+}
+
 const Quantities<DynamicRow>& dynamic_quantities() {
   using Row = DynamicRow;
   const auto of = [](const Row& r) -> const solve::RopeExtreme& { return r.run.result.ropes[r.reeving]; };
@@ -471,8 +487,10 @@ const Quantities<DynamicRow>& dynamic_quantities() {
        [=](const Row& r) { return branch_words(r.run.model.reevings[r.reeving], of(r).branch); }},
       {"T_min", "T_min", si::N, "least tension over the motion; of a rope that breaks up to then",
        [=](const Row& r) { return of(r).T.min; }},
-      {"dynamic_factor", "phi", si::one, "peak over static tension",
-       [=](const Row& r) { return of(r).T_static > 0 ? of(r).T.max / of(r).T_static : std::nan(""); }}};
+      {"dynamic_factor", "phi", si::one, "peak over static tension", [=](const Row& r) {
+         const bool known = of(r).T_static > 0 && begins_at_rest(r.run, r.reeving);
+         return known ? of(r).T.max / of(r).T_static : std::nan("");
+       }}};
   return all;
 }
 

@@ -110,6 +110,9 @@ struct ObservedRow {
   const TransientRun& run;
   std::size_t observed = 0;
 };
+/// Whether the tensions of a rope where the motion begins are those at rest: an assembled machine may be out of
+/// balance, and what the rope holds then moves at once.
+bool begins_at_rest(const TransientRun& run, int reeving);
 const Quantities<solve::TransientEvent>& event_quantities();
 const Quantities<ObservedRow>& observed_quantities();
 const Quantities<DynamicRow>& dynamic_quantities();

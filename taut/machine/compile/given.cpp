@@ -122,9 +122,8 @@ Array<Said> said_of(const Machine& machine, const Model& model, const DescribedR
 /// Why what is said does not give a rope; empty when it does. `two`: it takes two things.
 std::string wrong_with(const Array<Said>& said, bool closed, bool two, const Motor* motor) {
   // a motor has one or the other
-  const std::string torque = motor != nullptr && motor->drive.kind == DriveKind::speed
-                                 ? "motor's 'torque' in place of its 'speed'"
-                                 : "motor's 'torque'";
+  const bool by_speed = motor != nullptr && motor->drive.kind == DriveKind::speed;
+  const std::string torque = by_speed ? "motor's 'torque' in place of its 'speed'" : "motor's 'torque'";
   if (closed && said.empty()) return fmt::format("an endless rope is given by its 'length', or its {}", torque);
   if (closed && said.size() == 1 && said[0].what != Given::length && said[0].what != Given::torque) {
     return "an endless rope has no ends with tensions: give its 'length'";
@@ -134,8 +133,13 @@ std::string wrong_with(const Array<Said>& said, bool closed, bool two, const Mot
   for (const Said& one : said) words.emplace_back(one.words);
   if (two && (said.size() != 2 || said[0].what == said[1].what)) {
     return fmt::format(
-        "runs over a sheave with a motor: needs two of length, tension_at_start, tension_at_end, or the {}; it has {}",
-        torque, words.empty() ? "none" : fmt::format("{}", fmt::join(words, " and ")));
+        "runs over a sheave with a motor: needs two of length, tension_at_start, tension_at_end, or the {}; it has "
+        "{}{}",
+        torque, words.empty() ? "none" : fmt::format("{}", fmt::join(words, " and ")),
+        by_speed ? fmt::format(". A motion can begin with the torque, and an event at its start give the speed: "
+                               "events: [{{at: 0 s, drive: {}, speed: ...}}]",
+                               motor->name)
+                 : std::string());
   }
   if (two) return {};
   if (said.empty()) {

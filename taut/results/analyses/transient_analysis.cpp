@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <numeric>
 #include <string_view>
@@ -23,7 +24,7 @@ constexpr double of_extremes = 1e-6;  ///< what is smaller than this share of th
 /// The saved state that the motion goes on from; the outcome says why it can't.
 std::optional<solve::DynamicState> saved_state(study::TransientRun& run) {
   if (!run.request.restart) return std::nullopt;
-  auto from = state_from_json(run.request.state, run.model);
+  auto from = state_from_json(run.request.state, run.model, run.options.damping_ratio);
   if (from) return std::move(*from);
   run.result.outcome = infeasible(fmt::format("can't go on from '{}': {}", *run.request.restart, from.error()));
   return std::nullopt;
@@ -49,6 +50,16 @@ void solve(study::TransientRun& run, MachineRun& machine) {
     checked.take(run.model, motion, words, run.request.quasi_static);
   };
   study::solve(run, from, watchers);
+}
+
+/// The state at the end. Tensions that were none of rest are not known as such.
+solve::DynamicState to_go_on_from(const study::TransientRun& run) {
+  solve::DynamicState state = run.result.state;
+  for (std::size_t r = 0; r < state.ropes.size(); ++r) {
+    if (!study::begins_at_rest(run, static_cast<int>(r)))
+      state.ropes[r].T_static = std::numeric_limits<double>::quiet_NaN();
+  }
+  return state;
 }
 
 /// What a reader looks for first: forces, then places, turns and speeds; energies last.
@@ -155,7 +166,8 @@ void add_answer(const study::TransientRun& asked, MachineRun& machine, Result& r
   add_transient_figures(run, r);
   add_motion(run, machine.display, machine.checked->judged, r);
   machine.key_figure.offer(Pictured::motion, key_figure_of_motion(run, r), machine.checked->judged);
-  if (run.request.save) r.attachments.push_back({*run.request.save, to_json(result.state, run.model)});
+  if (run.request.save)
+    r.attachments.push_back({*run.request.save, to_json(to_go_on_from(run), run.model, run.options.damping_ratio)});
 }
 
 }  // namespace taut::results

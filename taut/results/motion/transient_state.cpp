@@ -311,6 +311,43 @@ std::string changed(const Json& was, const machine::Model& m) {
   return {};
 }
 
+/// How the deck damps a rope: by a time, s, else by a ratio.
+struct Damping {
+  double time = 0, ratio = 0;
+};
+Damping damping_of(const machine::Reeving& rope, double otherwise) {
+  if (rope.damping_time > 0) return {.time = rope.damping_time};
+  return {.ratio = rope.damping_ratio > 0 ? rope.damping_ratio : otherwise};
+}
+
+Json damping(const machine::Model& m, double otherwise) {
+  Json list = Json::array();
+  for (const machine::Reeving& rope : m.reevings) {
+    const Damping is = damping_of(rope, otherwise);
+    list.push_back(numbers({is.time, is.ratio}));
+  }
+  return list;
+}
+
+/// Ropes get the damping that the deck gives them now. The time that goes with a ratio grows with it; it can't be
+/// known where there was none: why not, in words.
+std::string damp_anew(const Json& was, const machine::Model& m, double otherwise, solve::DynamicState& s) {
+  for (std::size_t r = 0; r < m.reevings.size(); ++r) {
+    const Damping now = damping_of(m.reevings[r], otherwise);
+    const Damping before{.time = number_in(was.at(r).at(0)), .ratio = number_in(was.at(r).at(1))};
+    if (now.time == before.time && now.ratio == before.ratio) continue;
+    double& time = s.damping_time[r];
+    if (now.ratio > 0 && !(before.ratio > 0)) {
+      return fmt::format(
+          "rope '{}' has a damping ratio, and had none when its frequency was calculated: give its "
+          "'damping_time', or calculate the first part with a ratio, too",
+          m.reevings[r].name);
+    }
+    time = now.ratio > 0 ? time * (now.ratio / before.ratio) : now.time;
+  }
+  return {};
+}
+
 /// Why a state does not fit a machine; empty when it does.
 std::string misfit(const solve::DynamicState& s, const Json& j, const machine::Model& m) {
   const auto same = [&](const char* key, const Json& own) { return j.at("machine").at(key) == own; };
@@ -337,13 +374,14 @@ std::string misfit(const solve::DynamicState& s, const Json& j, const machine::M
 
 }  // namespace
 
-std::string to_json(const solve::DynamicState& state, const machine::Model& model) {
+std::string to_json(const solve::DynamicState& state, const machine::Model& model, double damping_ratio) {
   Json j;
   j["taut_state"] = format;
   j["machine"] = {{"bodies", names(model.bodies)},
                   {"ropes", names(model.reevings)},
                   {"drums", names(model.drums)},
-                  {"kept", kept(model)}};
+                  {"kept", kept(model)},
+                  {"damping", damping(model, damping_ratio)}};
   j["t"] = json_number(state.t);
   j["bodies"] = bodies(state);
   j["ropes"] = ropes(state);
@@ -360,7 +398,8 @@ std::string to_json(const solve::DynamicState& state, const machine::Model& mode
   return j.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
-tl::expected<solve::DynamicState, std::string> state_from_json(const std::string& text, const machine::Model& model) {
+tl::expected<solve::DynamicState, std::string> state_from_json(const std::string& text, const machine::Model& model,
+                                                               double damping_ratio) {
   const Json j = Json::parse(text, nullptr, false);
   if (j.is_discarded() || !j.is_object() || !j.contains("taut_state")) {
     return tl::unexpected(std::string("it is no saved state of a transient"));
@@ -370,6 +409,11 @@ tl::expected<solve::DynamicState, std::string> state_from_json(const std::string
     solve::DynamicState state = state_in(j);
     if (const std::string why = misfit(state, j, model); !why.empty()) {
       return tl::unexpected(fmt::format("it is of another machine: {}", why));
+    }
+    // a state of an earlier version says nothing of it
+    if (j.at("machine").contains("damping")) {
+      if (const std::string why = damp_anew(j.at("machine").at("damping"), model, damping_ratio, state); !why.empty())
+        return tl::unexpected(why);
     }
     return state;
   } catch (const std::exception&) {

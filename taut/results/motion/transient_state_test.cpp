@@ -168,4 +168,26 @@ TEST(TransientState, GoesOnInTheSameMachineOnly) {
   EXPECT_EQ(with([](Reeving& r, Body&) { r.nodes[0].law.efficiency = 0.9; }), "fits");
 }
 
+// A rope is damped as the deck says now: the time of a ratio is 2 zeta/omega.
+TEST(TransientState, GoesOnWithAnotherDamping) {
+  const auto with = [](double ratio_then, double time_then, double ratio, double time, double otherwise = 0) {
+    machine::Model m = winch();
+    m.reevings[0].damping_ratio = ratio_then;
+    m.reevings[0].damping_time = time_then;
+    const std::string text = to_json(state(), m);
+    m.reevings[0].damping_ratio = ratio;
+    m.reevings[0].damping_time = time;
+    const auto found = state_from_json(text, m, otherwise);
+    return found ? found->damping_time[0] : std::nan("");
+  };
+  EXPECT_EQ(with(0.1, 0, 0.1, 0), 0.003) << "to the last bit";
+  EXPECT_DOUBLE_EQ(with(0.1, 0, 0.3, 0), 0.009);
+  EXPECT_EQ(with(0.1, 0, 0, 0), 0);
+  EXPECT_EQ(with(0.1, 0, 0.1, 0.05), 0.05) << "a time comes before a ratio";
+  EXPECT_EQ(with(0, 0.003, 0, 0.02), 0.02);
+  EXPECT_DOUBLE_EQ(with(0.1, 0, 0, 0, 0.2), 0.006) << "that of the analysis";
+  EXPECT_TRUE(std::isnan(with(0, 0, 0.1, 0))) << "no frequency is known";
+  EXPECT_TRUE(std::isnan(with(0, 0.003, 0.1, 0)));
+}
+
 }  // namespace taut::results::transient_state_test

@@ -219,13 +219,14 @@ void check_hoist_factor(const study::TransientRun& run, Result& r) {
   }
   constexpr double much_more = 2;  // than where it begins: the load has stood there
   const double at_end = hangs_with(run, index).value_or(0);
-  const bool picked_up = at_end > much_more * e.T_static;
-  const double T_static = picked_up ? at_end : e.T_static;
+  const bool at_rest = study::begins_at_rest(run, index), by_end = !at_rest || at_end > much_more * e.T_static;
+  const double T_static = by_end ? at_end : e.T_static;
   if (!(T_static > 0)) {
     r.unmade.push_back(fmt::format(
-        "{}.phi2{}: the rope bears nothing where the motion begins, and no load is seen to hang still on it "
-        "for 1 s where it ends: give a longer 'duration', or an 'output_step' of 0.1 s",
-        asked.rope, run.ending));
+        "{}.phi2{}: {} where the motion begins, and no load is seen to hang still on it for 1 s where it ends: give a "
+        "longer 'duration', or an 'output_step' of 0.1 s{}",
+        asked.rope, run.ending, at_rest ? "the rope bears nothing" : "the rope is out of balance with its load",
+        at_rest ? "" : ", or 'start: settled'"));
     return;
   }
   const std::string id = fmt::format("hoist.HC{}", static_cast<int>(asked.hoisting_class) + 1);
@@ -238,7 +239,7 @@ void check_hoist_factor(const study::TransientRun& run, Result& r) {
       {.sense = Sense::at_most,
        .limit = phi2,
        .rule = fmt::format("peak over static tension{} against {}, HC{}, v_h = {:.4g} m/s ({})",
-                           picked_up ? fmt::format(" of the end, {:.4g} kN,", at_end / 1e3) : std::string(),
+                           by_end ? fmt::format(" of the end, {:.4g} kN,", at_end / 1e3) : std::string(),
                            phi2_min->text, static_cast<int>(asked.hoisting_class) + 1, asked.speed, phi2_min->source),
        .trust = phi2_min->trust_text.empty() ? "unverified" : fmt::format("unverified: {}", phi2_min->trust_text)}));
 }

@@ -1,5 +1,6 @@
 #include "taut/results/motion/transient_tables.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -47,6 +48,37 @@ TEST(HoistFactor, WithoutALoadThatHangsItIsNotJudged) {
   ASSERT_FALSE(r.unmade.empty()) << r.message << to_text(r.errors);
   EXPECT_NE(r.unmade[0].find("h.phi2: the rope bears nothing where the motion begins"), std::string::npos)
       << r.unmade[0];
+}
+
+/// 1 t at rest on a rope of 19.588 m, or one that is shorter or longer by `slack`, as assembled: hauled in from 0.5 s
+/// on.
+Result assembled(double slack, const std::string& duration) {
+  return run_text(fmt::format(R"(taut: 1
+machine:
+  signals: {{up: {{sequence: [{{at: 0.5 s, to: 0.1 m/s, over: 0.3 s, smooth: true}}]}}}}
+  ropes: {{h: {{mass: 0 kg/m, stiffness: 5 MN, breaking_force: 200 kN, damping_ratio: 0.2}}}}
+  bodies: {{hook: {{mass: 1 t, at: [0.2 m, 0 m, 5 m], free: [z]}}}}
+  sheaves: {{head: {{at: [0 m, 0 m, 12 m], diameter: 400 mm}}}}
+  drums: {{winch: {{at: [-5 m, 0 m, 1 m], core_diameter: 400 mm, drive: {{speed: up}}}}}}
+  reevings: [{{rope: h, path: [{{drum: winch}}, {{over: head}}, {{anchor: hook}}], length: {} m, may_slack: true}}]
+analyses: [{{transient: {{output_step: 50 ms, tolerance: 1e-4, start: assembled, hoist_factor: {{rope: h, speed: 0.1 m/s}}, duration: {}}}}}]
+checks: {{ropes: {{h: {{dynamic_safety_factor: 4}}}}}}
+)",
+                              19.588 + slack, duration));
+}
+
+// At its start the rope, 0.1 m too short, bears 9.81 kN + 0.1 m x 5 MN/19.5 m = 35 kN.
+TEST(HoistFactor, AnAssembledStartOutOfBalanceIsNoTensionAtRest) {
+  const Result r = assembled(-0.1, "8 s");
+  const double T_max = taut_test::value_of(r, "h.T_max");
+  EXPECT_GT(T_max, 20e3);
+  EXPECT_NEAR(check_of(r, "h.phi2").value, T_max / 9806.65, 0.02 * T_max / 9806.65);
+  EXPECT_EQ(r.find_value("h.dynamic_factor"), nullptr);
+  const Result ends_early = assembled(-0.1, "0.7 s");
+  EXPECT_FALSE(has_check(ends_early, "h.phi2"));
+  ASSERT_FALSE(ends_early.unmade.empty());
+  EXPECT_NE(ends_early.unmade[0].find("h.phi2: the rope is out of balance with its load"), std::string::npos)
+      << ends_early.unmade[0];
 }
 
 /// A cage of 6 t that is lowered down a shaft of 640 m in a loop of its rope. The falls run over a light sheave of the

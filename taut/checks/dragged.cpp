@@ -1,0 +1,478 @@
+#include "taut/checks/dragged.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <numeric>
+#include <vector>
+
+#include "taut/math/index.hpp"
+
+namespace taut::checks {
+namespace {
+
+using Frame = solve::TransientFrame;
+
+constexpr double least_share = 0.01;  ///< of its length; by less a cylinder swings under the load that it bears
+
+bool moves(const machine::Model& m, int body) {
+  return body != machine::ground && !machine::stands_fast(m.bodies[body]);
+}
+
+/// The parts of a machine that move together, each known by one of them: bodies that can move, then ropes, drums,
+/// motors and cylinders.
+class Together {
+ public:
+  explicit Together(const machine::Model& m)
+      : ropes_(m.bodies.size()),
+        drums_(ropes_ + m.reevings.size()),
+        motors_(drums_ + m.drums.size()),
+        cylinders_(motors_ + m.motors.size()),
+        of_(cylinders_ + m.actuators.size()) {
+    std::iota(of_.begin(), of_.end(), std::size_t{0});
+    for (std::size_t r = 0; r < m.reevings.size(); ++r) {
+      for (const machine::Node& node : m.reevings[r].nodes) {
+        join_body(m, ropes_ + r, node.at.body);
+        if (node.drum) join(ropes_ + r, drum(as_size(*node.drum)));
+        if (node.motor) join(ropes_ + r, motor(as_size(*node.motor)));
+      }
+    }
+    for (std::size_t i = 0; i < m.actuators.size(); ++i) {
+      join_body(m, cylinder(i), m.actuators[i].from_body);
+      join_body(m, cylinder(i), m.actuators[i].to_body);
+    }
+    for (const machine::FaceContact& contact : m.contacts) {
+      if (moves(m, contact.body)) join_body(m, as_size(contact.body), m.faces[contact.face].body);
+    }
+    join_beams(m);
+  }
+
+  std::size_t rope(std::size_t i) const { return ropes_ + i; }
+  std::size_t drum(std::size_t i) const { return drums_ + i; }
+  std::size_t motor(std::size_t i) const { return motors_ + i; }
+  std::size_t cylinder(std::size_t i) const { return cylinders_ + i; }
+  std::size_t size() const { return of_.size(); }
+
+  std::size_t of(std::size_t part) const {
+    while (of_[part] != part) part = of_[part];
+    return part;
+  }
+
+ private:
+  void join(std::size_t a, std::size_t b) { of_[of(a)] = of(b); }
+  void join_body(const machine::Model& m, std::size_t part, int body) {
+    if (moves(m, body)) join(part, as_size(body));
+  }
+  void join_beams(const machine::Model& m) {
+    std::vector<std::size_t> first(m.beams.size(), of_.size());
+    for (std::size_t b = 0; b < m.bodies.size(); ++b) {
+      if (!m.bodies[b].beam) continue;
+      std::size_t& section = first[as_size(*m.bodies[b].beam)];
+      if (section == of_.size()) section = b;
+      join(section, b);
+    }
+  }
+
+  std::size_t ropes_, drums_, motors_, cylinders_;
+  std::vector<std::size_t> of_;
+};
+
+/// What the drives do with the parts that they move, by part.
+struct Driving {
+  std::vector<double> power;  ///< of all of them, W; without what a drum gives that turns its rope out
+  std::vector<bool> leads;    ///< one that has a speed, or a signal, moves them
+  std::vector<bool> moved;    ///< any drive turns, lengthens or moves there
+
+  Driving(const Together& parts, const machine::Model& m, const Frame& moment)
+      : power(parts.size(), 0), leads(parts.size(), false), moved(parts.size(), false) {
+    for (std::size_t i = 0; i < moment.drums.size(); ++i) {
+      const Frame::Drum& is = moment.drums[i];
+      const bool out = is.by_torque && is.speed < 0;
+      add(parts.of(parts.drum(i)), is, out ? std::min(is.power, 0.0) : is.power);
+    }
+    for (std::size_t i = 0; i < moment.motors.size(); ++i)
+      add(parts.of(parts.motor(i)), moment.motors[i], moment.motors[i].power);
+    for (std::size_t i = 0; i < moment.actuators.size(); ++i) {
+      const std::size_t part = parts.of(parts.cylinder(i));
+      power[part] += moment.actuators[i].power;
+      if (moment.actuators[i].F != 0 && moment.actuators[i].speed != 0) moved[part] = true;
+    }
+    for (std::size_t b = 0; b < m.bodies.size(); ++b) {
+      const Frame::Body& is = moment.bodies[b];
+      if (m.bodies[b].driven.empty() || !(is.velocity.squaredNorm() > 0 || is.spin.squaredNorm() > 0)) continue;
+      leads[parts.of(b)] = moved[parts.of(b)] = true;
+    }
+  }
+
+ private:
+  void add(std::size_t part, const Frame::Drum& drive, double gives) {
+    power[part] += gives;
+    if (!drive.by_torque && drive.power > 0) leads[part] = true;
+    if (drive.speed != 0) moved[part] = true;
+  }
+};
+
+bool touches(const machine::Model& m, std::size_t rope, const std::vector<bool>& bodies) {
+  const auto& nodes = m.reevings[rope].nodes;
+  return std::any_of(nodes.begin(), nodes.end(), [&](const machine::Node& node) {
+    return node.at.body != machine::ground && bodies[as_size(node.at.body)];
+  });
+}
+
+/// Ropes and the bodies whose weight they bear.
+struct Hung {
+  std::vector<bool> ropes, bodies;
+};
+
+/// No drive of it turns: it bears like one that is fixed at its ends.
+bool stands(const machine::Reeving& rope, const Frame& is) {
+  return std::all_of(rope.nodes.begin(), rope.nodes.end(), [&](const machine::Node& node) {
+    return (!node.drum || is.drums[*node.drum].speed == 0) && (!node.motor || is.motors[*node.motor].speed == 0);
+  });
+}
+
+/// Bodies that `bodies` bear, or are borne by, by faces and as sections of a beam.
+void add_neighbours(const machine::Model& m, std::vector<bool>& bodies) {
+  for (const machine::FaceContact& contact : m.contacts) {
+    const int face = m.faces[contact.face].body;
+    if (!moves(m, contact.body) || !moves(m, face)) continue;
+    if (bodies[as_size(contact.body)] || bodies[as_size(face)])
+      bodies[as_size(contact.body)] = bodies[as_size(face)] = true;
+  }
+  for (std::size_t a = 0; a < m.bodies.size(); ++a) {
+    for (std::size_t b = 0; m.bodies[a].beam && bodies[a] && b < m.bodies.size(); ++b) {
+      if (m.bodies[b].beam == m.bodies[a].beam) bodies[b] = true;
+    }
+  }
+}
+
+/// All that hangs on these, also by other ropes that no drive moves.
+Hung all_hung(const machine::Model& m, const Frame& is, Hung hung) {
+  for (std::vector<bool> before; before != hung.bodies;) {
+    before = hung.bodies;
+    for (std::size_t r = 0; r < m.reevings.size(); ++r) {
+      hung.ropes[r] = hung.ropes[r] || (touches(m, r, hung.bodies) && stands(m.reevings[r], is));
+      if (!hung.ropes[r]) continue;
+      for (const machine::Node& node : m.reevings[r].nodes) {
+        if (moves(m, node.at.body)) hung.bodies[as_size(node.at.body)] = true;
+      }
+    }
+    add_neighbours(m, hung.bodies);
+  }
+  return hung;
+}
+
+Vector3 velocity_of(const Frame& is, const machine::Place& place) {
+  if (place.body == machine::ground) return Vector3::Zero();
+  const Frame::Body& body = is.bodies[place.body];
+  return body.velocity + body.spin.cross(body.orientation * place.at);
+}
+
+/// Of the weight of a body and the loads on it, W. A signal that moves it all the way bears them.
+double power_of_loads(const machine::Model& m, const Frame& is, int b) {
+  const machine::Body& body = m.bodies[b];
+  if (body.free.empty()) return 0;
+  double power = -body.mass * m.gravity * velocity_of(is, {.body = b, .at = body.centre}).z();
+  for (const machine::Load& load : m.loads) {
+    if (load.at.body != b) continue;
+    const Vector3 force =
+        load.over_time ? Vector3(load.force.normalized() * machine::at(*load.over_time, is.t).value) : load.force;
+    power += force.dot(velocity_of(is, load.at));
+  }
+  return power;
+}
+
+/// How fast a rope rises where it leaves a node, or, `arrives`, comes to it, m/s.
+double rises_at(const machine::Model& m, const Frame& is, const Frame::Branch& branch, bool arrives) {
+  const int n = arrives ? branch.to : branch.from;
+  const machine::Node& node = m.reevings[branch.reeving].nodes[n];
+  double flow = 0;
+  if (node.drum) {
+    flow = (arrives ? 1 : -1) * is.drums[*node.drum].speed;
+  } else {
+    const auto contact = std::find_if(is.contacts.begin(), is.contacts.end(), [&](const Frame::Contact& one) {
+      return one.reeving == branch.reeving && one.node == n;
+    });
+    if (contact != is.contacts.end()) flow = contact->flow;
+  }
+  return velocity_of(is, node.at).z() + flow * (arrives ? branch.arrives : branch.leaves).z();
+}
+
+/// What weights and loads give to all that hangs there, less what ropes lose on rounds and points on faces, W.
+double power_of_loads(const machine::Model& m, const Frame& is, const Hung& hung) {
+  double power = 0;
+  for (std::size_t b = 0; b < m.bodies.size(); ++b) {
+    if (hung.bodies[b]) power += power_of_loads(m, is, static_cast<int>(b));
+  }
+  for (const Frame::Branch& branch : is.branches) {
+    const machine::Reeving& rope = m.reevings[branch.reeving];
+    if (!hung.ropes[as_size(branch.reeving)] || rope.weight == 0) continue;
+    const double rises = (rises_at(m, is, branch, false) + rises_at(m, is, branch, true)) / 2;
+    power -= rope.copies * rope.weight * branch.unstretched * rises;
+  }
+  for (const Frame::Contact& contact : is.contacts) {
+    const machine::Reeving& rope = m.reevings[contact.reeving];
+    if (!hung.ropes[as_size(contact.reeving)] || rope.nodes[contact.node].motor) continue;
+    power -= rope.copies * std::max((contact.T_in - contact.T_out) * contact.flow, 0.0);
+  }
+  for (std::size_t i = 0; i < is.faces.size(); ++i) {
+    const int point = m.contacts[i].body, face = m.faces[m.contacts[i].face].body;
+    const bool in = (point != machine::ground && hung.bodies[as_size(point)]) ||
+                    (face != machine::ground && hung.bodies[as_size(face)]);
+    if (in) power -= std::max(-is.faces[i].F * is.faces[i].speed, 0.0);
+  }
+  return power;
+}
+
+/// What drives take that act on the same bodies, W.
+struct Taken {
+  double most = 0, all = 0;  ///< of one, of all of them
+  void add(double power) {
+    most = std::max(most, -power);
+    all += std::max(-power, 0.0);
+  }
+};
+
+Taken taken_from(const machine::Model& m, const Frame& is, const Hung& hung) {
+  Taken taken;
+  std::vector<bool> drums(m.drums.size(), false), motors(m.motors.size(), false);
+  for (std::size_t r = 0; r < m.reevings.size(); ++r) {
+    if (!hung.ropes[r] && !touches(m, r, hung.bodies)) continue;
+    for (const machine::Node& node : m.reevings[r].nodes) {
+      if (node.drum) drums[as_size(*node.drum)] = true;
+      if (node.motor) motors[as_size(*node.motor)] = true;
+    }
+  }
+  for (std::size_t d = 0; d < drums.size(); ++d) {
+    if (drums[d]) taken.add(is.drums[d].power);
+  }
+  for (std::size_t k = 0; k < motors.size(); ++k) {
+    if (motors[k]) taken.add(is.motors[k].power);
+  }
+  for (std::size_t i = 0; i < is.actuators.size(); ++i) {
+    const int from = m.actuators[i].from_body, to = m.actuators[i].to_body;
+    const bool on =
+        (from != machine::ground && hung.bodies[as_size(from)]) || (to != machine::ground && hung.bodies[as_size(to)]);
+    if (on) taken.add(is.actuators[i].power);
+  }
+  return taken;
+}
+
+/// A drum by a torque, or by none, that its load turns back. A torque that turns its rope out helps a load that does
+/// more, and any load where the drum's drag takes less than half of what both give: they speed it up.
+bool gives_way(const machine::Drum& drum, const Frame::Drum& is) {
+  if (!is.by_torque || is.braked) return false;
+  if (is.power < 0 || is.speed >= 0 || is.torque == 0) return is.power < 0 || (is.speed < 0 && is.T > 0);
+  if (!(is.T > 0)) return false;
+  const double pulls = is.T * -is.speed, omega = is.power / is.torque;
+  return pulls > is.power || pulls + is.power > 2 * drum.drag * omega * omega;
+}
+
+/// Somewhere in a motion.
+bool may_pull(const machine::Model& m, int drum) {
+  return m.drums[drum].drive.kind == machine::DriveKind::pull ||
+         std::any_of(m.events.begin(), m.events.end(), [&](const machine::Event& e) {
+           return e.kind == machine::EventKind::drive && !e.of_motor && e.index == drum &&
+                  e.drive.kind == machine::DriveKind::pull;
+         });
+}
+
+std::string against(double torque, bool back) {
+  if (torque == 0) return ", which turns freely: set its brake, or give a drive";
+  return fmt::format(" {} its torque of {:.4g} kN m", back ? "against" : "along with", std::abs(torque) / 1e3);
+}
+
+}  // namespace
+
+/// A moment of a motion, and what its loads do to drives.
+class Dragged::Moment {
+ public:
+  Moment(const machine::Model& model, const Frame& frame, const std::string& before)
+      : m(model), is(frame), words(fmt::format("{}: at its end, t = {:.4g} s,", before, frame.t)) {}
+
+  template <class Such>
+  Hung hung_on_ropes(const Such& such) const {
+    Hung hung = nothing();
+    for (std::size_t r = 0; r < m.reevings.size(); ++r) {
+      const auto& nodes = m.reevings[r].nodes;
+      hung.ropes[r] = std::any_of(nodes.begin(), nodes.end(), such);
+    }
+    return all_hung(m, is, std::move(hung));
+  }
+  Hung hung_on_rope(int rope) const {
+    Hung hung = nothing();
+    hung.ropes[as_size(rope)] = true;
+    return all_hung(m, is, std::move(hung));
+  }
+  Hung hung_on_cylinder(std::size_t i) const {
+    Hung hung = nothing();
+    for (const int body : {m.actuators[i].from_body, m.actuators[i].to_body}) {
+      if (moves(m, body)) hung.bodies[as_size(body)] = true;
+    }
+    return all_hung(m, is, std::move(hung));
+  }
+
+  /// Whether other drives work on the same parts: on those of Together::drum(i), say.
+  bool is_led(std::size_t (Together::*kind)(std::size_t) const, std::size_t i) const {
+    const Together parts(m);
+    const Driving by(parts, m, is);
+    const std::size_t part = parts.of((parts.*kind)(i));
+    return by.power[part] > 0 || by.leads[part];
+  }
+  bool nothing_drives(int rope) const {
+    const Together parts(m);
+    return !Driving(parts, m, is).moved[parts.of(parts.rope(as_size(rope)))];
+  }
+
+  /// Whether loads give more than drives take, and than `beside`, W, so that they gain speed. Where others lead, their
+  /// work may be what is taken: then no single drive takes as much as the loads give.
+  bool loads_drag(const Hung& hung, bool led, double beside) const {
+    const Taken taken = taken_from(m, is, hung);
+    return power_of_loads(m, is, hung) > std::max(beside, led ? taken.most : taken.all);
+  }
+  /// Whether they give more than twice what drives take: most of it speeds them up.
+  bool loads_fall(const Hung& hung) const { return power_of_loads(m, is, hung) > 2 * taken_from(m, is, hung).all; }
+
+  const machine::Model& m;
+  const Frame& is;
+  const std::string words;
+
+ private:
+  Hung nothing() const {
+    return {.ropes = std::vector<bool>(m.reevings.size(), false), .bodies = std::vector<bool>(m.bodies.size(), false)};
+  }
+};
+
+void Dragged::take_drums(const Moment& now, std::map<Which, Way>& gives) const {
+  for (std::size_t i = 0; i < now.is.drums.size(); ++i) {
+    const Frame::Drum& is = now.is.drums[i];
+    const auto d = static_cast<int>(i);
+    const machine::Drum& drum = now.m.drums[d];
+    const bool by_torque = gives_way(drum, is);
+    const bool by_pull = !is.by_torque && !is.braked && !is.held && is.power < 0 && may_pull(now.m, d);
+    const bool slack = is.by_torque && !is.braked && is.torque < 0 && is.speed < 0 && !(is.T > 0);
+    if (!by_torque && !by_pull && !slack) continue;
+    const bool led = now.is_led(&Together::drum, i), sure = by_torque && !led;
+    const auto on = [&](const machine::Node& node) { return node.drum == d; };
+    if (!sure && !now.loads_drag(now.hung_on_ropes(on), led, 0)) continue;
+    const std::string pull = fmt::format(" against its pull of {:.4g} kN", is.T / 1e3);
+    gives[{by_pull ? Kind::pulling_drum : Kind::drum, d}] = {
+        .least = drum.core_radius,
+        .speed = is.speed,
+        .name = drum.name,
+        .words = fmt::format("{} the load drags '{}' at {:.3g} m/s{}", now.words, drum.name, std::abs(is.speed),
+                             by_pull ? pull : against(is.torque, is.power < 0))};
+  }
+}
+
+/// A motor that helps its loads counts as dragged where they do more than it.
+void Dragged::take_motors(const Moment& now, std::map<Which, Way>& gives) const {
+  for (std::size_t i = 0; i < now.is.motors.size(); ++i) {
+    const Frame::Drum& is = now.is.motors[i];
+    if (!is.by_torque || is.speed == 0) continue;
+    const auto k = static_cast<int>(i);
+    const auto on = [&](const machine::Node& node) { return node.motor == k; };
+    if (!now.loads_drag(now.hung_on_ropes(on), now.is_led(&Together::motor, i), is.power)) continue;
+    double radius = 0;
+    for (const machine::Reeving& rope : now.m.reevings) {
+      const auto node = std::find_if(rope.nodes.begin(), rope.nodes.end(), on);
+      if (node != rope.nodes.end()) radius = node->radius;
+    }
+    const std::string& name = now.m.motors[k].name;
+    gives[{Kind::motor, k}] = {.least = radius,
+                               .speed = is.speed,
+                               .name = name,
+                               .words = fmt::format("{} the load drags '{}' at {:.3g} m/s{}", now.words, name,
+                                                    std::abs(is.speed), against(is.torque, is.power < 0))};
+  }
+}
+
+void Dragged::take_cylinders(const Moment& now, std::map<Which, Way>& gives) const {
+  for (std::size_t i = 0; i < now.is.actuators.size(); ++i) {
+    const Frame::Actuator& is = now.is.actuators[i];
+    const machine::Actuator& cylinder = now.m.actuators[i];
+    const bool bears = is.F != 0;
+    if (is.speed == 0 || (bears && (cylinder.kind == machine::ActuatorKind::speed || is.power >= 0))) continue;
+    const Hung hung = now.hung_on_cylinder(i);
+    if (!(bears ? now.loads_drag(hung, now.is_led(&Together::cylinder, i), 0) : now.loads_fall(hung))) continue;
+    const std::string holds =
+        bears ? fmt::format(" against its force of {:.4g} kN", std::abs(is.F) / 1e3) : ", which moves freely";
+    gives[{Kind::cylinder, static_cast<int>(i)}] = {
+        .least = least_share * is.length,
+        .speed = is.speed,
+        .name = cylinder.name,
+        .words =
+            fmt::format("{} the load drags '{}' at {:.3g} m/s{}", now.words, cylinder.name, std::abs(is.speed), holds)};
+  }
+}
+
+/// Of a rope without drives, on which no drive works: loads fall on it, and the friction of a support does not hold
+/// them. What runs over sheaves alone is meant to.
+void Dragged::take_supports(const Moment& now, std::map<Which, Way>& gives) const {
+  for (std::size_t c = 0; c < now.is.contacts.size(); ++c) {
+    const Frame::Contact& is = now.is.contacts[c];
+    const machine::Reeving& rope = now.m.reevings[is.reeving];
+    const machine::Node& node = rope.nodes[is.node];
+    const bool slips = is.state == solve::ContactState::slipping && machine::is_saddle(node) && node.law.friction > 0;
+    if (!slips || !now.nothing_drives(is.reeving)) continue;
+    const bool falls = std::any_of(rope.nodes.begin(), rope.nodes.end(), [&](const machine::Node& on) {
+      if (!moves(now.m, on.at.body)) return false;
+      const Frame::Body& body = now.is.bodies[on.at.body];
+      return body.velocity.z() < 0 && body.acceleration.z() < 0;
+    });
+    if (!falls || !(power_of_loads(now.m, now.is, now.hung_on_rope(is.reeving)) > 0)) continue;
+    gives[{Kind::support, static_cast<int>(c)}] = {
+        .least = node.radius,
+        .speed = is.flow,
+        .name = node.name,
+        .words = fmt::format("{} '{}' slips over '{}' at {:.3g} m/s, and its load falls: the friction does not hold it",
+                             now.words, rope.name, node.name, std::abs(is.flow))};
+  }
+}
+
+void Dragged::take_moment(const machine::Model& m, const Frame& moment, double time, const std::string& words) {
+  std::map<Which, Way> gives;
+  const Moment now(m, moment, words);
+  take_drums(now, gives);
+  take_motors(now, gives);
+  take_cylinders(now, gives);
+  take_supports(now, gives);
+  for (auto& [which, way] : gives) {
+    const auto before = ways_.find(which);
+    way.way = (before == ways_.end() ? 0 : before->second.way) + std::abs(way.speed) * std::max(time, 0.0);
+  }
+  ways_ = std::move(gives);
+}
+
+/// Whether its drive is, when the motion ends, one that can give way. A frame does not tell a pull from a speed, nor
+/// the mode of a cylinder.
+bool Dragged::still_so(const machine::Model& m, const solve::DynamicState& end, const Which& which, double speed) {
+  const auto& [kind, i] = which;
+  if (end.bodies.empty()) return true;  // it has none: the motion was given up
+  if (kind == Kind::pulling_drum) {
+    const machine::Drive& drive = end.drum_drive[i];
+    return drive.kind == machine::DriveKind::pull && !drive.brake;
+  }
+  if (kind != Kind::cylinder) return true;
+  const machine::ActuatorMode mode = end.actuator_mode[i];
+  if (mode == machine::ActuatorMode::free) return true;
+  const machine::Actuator& cylinder = m.actuators[i];
+  if (mode == machine::ActuatorMode::lock || cylinder.kind == machine::ActuatorKind::speed) return false;
+  // a law gives way to go the way of its reference
+  const double sense = mode == machine::ActuatorMode::retract ? -1 : 1;
+  return cylinder.kind == machine::ActuatorKind::force ||
+         speed * sense * machine::at(cylinder.signal, end.t).value <= 0;
+}
+
+std::map<std::string, std::string> Dragged::at_end(const machine::Model& m, const solve::TransientResult& motion) {
+  std::map<std::string, std::string> told;
+  for (const auto& [which, way] : ways_) {
+    if (way.way >= way.least && still_so(m, motion.state, which, way.speed)) told.try_emplace(way.name, way.words);
+  }
+  ways_.clear();
+  return told;
+}
+
+}  // namespace taut::checks
