@@ -22,7 +22,7 @@ def analyses() -> dict[str, Words]:
             continue
         name = CALLED.get(field.key, field.key)
         title = f"Calculates {field.key} of the machine: {field.words}" if field.words else f"Calculates {field.key}"
-        more = ("The deck's other analyses are left out; its checks are made. Returns the result, also where there is "
+        more = ("The deck's own analyses are left out; its checks are made. Returns the result, also where there is "
                 "no answer.")
         found[field.key] = Words(name, title, _describe.table(field.record), (), (SET, PROGRESS), more=more)
     return found

@@ -29,7 +29,7 @@ class Analyses:
     ) -> Result:
         """Calculates equilibrium of the machine: the machine in equilibrium.
 
-        The deck's other analyses are left out; its checks are made. Returns the result, also where there is no answer.
+        The deck's own analyses are left out; its checks are made. Returns the result, also where there is no answer.
 
         name: appended to the names of its tables, when a deck has several.
         judge: false: its states do not count for the verdict. Default: true.
@@ -66,7 +66,7 @@ class Analyses:
     ) -> Result:
         """Calculates load_path of the machine: a carriage moved along its line.
 
-        The deck's other analyses are left out; its checks are made. Returns the result, also where there is no answer.
+        The deck's own analyses are left out; its checks are made. Returns the result, also where there is no answer.
 
         carriage: the carriage that is moved.
         from_: m. first place of the carriage (at least -1000000 m and at most 1000000 m).
@@ -102,7 +102,7 @@ class Analyses:
     ) -> Result:
         """Calculates payload of the machine: the largest load within all limits.
 
-        The deck's other analyses are left out; its checks are made. Returns the result, also where there is no answer.
+        The deck's own analyses are left out; its checks are made. Returns the result, also where there is no answer.
 
         carriage: the carriage that carries the payload.
         from_: m. first place of the carriage (at least -1000000 m and at most 1000000 m).
@@ -136,7 +136,7 @@ class Analyses:
     ) -> Result:
         """Calculates installation of the machine: an empty rope put up: tensions, sags and lengths by temperature.
 
-        The deck's other analyses are left out; its checks are made. Returns the result, also where there is no answer.
+        The deck's own analyses are left out; its checks are made. Returns the result, also where there is no answer.
 
         reeving: the rope that is put up empty, without its carriages and what hangs on them.
         name: appended to the names of its tables, when a deck has several.
@@ -170,7 +170,7 @@ class Analyses:
     ) -> Result:
         """Calculates cycle of the machine: pulls and energies of a working cycle.
 
-        The deck's other analyses are left out; its checks are made. Returns the result, also where there is no answer.
+        The deck's own analyses are left out; its checks are made. Returns the result, also where there is no answer.
 
         carriage: the carriage that is moved.
         from_: m. first place of the carriage in the first phase (at least -1000000 m and at most 1000000 m).
@@ -208,7 +208,7 @@ class Analyses:
     ) -> Result:
         """Calculates envelope of the machine: worst cases for sizing.
 
-        The deck's other analyses are left out; its checks are made. Returns the result, also where there is no answer.
+        The deck's own analyses are left out; its checks are made. Returns the result, also where there is no answer.
 
         name: appended to the names of its tables, when a deck has several.
         judge: false: its states do not count for the verdict. Default: true.
@@ -246,7 +246,7 @@ class Analyses:
     ) -> Result:
         """Calculates sweep of the machine: the equilibrium over a number of the deck.
 
-        The deck's other analyses are left out; its checks are made. Returns the result, also where there is no answer.
+        The deck's own analyses are left out; its checks are made. Returns the result, also where there is no answer.
 
         parameter: a number of the machine by its path in the deck: 'loads[0].mass', 'reevings.skyline.length',
             'temperature', 'points.head[2]', 'loads[0].force.angle'.
@@ -290,7 +290,7 @@ class Analyses:
     ) -> Result:
         """Calculates transient of the machine: a motion of the machine.
 
-        The deck's other analyses are left out; its checks are made. Returns the result, also where there is no answer.
+        The deck's own analyses are left out; its checks are made. Returns the result, also where there is no answer.
 
         duration: s. duration, from the start or the restart (above 0 s and at most 3.2e7 s).
         name: appended to the names of its tables and files, when a deck has several.
@@ -341,7 +341,7 @@ class Analyses:
     ) -> Result:
         """Calculates modes of the machine: small vibrations: frequencies, damping, shapes.
 
-        The deck's other analyses are left out; its checks are made. Returns the result, also where there is no answer.
+        The deck's own analyses are left out; its checks are made. Returns the result, also where there is no answer.
 
         name: appended to the names of its tables, when a deck has several.
         judge: false: its states do not count for the verdict. Default: true.
@@ -373,7 +373,7 @@ class Analyses:
     ) -> Result:
         """Calculates pretension of the machine: ropes tightened one after the other, as they are put up.
 
-        The deck's other analyses are left out; its checks are made. Returns the result, also where there is no answer.
+        The deck's own analyses are left out; its checks are made. Returns the result, also where there is no answer.
 
         name: appended to the names of its tables, when a deck has several.
         judge: false: its states do not count for the verdict. Default: true.

@@ -38,7 +38,7 @@ SET = "--set"
 WITHOUT_UNIT = re.compile(r"needs its unit, such as '\S+ ([^']+)'$")
 BARE = re.compile(rb"[-+]?[0-9.]+(e[-+]?[0-9]+)?")
 SURROGATE = re.compile("[\ud800-\udfff]")
-PLAIN = re.compile(r"^(?!- |---|[0-9.]*$)[A-Za-z0-9=.+-][A-Za-z0-9 _./|%²³°+*()=-]*(?<! )$")
+PLAIN = re.compile(r"^(?!- |---|[-+]?[0-9.]+(e[-+]?[0-9]+)?$)[A-Za-z0-9=.+-][A-Za-z0-9 _./|%²³°+*()=-]*(?<! )$")
 NULLS = {"null", "Null", "NULL", "~", "", "true", "false"}
 WIDTH = 110
 
@@ -95,10 +95,13 @@ def with_units(job: Job, mistakes: Iterable[Mistake]) -> Job:
 
 
 def _with_unit(line: str, mistake: Mistake, unit: str) -> str:
-    """The line with an SI unit behind the bare number of that mistake. `unit`: one of the same kind, "kN"."""
+    """The line with an SI unit behind the bare number of that mistake. `unit`: one of the same kind, "kN". The same
+    line where the number is a text, which stands in quotes: a text carries its unit.
+    """
     data = line.encode()
-    end = mistake.column - 1 + mistake.width
-    if not BARE.fullmatch(data[mistake.column - 1 : end]):
+    begin = mistake.column - 1
+    end = begin + mistake.width
+    if not BARE.fullmatch(data[begin:end]) or data[:begin].endswith(b'"'):
         return line
     return (data[:end] + f" {_taut.quantity(f'1 {unit}')[1]}".encode() + data[end:]).decode()
 

@@ -274,10 +274,39 @@ class Machines(unittest.TestCase):
         self.assertEqual(taut.check(line), [])
         # of a file that is read, and of what never has a unit, it stays a mistake
         text = drives.read_text().replace("pull: 25 kN", "pull: 25", 1)
-        with self.assertRaisesRegex(taut.DeckError, "needs its unit, such as '25 kN'"):
+        with self.assertRaisesRegex(taut.DeckError, "needs its unit, such as '1 kN'"):
             taut.run(text)
         with self.assertRaisesRegex(taut.DeckError, "needs its unit"):
             taut.run(drives, {pull: "25000"})
+
+    def test_a_text_without_its_unit_is_no_si_number(self):
+        line = {"taut": 1, "machine": {"points": {"top": [0, 0, 10]},
+                                       "ropes": {"r": {"breaking_force": 1e5, "stiffness": 2e7, "mass": 1e-4}},
+                                       "bodies": {"hook": {"mass": 1e-3, "at": [0, 0, 4], "free": ["x", "z"]}},
+                                       "reevings": [{"rope": "r", "path": [taut.anchor("top"), taut.anchor("hook")],
+                                                     "length": 6}],
+                                       "loads": [{"at": "hook", "mass": 2000}]}}
+        self.assertAlmostEqual(taut.run(line).values.T_max, 2000 * 9.80665, -1)
+        for text in ("2000", "+2000", "-2", "2e3", "2.0e+3"):
+            for set in ({"machine.loads[0].mass": text}, {"loads": [{"at": "hook", "mass": text}]}):
+                with self.assertRaisesRegex(taut.DeckError, "needs its unit", msg=text):
+                    taut.run(line, set)
+            with self.assertRaisesRegex(taut.DeckError, "needs its unit", msg=text):
+                taut.Machine(line).set("machine.loads[0].mass", text).solve()
+            hung = {**line, "machine": {**line["machine"], "loads": [{"at": "hook", "mass": text}]}}
+            with self.assertRaisesRegex(taut.DeckError, "needs its unit", msg=text):
+                taut.run(hung)
+
+    def test_the_limit_of_a_study_may_be_a_number(self):
+        def study(limit):
+            return {"vary": {"machine.loads[0].mass": {"from": 1400, "to": 1600, "steps": 2}}, "points": "grid",
+                    "of": ["equilibrium.skyline.T_max", "equilibrium.clearance_min"],
+                    "limit": {"equilibrium.skyline.T_max": {"at_most": limit[0]},
+                              "equilibrium.clearance_min": {"at_least": limit[1]}}}
+
+        number, text = (taut.Machine(SKYLINE).study(**study(limit)) for limit in ((16e4, 0.5), ("160 kN", "0.5 m")))
+        self.assertEqual([one.limit for one in number.checks], [one.limit for one in text.checks])
+        self.assertIn(16e4, [one.limit for one in number.checks])
 
     def test_half_a_character_has_its_place(self):
         for deck, more, place in (("taut: 1\ntitle: a\ud800b\nmachine: {}\n", None, ("deck", 2, 9)),

@@ -310,15 +310,18 @@ void add_compared_answers(const std::vector<ComparedRow>& rows, const Display& d
   constexpr std::size_t most_rows = 4;
   for (std::size_t i = 0; i < std::min(most_rows, demanded.size()); ++i) {
     const ComparedRow& row = *demanded[i];
+    if (std::isnan(row.value)) {
+      add_answer_line(r, "Worst", {fmt::format("{}: {}", row.what, verdict_of_row(row))});
+      continue;
+    }
     const bool by_reference = std::isnan(row.tolerance);
     const std::string value = shown_value(display, row.value, row.unit);
     const std::string deviation =
         by_reference ? deviation_text(display, row.value, row.reference, row.reference_tolerance, row.unit)
                      : deviation_text(display, row.value, row.published, row.tolerance, row.unit);
-    add_answer_line(
-        r, "Worst",
-        {fmt::format("{}: {}{}{} from the {}", row.what, value.empty() ? row.message : value,
-                     deviation.empty() ? "" : ", ", deviation, by_reference ? "reference" : "published value")});
+    add_answer_line(r, "Worst",
+                    {fmt::format("{}: {}{}{} from the {}", row.what, value, deviation.empty() ? "" : ", ", deviation,
+                                 by_reference ? "reference" : "published value")});
   }
 }
 

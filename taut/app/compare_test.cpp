@@ -105,6 +105,20 @@ TEST_F(Compare, ARowOnlyShownWithoutItsValueIsNotJudged) {
   EXPECT_EQ(exit_code(r), 4);
 }
 
+// The line of a row without a value says why, and nothing of how far it is off.
+TEST_F(Compare, ARowWithoutAValueIsNotOffByAnything) {
+  const taut::Result r =
+      run("    - {what: a, deck: hanging.yaml, value: T_least, published: 9 kN, tolerance: 1 %}\n"
+          "    - {what: b, deck: hanging.yaml, value: T_max, published: 9 kN, tolerance: 1 %}\n");
+  std::vector<std::string> worst;
+  for (const taut::Answer& one : r.answers) {
+    if (one.label == "Worst") worst.push_back(one.text);
+  }
+  ASSERT_EQ(worst.size(), 2U);
+  EXPECT_EQ(worst[0], "a: no value 'T_least'");
+  EXPECT_TRUE(worst[1].ends_with("from the published value")) << worst[1];
+}
+
 // The value comes from another analysis of the deck than the one that has no answer.
 TEST_F(Compare, AValueOfADeckWithoutAnAnswerIsNotJudged) {
   write("line.yaml", R"(taut: 1

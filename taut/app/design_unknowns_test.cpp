@@ -176,6 +176,40 @@ TEST(DesignUnknowns, height_and_sag) {
   EXPECT_THAT(between.warnings, testing::Contains(HasSubstr("height is at an end of its range")));
 }
 
+/// A load in the middle of a level line of 100 m that bears 40 kN.
+std::string level_line(const std::string& unknown) {
+  return fmt::format(R"(taut: 1
+machine:
+  points: {{a: [0 m, 0 m, 30 m], b: [100 m, 0 m, 30 m]}}
+  ropes: {{s: {{mass: 1 kg/m, stiffness: 20 MN, breaking_force: 120 kN}}}}
+  carriages: {{car: {{mass: 100 kg, rides: s, hold: clamped}}}}
+  reevings: [{{rope: s, path: [{{anchor: a}}, {{through: car}}, {{anchor: b}}], length: 102 m}}]
+  loads: [{{at: car, mass: 1 t}}]
+analyses: [equilibrium: {{carriage: car, x: 50 m}}]
+checks: {{ropes: {{s: {{safety_factor: 3}}}}}}
+design: {{seek: lightest, unknowns: {{it: {{{}}}}}}}
+)",
+                     unknown);
+}
+
+// At 40 kN an anchor bears half of 1100 kg and 101 kg, 5.889 kN, upright and 39.56 kN level. From the carriage to it
+// the line rises by 5.642/39.56 on 50 m, is 50.506 m long and stretched by 39.95 kN / 20 MN: unstretched 2 * 50.405 m.
+TEST(DesignUnknowns, the_lightest_line_is_the_shortest_that_passes) {
+  const Result r = run_text(level_line("parameter: reevings.s.length, from: 100.5 m, to: 110 m, start: 105 m"));
+  ASSERT_TRUE(passes(r)) << r.message << to_text(r.errors);
+  EXPECT_NEAR(value_of(r, "design_it"), 100.81, 0.01);
+  EXPECT_NEAR(value_of(r, "design_cost"), 100.81, 0.01) << "1 kg/m";
+  EXPECT_THAT(r.warnings, testing::Not(testing::Contains(HasSubstr("end of its range"))));
+}
+
+// The mass of the load is none of the machine: the least one is chosen for its reserve.
+TEST(DesignUnknowns, what_changes_no_cost_is_chosen_for_the_reserve) {
+  const Result r = run_text(level_line("parameter: loads.car.mass, from: 0.5 t, to: 1 t, start: 0.8 t"));
+  ASSERT_TRUE(passes(r)) << r.message << to_text(r.errors);
+  EXPECT_NEAR(value_of(r, "design_it"), 500, 0.2);
+  EXPECT_THAT(r.warnings, testing::Contains(HasSubstr("what is sought does not change with it")));
+}
+
 // The load cases are all kept: the one with twice the load decides, and the design passes each of them by itself.
 TEST(DesignUnknowns, load_cases_all_pass) {
   const std::string weight = "unknowns: {sag: {parameter: \"analyses[0].equilibrium.given.sag\", from: 4 m, to: 25 m}}";

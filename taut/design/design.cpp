@@ -132,6 +132,16 @@ Result no_design(const DesignTask& task, const DesignFound& found) {
   return r;
 }
 
+/// Whether what is sought is the same at the other end of the range of an unknown: the reserve alone led there. Where
+/// there is a choice too, the unknown may let a cheaper one pass.
+bool costs_the_same(const DesignTask& task, const std::vector<double>& values, std::size_t unknown) {
+  if (is_measured(task.request.seek) || !task.space.ropes.empty() || !task.space.sections.empty()) return false;
+  const UnknownValues& one = task.space.unknowns[unknown];
+  std::vector<double> other = values;
+  other[unknown] = one.high - other[unknown] < other[unknown] - one.low ? one.low : one.high;
+  return task.lengths(other) == task.lengths(values);
+}
+
 /// What a reader should know of where the answer lies.
 void add_warnings(const DesignTask& task, const DesignFound& found, Result& r) {
   for (std::size_t k = 0; k < found.best.values.size(); ++k) {
@@ -140,8 +150,11 @@ void add_warnings(const DesignTask& task, const DesignFound& found, Result& r) {
     const double from_end = std::min(value - one.low, one.high - value);
     // as near as the search goes
     if (!(from_end <= finest_share * (one.high - one.low))) continue;
-    r.warnings.push_back(fmt::format("design: {} is at an end of its range, {}: beyond it there may be a better design",
-                                     one.name, task.display.quantity(value, one.unit)));
+    r.warnings.push_back(fmt::format("design: {} is at an end of its range, {}: {}", one.name,
+                                     task.display.quantity(value, one.unit),
+                                     costs_the_same(task, found.best.values, k)
+                                         ? "what is sought does not change with it, so it has the most reserve here"
+                                         : "beyond it there may be a better design"));
   }
   for (const std::string& name : task.request.disregard) {
     Result without = r;

@@ -83,6 +83,7 @@ struct DesignRun {
 struct DesignLengths {
   std::vector<double> ropes, sections;  ///< m
   double rest = 0;                      ///< of what is sought, in its unit: kg of `lightest`
+  bool operator==(const DesignLengths&) const = default;
 };
 
 /// A design to be searched. All functions may be called as often as wished, with any place of the space.

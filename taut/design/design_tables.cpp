@@ -37,11 +37,11 @@ Unit cost_unit(Seek seek) {
 std::string cost_words(const DesignRequest& request) {
   switch (request.seek) {
     case Seek::lightest:
-      return "mass: ropes by their straight lengths, beams and masts, weights of take-ups";
+      return "mass: ropes by their given lengths, else straight ones, beams and masts, weights of take-ups";
     case Seek::smallest:
       return "sum of the diameters and outer heights chosen";
     case Seek::cheapest:
-      return "price of what is free, ropes by their straight lengths";
+      return "price of what is free, ropes by their given lengths, else straight ones";
     case Seek::least_tension:
       return request.of ? fmt::format("largest tension of {}", *request.of)
                         : std::string("largest tension of all ropes");

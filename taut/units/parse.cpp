@@ -178,8 +178,8 @@ double zero_of(const Expression& e) {
   return e.factors.size() == 1 && e.factors[0].exponent == 1 ? e.factors[0].row->scale.zero : 0;
 }
 
-/// What a person may write for this unit: "12 kN", "30 deg".
-std::string example(const Unit& target, double number) { return fmt::format("'{:g} {}'", number, target.shown); }
+/// What a person may write for this unit: "1 kN", "1 deg". Never their own number with a unit that they may not mean.
+std::string example(const Unit& target) { return fmt::format("'1 {}'", target.shown); }
 
 /// The kind of quantity that a unit expression measures, as a word for messages.
 std::string kind_of(const Expression& e) {
@@ -231,7 +231,7 @@ tl::expected<Expression, UnitError> read_unit(std::string_view unit, std::size_t
     return fail(fmt::format("a plain number is expected here, not {}", with_article(kind_of(*e))), offset, unit.size());
   }
   return fail(fmt::format("'{}' is a unit of {}; {} is expected here, such as {}", unit, kind_of(*e),
-                          with_article(target.kind), example(target, 1)),
+                          with_article(target.kind), example(target)),
               offset, unit.size());
 }
 
@@ -299,7 +299,7 @@ tl::expected<double, UnitError> parse_quantity(std::string_view text, const Unit
   while (!unit.empty() && (unit.back() == ' ' || unit.back() == '\t')) unit.remove_suffix(1);
   if (unit.empty()) {
     if (!target.needs_text() || s->infinite) return s->number;
-    return fail(fmt::format("{} needs its unit, such as {}", with_article(target.kind), example(target, s->number)), 0,
+    return fail(fmt::format("{} needs its unit, such as {}", with_article(target.kind), example(target)), 0,
                 text.size());
   }
   if (std::isdigit(static_cast<unsigned char>(unit[0])) != 0 && unit.substr(0, 2) != "1/") {

@@ -1,5 +1,6 @@
 #pragma once
 #include <functional>
+#include <map>
 #include <span>
 #include <string>
 #include <tl/expected.hpp>
@@ -63,6 +64,20 @@ struct CaseAnswer {
   std::vector<CaseFlaw> flaws = {};  ///< each check that fails, the first thing unmade, the first that is unsafe
 };
 
+/// A part that needs a limit of its strength and that no check of a case limits.
+struct UnaskedPart {
+  std::string name;
+  std::string why = {};  ///< where a run of the deck has such a check: why the cases have not
+  bool is_beam = false;  ///< its strength is that of a stress, not of a tension
+};
+
+/// What a run of the whole deck as it is tells and its cases do not.
+struct Unasked {
+  std::vector<UnaskedPart> parts = {};
+  std::vector<CaseFlaw> fails = {};              ///< checks that no case makes
+  std::map<std::string, double> strengths = {};  ///< as in CaseModel
+};
+
 /// A deck as a function of numbers. It was read and compiled once; what it needs besides the outputs is left out: other
 /// analyses, the checks of `checks:`, tables, figures, formulas. The analyses that it needs are judged.
 struct CaseModel {
@@ -72,8 +87,10 @@ struct CaseModel {
   std::vector<std::string> exempt = {}, left_out = {};
   /// Analyses that count in a run of the deck and that no output needs, as outputs would name them.
   std::vector<std::string> not_run = {};
-  /// Parts whose strength no limit of the deck judges, found by a run of the whole deck as it is; none: no such parts.
-  std::function<std::vector<std::string>()> unasked = {};
+  /// Breaking forces and yields of the parts of the deck as it is, SI.
+  std::map<std::string, double> strengths = {};
+  /// Found by a run of the whole deck; none: there is nothing of that kind.
+  std::function<Unasked()> unasked = {};
   /// One number (SI) for each input. A pure function: the same numbers give the same bits, whatever was asked before
   /// and from whichever thread. Every case begins from the equilibrium of the deck as it is, and where it does not come
   /// from there to an answer, as the machine of its numbers alone would.

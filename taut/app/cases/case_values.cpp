@@ -6,6 +6,7 @@
 #include <cmath>
 #include <map>
 #include <optional>
+#include <string_view>
 
 #include "taut/base/suggest.hpp"
 #include "taut/calc/verdict.hpp"
@@ -157,6 +158,16 @@ Outcome take_values(const Result& r, const std::vector<WantedValue>& wanted, std
     outputs[one.output] = found->value;
   }
   return {};
+}
+
+std::map<std::string, double> strengths_of(const Result& r) {
+  std::map<std::string, double> strengths;
+  for (const Check& c : r.checks) {
+    for (const std::string_view kind : {breaking_check, yield_check}) {
+      if (!c.limits && c.name.ends_with(kind)) strengths[c.name.substr(0, c.name.size() - kind.size())] = c.limit;
+    }
+  }
+  return strengths;
 }
 
 std::vector<CaseFlaw> flaws_of(const Result& r, const Display& display) {

@@ -1,5 +1,6 @@
 #pragma once
 #include <functional>
+#include <map>
 #include <string>
 #include <tl/expected.hpp>
 #include <vector>
@@ -74,6 +75,13 @@ void add_outputs(const Result& r, const std::vector<WantedValue>& wanted, CaseMo
 
 /// The values of a result, each at its output. Not ok where the result has no answer, or one of them has no number.
 Outcome take_values(const Result& r, const std::vector<WantedValue>& wanted, std::vector<double>& outputs);
+
+/// How the checks against breaking, of a rope or guy, and against yield, of a beam, are called behind their part.
+inline constexpr const char* breaking_check = ".T_max";
+inline constexpr const char* yield_check = ".stress_max";
+
+/// Breaking forces and yields by part, as these checks of a result have them.
+std::map<std::string, double> strengths_of(const Result& r);
 
 /// What keeps a result from passing (verdict.hpp), but for parts without a limit: a study has limits of its own, and
 /// tells of parts that have neither (CaseModel::unasked). With the words in these units.

@@ -444,6 +444,44 @@ std::vector<std::string> analyses_not_run(const MachineModel& model) {
   return all;
 }
 
+/// What the cases say of the deck as it is.
+struct SaidByCases {
+  std::vector<std::string> unjudged = {};  ///< parts
+  std::set<std::string> failing = {};      ///< checks
+};
+
+void hear(const DeckPart& part, const Result& r, SaidByCases& said) {
+  if (!part.tells) return;
+  add_new(r.unjudged, said.unjudged);
+  for (const Check& c : r.checks) {
+    if (!c.passes) said.failing.insert(c.name);
+  }
+}
+
+/// What a run of the whole deck as it is says beside that.
+Unasked beside_cases(const MachineDeck& deck, const SaidByCases& cases) {
+  const Result whole = run_machine(deck, RunDepth::checks);
+  Unasked found{.strengths = strengths_of(whole)};
+  std::vector<std::string> parts = whole.unjudged;
+  add_new(cases.unjudged, parts);
+  for (const std::string& part : parts) {
+    const auto check =
+        std::find_if(whole.checks.begin(), whole.checks.end(), [&](const Check& c) { return judges(c, part); });
+    const auto& beams = deck.machine.beams;
+    const bool is_beam = std::any_of(beams.begin(), beams.end(), [&](const auto& beam) { return beam.name == part; });
+    UnaskedPart& one = found.parts.emplace_back(UnaskedPart{.name = part, .is_beam = is_beam});
+    if (check == whole.checks.end()) continue;
+    one.why = fmt::format("no case makes the deck's {}", check->name);
+    if (deck.checks) one.why += fmt::format(": name an output checks.{}", check->name);
+  }
+  for (CaseFlaw& flaw : flaws_of(whole, deck.display)) {
+    if (flaw.kind == CaseFlaw::Kind::fails && !cases.failing.contains(flaw.check)) {
+      found.fails.push_back(std::move(flaw));
+    }
+  }
+  return found;
+}
+
 }  // namespace
 
 MadeCases machine_cases(const ReadMachine& read, const CaseQuestion& question,
@@ -482,6 +520,7 @@ MadeCases machine_cases(const ReadMachine& read, const CaseQuestion& question,
   for (const CaseName& one : question.outputs) made.outputs.push_back({.name = one.name, .unit = {}, .label = {}});
   const bool all_analyses = std::any_of(model->parts.begin(), model->parts.end(),
                                         [](const DeckPart& part) { return part.kind == DeckPart::Kind::checks; });
+  SaidByCases said;
   for (DeckPart& part : model->parts) {
     std::set<std::string> judged;
     const OneOfMany first{.found = &part.states, .judged = &judged};
@@ -494,12 +533,14 @@ MadeCases machine_cases(const ReadMachine& read, const CaseQuestion& question,
     add_new(r.exempt, made.exempt);
     add_new(r.left_out, made.left_out);
     part.judges = part.tells || needs(part, judged);
+    made.strengths.merge(strengths_of(r));
+    hear(part, r, said);
   }
   made.not_run = analyses_not_run(*model);
   // a design takes no choice that has one
   if (!model->base.deck.design) {
-    made.unasked = [model = std::shared_ptr<const MachineModel>(model)] {
-      return run_machine(model->base.deck, RunDepth::checks).unjudged;
+    made.unasked = [model = std::shared_ptr<const MachineModel>(model), said = std::move(said)] {
+      return beside_cases(model->base.deck, said);
     };
   }
   model->plain = std::all_of(model->inputs.begin(), model->inputs.end(),

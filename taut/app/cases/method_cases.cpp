@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <memory>
+#include <utility>
 
 #include "taut/app/cases/case_values.hpp"
 
@@ -60,9 +61,15 @@ MadeCases method_cases(const MethodDeck& deck, const CaseQuestion& question,
     model->wanted.push_back({.output = model->wanted.size(), .name = name, .ending = {}, .place = one.place});
   }
   for (const CaseName& one : question.outputs) made.outputs.push_back({.name = one.name, .unit = {}, .label = {}});
-  if (wrong.complaints.empty()) add_outputs(model->deck.calculate(), model->wanted, made, wrong);
+  Unasked unasked;
+  if (wrong.complaints.empty()) {
+    const Result r = model->deck.calculate();
+    add_outputs(r, model->wanted, made, wrong);
+    made.strengths = unasked.strengths = strengths_of(r);
+    for (const std::string& part : r.unjudged) unasked.parts.push_back({.name = part});
+  }
   if (!wrong.complaints.empty() || !wrong.outcome.ok()) return tl::unexpected(std::move(wrong));
-  made.unasked = [model = std::shared_ptr<const MethodModel>(model)] { return model->deck.calculate().unjudged; };
+  made.unasked = [unasked = std::move(unasked)] { return unasked; };
   made.answer = [model = std::shared_ptr<const MethodModel>(model)](std::span<const double> values) {
     return answer_of(*model, values);
   };

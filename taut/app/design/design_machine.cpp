@@ -123,8 +123,9 @@ void complain_of_ropes(const design::DesignRequest& design, const machine::Machi
   }
 }
 
-/// Straight length of a reeving, all copies, m.
+/// Length of a reeving, all copies, m: what the deck gives it, else the straight one.
 double length_of(const machine::Reeving& reeving, const machine::State& state) {
+  if (reeving.described_length) return reeving.copies * *reeving.described_length;
   double length = 0;
   for (int k = 0; k < machine::branch_count(reeving); ++k) {
     const auto at = static_cast<std::size_t>(k);

@@ -217,10 +217,13 @@ TEST(DesignMachine, ACaseSetsWhatTheChosenRopeHas) {
   EXPECT_EQ(made.machine.ropes.at(0).diameter, own.space.ropes.at(0).rows[3].diameter);
 }
 
-// hypot(30, 40) = 50, hypot(30, 72) = 78; the guy has hypot(8, 6) = 10.
+// hypot(30, 40) = 50, hypot(30, 72) = 78; the guy has hypot(8, 6) = 10. What the deck gives a length has that one.
 TEST(DesignMachine, WhatIsPaidByLengthFollowsTheUnknowns) {
-  const auto lengths_of = [](const std::string& design, double z) {
-    return task_of(read(deck_with(checks + "design: {" + design + "}\n"))).lengths({z});
+  const std::string cut = ", length: 50.1 m";
+  const auto lengths_of = [&](const std::string& design, double z, const std::string& span = "") {
+    std::string text = deck_with(checks + "design: {" + design + "}\n");
+    text.replace(text.find(cut), cut.size(), span.empty() ? ", tension_at_start: 1 kN" : span);
+    return task_of(read(text)).lengths({z});
   };
   const std::string ropes = "ropes: {" + line + "}, ";
   const design::DesignLengths low = lengths_of(ropes + height, 40), high = lengths_of(ropes + height, 72);
@@ -228,10 +231,12 @@ TEST(DesignMachine, WhatIsPaidByLengthFollowsTheUnknowns) {
   EXPECT_NEAR(low.ropes[0], 50 + 10, 1e-9);
   EXPECT_NEAR(high.ropes[0], 78 + 10, 1e-9);
   const double pole = catalogue::find_section("CHS 219.1x10")->mass_per_length;
-  EXPECT_NEAR(low.rest, 10 * 2 + 6 * pole, 1e-9) << "the stay and the pole are built all the same";
+  EXPECT_NEAR(lengths_of(ropes + height, 40, cut).ropes[0], 50.1 + 10, 1e-9);
+  EXPECT_NEAR(lengths_of(ropes + height, 72, cut).ropes[0], 50.1 + 10, 1e-9);
+  EXPECT_NEAR(low.rest, 10.01 * 2 + 6 * pole, 1e-9) << "the stay and the pole are built all the same";
   const design::DesignLengths free = lengths_of(ropes + "sections: {pole: {shape: chs}}, " + height, 40);
   EXPECT_THAT(free.sections, ElementsAre(testing::DoubleNear(6, 1e-9)));
-  EXPECT_NEAR(free.rest, 10 * 2, 1e-9);
+  EXPECT_NEAR(free.rest, 10.01 * 2, 1e-9);
   std::string given = deck_with(
       checks +
       "design: {seek: cheapest, unknowns: {height: {parameter: points.high.z, from: 40 m, to: 72 m, price: 3}}}\n");

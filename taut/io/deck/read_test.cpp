@@ -79,7 +79,7 @@ TEST(Read, TellsEachMistakeAtItsPlaceWithWhatToDo) {
       {"note: x", "deck.yaml:1:1: error: sample lacks 'span' (horizontal span); write 'span: 1 m'"},
       {"rope: {}", "deck.yaml:1:7: error: rope lacks 'diameter' (nominal diameter); write 'diameter: 1 mm'"},
       {"rope:", "deck.yaml:1:1: error: rope lacks 'diameter'"},
-      {"span: 200", "deck.yaml:1:7: error: span: a length needs its unit, such as '200 m'"},
+      {"span: 200", "deck.yaml:1:7: error: span: a length needs its unit, such as '1 m'"},
       {"span: 200 kN", "deck.yaml:1:11: error: span: 'kN' is a unit of force; a length"},
       {"span: '200 kN'", "deck.yaml:1:12: error: span: 'kN'"},
       {"span: 0 m", "deck.yaml:1:7: error: span: must be above 0 m, not 0 m\n  span: 0 m\n        ^~~\n"},
@@ -178,7 +178,7 @@ TEST(Read, TellsMistakesOfNamesVectorsAndShortForms) {
       {"pins: {head: [1 m, 2 m]}",
        "deck.yaml:1:14: error: at: three components along x, y, z are expected, such as [1 m, 1 m, 1 m], not 2 of "
        "them"},
-      {"pins: {head: [1 m, 2 m, 3]}", "deck.yaml:1:25: error: at: a length needs its unit, such as '3 m'"},
+      {"pins: {head: [1 m, 2 m, 3]}", "deck.yaml:1:25: error: at: a length needs its unit, such as '1 m'"},
       {"pins: {head: [1 m, 2 m, 1001 m]}", "at: must be at most 1000 m, not 1001 m"},
       {"pins: {head: 3 m}", "not a text"},
       {"pins: {head: {}}", "pins.head lacks 'at' (place); write 'at: [1 m, 1 m, 1 m]'"},

@@ -211,7 +211,7 @@ std::vector<StudyLimit> study_limits(const StudyRequest& request, const std::vec
     if (value) {
       limit.limit.value = *value;
     } else {
-      complaints.push_back({path, value.error().message});
+      complaints.push_back({path + (one.at_least ? ".at_least" : ".at_most"), value.error().message});
     }
     limits.push_back(limit);
   }

@@ -98,7 +98,7 @@ TEST(StudyLimits, AreInSiAndOfOutputsThatAreAsked) {
   study_limits(request, outputs, complaints);
   ASSERT_EQ(complaints.size(), 2U);
   EXPECT_THAT(complaints[0].message, HasSubstr("did you mean 'equilibrium.sky.T_max'"));
-  EXPECT_EQ(complaints[1].path, "study.limit.equilibrium.car.z");
+  EXPECT_EQ(complaints[1].path, "study.limit.equilibrium.car.z.at_least");
 }
 
 }  // namespace taut::app::study_inputs_test

@@ -5,11 +5,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
+#include "taut/app/cases/case_values.hpp"
 #include "taut/app/cases/study/study_chance.hpp"
 #include "taut/app/cases/study/study_figures.hpp"
 #include "taut/app/cases/study/study_words.hpp"
@@ -24,7 +27,6 @@ constexpr std::array<double, 7> quantile_shares = {0.01, 0.05, 0.25, 0.5, 0.75, 
 constexpr std::array<double, 2> nine_of_ten = {0.05, 0.95};
 constexpr std::size_t most_rows = 1000;  ///< of failed cases in the result; all are in cases.h5
 constexpr std::size_t most_reasons = 20;
-constexpr std::array<const char*, 2> strengths = {".T_max", ".stress_max"};  ///< checks of a rope or guy, of a beam
 
 /// Mean, standard deviation and quantiles of an output.
 struct Statistic {
@@ -260,13 +262,34 @@ bool speaks_of(const Study& study, const StudyLimit& limit, const std::vector<Li
   });
 }
 
+/// Whether a limit that is about the strength of a part ends at its breaking force or yield, or before: beyond, it lets
+/// everything pass that breaks nothing. One of anything else does. `strengths`: as in CaseModel; one that is not known
+/// has to be believed.
+bool ends_at_strength(const Study& study, const StudyLimit& limit, const std::string& part,
+                      const std::map<std::string, double>& strengths) {
+  constexpr std::string_view share = ".utilisation";
+  std::string_view name = study.model.outputs[limit.output].name;
+  const double value = limit.limit.value;
+  const bool is_share = name.ends_with(share);
+  if (is_share) name.remove_suffix(share.size());
+  if (name.ends_with(".safety_factor")) return is_share || value >= 1;
+  if (!name.ends_with(breaking_check) && !name.ends_with(yield_check)) return true;
+  if (is_share) return value <= 1;
+  const auto strength = strengths.find(part);
+  return strength == strengths.end() || value <= strength->second;
+}
+
+/// "skyline" of "skyline.T_max".
+std::string part_of(const std::string& check) { return check.substr(0, check.rfind('.')); }
+
 /// Whether a limit of the study counts that failure. It takes the place of a limit of the deck on the same value; what
 /// no limit can allow it has to count as beyond itself.
 bool counted(const Study& study, const StudyData& data, const FlawedCase& one) {
   const std::vector<LimitedValue> like = limits_like(one.flaw);
   return std::any_of(study.limits.begin(), study.limits.end(), [&](const StudyLimit& limit) {
     if (!speaks_of(study, limit, like, one.flaw.analysis)) return false;
-    return !one.flaw.fact || chance::margin(limit.limit, data.outputs[limit.output][one.index]) < 0;
+    if (one.flaw.fact) return chance::margin(limit.limit, data.outputs[limit.output][one.index]) < 0;
+    return ends_at_strength(study, limit, part_of(one.flaw.check), study.model.strengths);
   });
 }
 
@@ -343,26 +366,51 @@ void add_flaws(const Study& study, const StudyData& data, Result& r) {
   r.tables.push_back(std::move(t));
 }
 
-/// Whether a limit of the study is about the strength of a rope, guy or beam, in any analysis.
-bool limits_strength(const Study& study, const std::string& part) {
-  return std::any_of(study.limits.begin(), study.limits.end(), [&](const StudyLimit& limit) {
+/// The limits of the study on the value of a check, each in the states of its own analysis.
+std::vector<StudyLimit> limits_on(const Study& study, const CaseFlaw& flaw) {
+  const std::vector<LimitedValue> like = limits_like(flaw);
+  std::vector<StudyLimit> all;
+  std::copy_if(study.limits.begin(), study.limits.end(), std::back_inserter(all), [&](const StudyLimit& limit) {
     const std::string& output = study.model.outputs[limit.output].name;
-    const std::string analysis = output.substr(0, output.find('.'));
-    return std::any_of(strengths.begin(), strengths.end(), [&](const char* strength) {
-      return speaks_of(study, limit, limits_like({.kind = CaseFlaw::Kind::fails, .check = part + strength}), analysis);
-    });
+    return speaks_of(study, limit, like, output.substr(0, output.find('.')));
   });
+  return all;
 }
 
-/// What would pass is looked at once more: a part that needs a limit has to have one, of the deck or of the study, as
-/// in each case alone.
+/// What is said of a part that needs a limit of its strength and has none, of a check or of the study; empty: it has.
+std::string unasked_words(const Study& study, const UnaskedPart& part, const std::map<std::string, double>& strengths) {
+  std::string why = part.why;
+  const std::string check = part.name + (part.is_beam ? yield_check : breaking_check);
+  for (const StudyLimit& limit : limits_on(study, {.kind = CaseFlaw::Kind::fails, .check = check})) {
+    if (ends_at_strength(study, limit, part.name, strengths)) return {};
+    why = fmt::format("the limit of {} is beyond breaking or yield", study.model.outputs[limit.output].name);
+  }
+  return why.empty() ? part.name : fmt::format("{} ({})", part.name, why);
+}
+
+/// What would pass is looked at once more: a part that needs a limit has to have one, of the cases or of the study, and
+/// what the deck as it is fails in a check that no case makes does not pass unseen.
 void add_unasked(const Study& study, Result& r) {
   const auto verdict = verdict_of(r);
   const bool passes =
       verdict && (verdict->kind == VerdictKind::passes || verdict->kind == VerdictKind::passes_with_warnings);
   if (!passes || !study.model.unasked) return;
-  for (std::string& part : study.model.unasked()) {
-    if (!limits_strength(study, part)) r.unjudged.push_back(std::move(part));
+  const Unasked unasked = study.model.unasked();
+  for (const UnaskedPart& part : unasked.parts) {
+    if (std::string words = unasked_words(study, part, unasked.strengths); !words.empty()) {
+      r.unjudged.push_back(std::move(words));
+    }
+  }
+  for (const CaseFlaw& flaw : unasked.fails) {
+    const std::vector<StudyLimit> limits = limits_on(study, flaw);
+    if (std::any_of(limits.begin(), limits.end(), [&](const StudyLimit& limit) {
+          return ends_at_strength(study, limit, part_of(flaw.check), unasked.strengths);
+        })) {
+      continue;
+    }
+    r.unmade.push_back(
+        fmt::format("the deck as it is fails {}, which no case makes and no 'limit' of the study is about: {}",
+                    flaw.check, flaw.words));
   }
 }
 

@@ -194,13 +194,18 @@ TEST(StudyResult, AStudyWithoutALimitSaysThatItsCasesPass) {
 // Each case alone is "not judged": no limit is given for that part.
 TEST(StudyResult, APartThatNeitherDeckNorStudyLimitsIsNotJudged) {
   using enum chance::Bound;
-  const auto unjudged_of = [](const std::string& output, chance::Bound bound, std::vector<std::string> unasked) {
+  const auto unjudged_of = [](const std::string& output, chance::Bound bound, const std::vector<std::string>& parts,
+                              double limit = 2) {
     Study study = of_cases(10);
     study.model.outputs[0].name = output;
-    study.model.unasked = [&] { return unasked; };
-    study.limits = {{.output = 0, .limit = {.bound = bound, .value = 2}, .allowed = 0.9}};
+    study.model.unasked = [&] {
+      Unasked unasked{.strengths = {{"sky", 2}, {"other", 3}, {"pole", 2}}};
+      for (const std::string& part : parts) unasked.parts.push_back({.name = part, .is_beam = part == "pole"});
+      return unasked;
+    };
+    study.limits = {{.output = 0, .limit = {.bound = bound, .value = limit}, .allowed = 0.9}};
     StudyData data;
-    data.outputs = {std::vector<double>(10, bound == at_least ? 3 : 1)};
+    data.outputs = {std::vector<double>(10, bound == at_least ? 3 : 0.5)};
     const Result r = study_result(study, data, {});
     const auto verdict = verdict_of(r);
     EXPECT_TRUE(verdict);
@@ -216,6 +221,54 @@ TEST(StudyResult, APartThatNeitherDeckNorStudyLimitsIsNotJudged) {
   EXPECT_THAT(unjudged_of("equilibrium.T_max", at_most, {"sky", "other"}), IsEmpty()) << "the largest of all";
   EXPECT_THAT(unjudged_of("equilibrium.pole.stress_max", at_most, {"pole"}), IsEmpty());
   EXPECT_THAT(unjudged_of("equilibrium.car.z", at_least, {}), IsEmpty());
+  // beyond the breaking force of 2 N and 3 N, or the yield of 2 Pa, it limits nothing; a strength not known is believed
+  const char* const beyond = " (the limit of equilibrium.T_max is beyond breaking or yield)";
+  EXPECT_THAT(unjudged_of("equilibrium.T_max", at_most, {"sky", "other", "new"}, 2.5),
+              ElementsAre(std::string("sky") + beyond));
+  EXPECT_THAT(unjudged_of("equilibrium.T_max", at_most, {"sky", "other"}, 3.5),
+              ElementsAre(std::string("sky") + beyond, std::string("other") + beyond));
+  EXPECT_EQ(unjudged_of("equilibrium.pole.stress_max", at_most, {"pole"}, 2.1).size(), 1U);
+  EXPECT_THAT(unjudged_of("equilibrium.T_max", at_most, {"pole"}), ElementsAre("pole")) << "no tension limits a beam";
+  EXPECT_EQ(unjudged_of("equilibrium.sky.T_max.utilisation", at_most, {"sky"}, 1.1).size(), 1U);
+  EXPECT_THAT(unjudged_of("equilibrium.sky.T_max.utilisation", at_most, {"sky"}, 1), IsEmpty());
+  EXPECT_EQ(unjudged_of("equilibrium.sky.safety_factor", at_least, {"sky"}, 0.9).size(), 1U);
+  EXPECT_THAT(unjudged_of("equilibrium.sky.safety_factor", at_least, {"sky"}, 1), IsEmpty());
+}
+
+// A limit far beyond the breaking force does not take the place of the factor that the deck asks for.
+TEST(StudyResult, ALimitBeyondBreakingTakesThePlaceOfNoLimitOfTheDeck) {
+  Study study = of_cases(10);
+  study.model.outputs[0].name = "checks.sky.T_max";
+  study.model.strengths = {{"sky", 20e3}};
+  StudyData data;
+  data.outputs = {std::vector<double>(10, 10e3)};
+  data.flawed = {
+      {.index = 3,
+       .flaw = {
+           .kind = CaseFlaw::Kind::fails, .check = "sky.safety_factor", .words = "below 3", .sense = Sense::at_least}}};
+  for (const auto& [limit, unmade] : {std::pair{20e3, 0U}, std::pair{21e3, 1U}}) {
+    study.limits = {{.output = 0, .limit = {.bound = chance::Bound::at_most, .value = limit}, .allowed = 0.9}};
+    EXPECT_EQ(study_result(study, data, {}).unmade.size(), unmade) << limit;
+  }
+}
+
+// What no case makes and the deck as it is fails: a limit of the study on the same value counts it.
+TEST(StudyResult, WhatTheDeckFailsAndNoCaseMakesIsNotJudged) {
+  Study study = of_cases(10);
+  study.model.outputs[0].name = "equilibrium.sky.safety_factor";
+  study.limits = {{.output = 0, .limit = {.bound = chance::Bound::at_least, .value = 2}, .allowed = 0.9}};
+  StudyData data;
+  data.outputs = {std::vector<double>(10, 3)};
+  std::vector<CaseFlaw> fails;
+  study.model.unasked = [&] { return Unasked{.fails = fails}; };
+  EXPECT_EQ(verdict_of(study_result(study, data, {}))->kind, VerdictKind::passes);
+  fails = {{.kind = CaseFlaw::Kind::fails, .check = "sky.safety_factor", .sense = Sense::at_least}};
+  EXPECT_EQ(verdict_of(study_result(study, data, {}))->kind, VerdictKind::passes);
+  fails.push_back({.kind = CaseFlaw::Kind::fails, .check = "boom.member", .words = "1.26 is too much"});
+  const Verdict verdict = *verdict_of(study_result(study, data, {}));
+  EXPECT_EQ(verdict.verdict_class, "unmade");
+  EXPECT_THAT(verdict.reason, HasSubstr("the deck as it is fails boom.member, which no case makes and no 'limit' of "
+                                        "the study is about: 1.26 is too much"));
 }
 
 // A pull of 10 kN at least, or the pull in another analysis, says nothing of a rope that has too much.
@@ -334,8 +387,8 @@ TEST(StudyResult, ALimitCountsAFailureOfItsOwnSideAndAnalysisOnly) {
   for (const OneLimit& one : all) {
     Study study = of_cases(10);
     study.model.outputs[0].name = one.output;
-    const double value = one.bound == at_least ? 1 : 3;
-    study.limits = {{.output = 0, .limit = {.bound = one.bound, .value = 2}, .allowed = 0.1}};
+    const double value = one.bound == at_least ? 0.5 : 3;
+    study.limits = {{.output = 0, .limit = {.bound = one.bound, .value = 1}, .allowed = 0.1}};
     StudyData data;
     data.outputs = {std::vector<double>(10, value)};
     for (const bool fact : {false, true}) {

@@ -408,6 +408,73 @@ TEST(Study, AFactorAtRestPassesNoMotion) {
   EXPECT_THAT(verdict_of(r)->reason, HasSubstr("more than twice the tension at rest"));
 }
 
+/// A boom that a rope holds and from which a load hangs on another one. It fails as a member, at 1.26 of what it bears.
+std::string boom_deck(const std::string& checks, const std::string& study) {
+  return "taut: 1\n"
+         "machine:\n"
+         "  points: {foot: [0 m, 0 m, 0 m], head: [6 m, 0 m, 8 m], wall: [0 m, 0 m, 12 m]}\n"
+         "  ropes:\n"
+         "    t: {rope: 'EN 12385-4|6x36-IWRC|16|1960'}\n"
+         "    p: {mass: 0.5 kg/m, stiffness: 10 MN, breaking_force: 120 kN}\n"
+         "  bodies: {hook: {mass: 10 kg, at: [6 m, 0 m, 3 m], free: [x, z]}}\n"
+         "  beams: {boom: {from: foot, to: head, section: CHS 88.9x5, steel: S355, base: clamped}}\n"
+         "  reevings:\n"
+         "    - {rope: t, path: [{anchor: wall}, {anchor: boom.top}], length: 7.2 m}\n"
+         "    - {rope: p, path: [{anchor: boom.top}, {anchor: hook}], length: 5 m}\n"
+         "  loads: [{at: hook, mass: 3 t}]\n"
+         "analyses: [{equilibrium: {}}]\n" +
+         checks +
+         "study:\n"
+         "  vary: {'machine.loads[0].mass': {uniform: {low: 2.9 t, high: 3.1 t}}}\n"
+         "  samples: 16\n" +
+         study;
+}
+
+const char* const factors = "checks: {ropes: {t: {safety_factor: 3}, p: {safety_factor: 3}}";
+
+// The boom fails in each case, and no case makes its check: the study says so, as it does where the deck has no check.
+TEST(Study, APartThatTheDeckChecksAndNoCaseIsNotJudged) {
+  const std::string mast = std::string(factors) + ", masts: {boom: {load_factor: 1.5, gamma_M1: 1.1}}}\n";
+  const std::string of_ropes =
+      "  of: [equilibrium.p.safety_factor, equilibrium.t.safety_factor]\n"
+      "  limit: {equilibrium.p.safety_factor: {at_least: 3, allowed: 0.9}, equilibrium.t.safety_factor: {at_least: 3, "
+      "allowed: 0.9}}\n";
+  const Result r = whole(boom_deck(mast, of_ropes));
+  ASSERT_EQ(r.status, Status::ok) << r.message << to_text(r.errors);
+  EXPECT_EQ(verdict_of(r)->verdict_class, "unmade") << verdict_of(r)->reason;
+  EXPECT_THAT(verdict_of(r)->reason, HasSubstr("the deck as it is fails boom.member, which no case makes"));
+  EXPECT_THAT(r.unjudged, testing::ElementsAre(HasSubstr("boom (no case makes the deck's boom.")));
+  // of a boom that passes alone, too: the cases may be beyond what the deck is
+  std::string strong = boom_deck(mast, of_ropes);
+  strong.replace(strong.find("CHS 88.9x5"), 10, "CHS 219.1x10");
+  EXPECT_EQ(verdict_of(run({.text = strong, .name = "deck.yaml", .set = {}, .progress = {}}))->kind,
+            VerdictKind::passes);
+  EXPECT_EQ(verdict_of(whole(strong))->verdict_class, "unasked");
+  // the check of each case is that of the deck
+  const std::string of_checks =
+      "  of: [checks.p.safety_factor, checks.boom.member]\n"
+      "  limit: {checks.p.safety_factor: {at_least: 3, allowed: 0.9}}\n";
+  EXPECT_THAT(verdict_of(whole(boom_deck(mast, of_checks)))->reason, HasSubstr("fail boom.member"));
+  strong.replace(strong.find(of_ropes), of_ropes.size(), of_checks);
+  EXPECT_EQ(verdict_of(whole(strong))->kind, VerdictKind::passes) << verdict_of(whole(strong))->reason;
+}
+
+// A tension or a stress that nothing reaches before it breaks or yields is no limit of strength.
+TEST(Study, ALimitBeyondBreakingOrYieldIsNoneOfStrength) {
+  const auto unjudged = [](const std::string& limits) {
+    return whole(boom_deck("", "  of: [equilibrium.T_max, equilibrium.boom.stress_max]\n  limit: {" + limits + "}\n"))
+        .unjudged;
+  };
+  const std::string stress = ", equilibrium.boom.stress_max: {at_most: ";
+  EXPECT_THAT(unjudged("equilibrium.T_max: {at_most: 110 kN, allowed: 0.9}" + stress + "355 MPa, allowed: 0.9}"),
+              testing::IsEmpty());
+  // 120 kN break the one rope, 178.6 kN the other
+  EXPECT_THAT(
+      unjudged("equilibrium.T_max: {at_most: 150 kN, allowed: 0.9}" + stress + "5000 MPa, allowed: 0.9}"),
+      testing::UnorderedElementsAre("p (the limit of equilibrium.T_max is beyond breaking or yield)",
+                                    "boom (the limit of equilibrium.boom.stress_max is beyond breaking or yield)"));
+}
+
 TEST(Study, ALimitOfTheOtherSideLeavesAFailedCheckToJudge) {
   const Result r = whole(two_places("equilibrium_mid.sky.T_max: {at_least: 10 kN}",
                                     "equilibrium_mid.sky.T_max, checks.sky.safety_factor"));
