@@ -105,6 +105,9 @@ void solve_states(const MachineDeck& deck, results::MachineRun& run, Result& r) 
     if (r.interrupted) break;
     study::Watch watch(run.progress, "load path" + one.ending, one.way.steps + 1);
     study::solve(run.model, one, watch);
+    if (const auto words = study::left_out_words(run.model, one.way)) {
+      r.warnings.push_back(fmt::format("load path{}, {}: {}", one.ending, one.words, *words));
+    }
     note_missing(one, r);
     warn_of_senses(deck.machine, run.model, one, r);
     watch.note(r);

@@ -24,7 +24,7 @@ CheckedParts::CheckedParts(const CheckedDeck& given, const machine::Model& model
   carriages = carriage_states(given, model);
   if (!given.checks) return;
   guys = guy_states(given.checks->guys, given, model);
-  anchors = anchor_states(given.checks->anchors);
+  anchors = anchor_states(given.checks->anchors, given.machine, model);
   lines = line_states(given.checks->lines, model);
   masts = mast_states(given.checks->masts, given, model);
   supports = support_states(given.checks->supports);

@@ -134,7 +134,7 @@ AskedChecks resolve(const CheckedDeck& deck, const machine::Model& model, std::v
   asked.ropes = resolve_ropes(*deck.checks, deck, model, complaints);
   complain_of_masts(deck.checks->masts, deck, model, complaints);
   complain_of_guys(deck.checks->guys, deck, model, complaints);
-  complain_of_anchors(deck.checks->anchors, model, complaints);
+  complain_of_anchors(deck.checks->anchors, deck.machine, model, complaints);
   complain_of_lines(deck.checks->lines, model, complaints);
   complain_of_supports(deck.checks->supports, model, complaints);
   complain_of_yarders(deck.checks->yarders, model, complaints);

@@ -10,7 +10,9 @@ const Description& ChecksRequest::describe() {
           .named_records(&ChecksRequest::masts, "masts",
                          "by the name of a beam, or of a mast that is described here with its section and loads")
           .named_records(&ChecksRequest::guys, "guys", "by the name of a guy, or of a rope with all guys of it")
-          .named_records(&ChecksRequest::anchors, "anchors", "by the name of a point at which ropes end")
+          .named_records(&ChecksRequest::anchors, "anchors",
+                         "by the name of a point at which ropes end or beams stand, or of a body that turns on a joint "
+                         "in the ground")
           .named_records(&ChecksRequest::lines, "lines", "by the name of a reeving over supports")
           .named_records(&ChecksRequest::supports, "supports",
                          "trees that carry a line, by the name of the support or sheave on them")

@@ -106,7 +106,10 @@ void RopeLengthsSeen::take(const machine::Model& model, const solve::Equilibrium
 }
 
 Judge::Judge(const CheckedDeck& deck, const machine::Model& model)
-    : deck_(std::make_shared<const CheckedDeck>(deck)), model_(&model), beams_(model.beams.size()) {}
+    : deck_(std::make_shared<const CheckedDeck>(deck)),
+      model_(&model),
+      beams_(model.beams.size()),
+      footings_(footings_of(deck.machine, model)) {}
 
 void Judge::warn(const std::string& once, const std::string& text, bool unsafe, double size) {
   const auto [at, is_new] = known_.try_emplace(once, warned_.size());
@@ -243,6 +246,7 @@ void Judge::take_empty(const machine::Model& m, const solve::EquilibriumResult& 
   take_ropes(m, e, words);
   take_heights(m, e, words);
   take_beams(e, words);
+  take_footings(m, e, words);
   take_contacts(m, e, words);
   take_slack(m, e, words);
 }
@@ -250,6 +254,7 @@ void Judge::take_empty(const machine::Model& m, const solve::EquilibriumResult& 
 void Judge::take_put_up(const machine::Model& m, const solve::EquilibriumResult& e, const std::string& words) {
   take_ropes(m, e, words);
   take_beams(e, words);
+  take_footings(m, e, words);
 }
 
 void Judge::take_ropes(const machine::Model& m, const solve::EquilibriumResult& e, const std::string& words) {
@@ -289,6 +294,7 @@ void Judge::take(const machine::Model& m, const solve::EquilibriumResult& e, con
   for (int i = 0; i < static_cast<int>(m.reevings.size()); ++i) ropes_[m.reevings[i].name].lengths.take(m, e, i);
   take_heights(m, e, words);
   take_beams(e, words);
+  take_footings(m, e, words);
   take_contacts(m, e, words);
   take_slack(m, e, words);
   take_places(m, e, words);

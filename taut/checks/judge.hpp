@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "taut/calc/result.hpp"
+#include "taut/checks/anchor/footing.hpp"
 #include "taut/checks/check_state.hpp"
 #include "taut/checks/checked_deck.hpp"
 #include "taut/checks/off_groove.hpp"
@@ -122,10 +123,6 @@ class Judge {
     double x = 0;                                            ///< along the terrain, m
     std::string part, where;                                 ///< "skyline between head and car", "load path, x = 12 m"
   };
-  /// Where a carriage has stood without terrain below it, m along the terrain.
-  struct Beyond {
-    double low = std::numeric_limits<double>::infinity(), high = -low;
-  };
   /// Where a rope, or a carriage on it, has been farthest off the line of the terrain in plan.
   struct OffLine {
     double distance = 0, x = 0;  ///< m; m along the terrain
@@ -155,6 +152,8 @@ class Judge {
   void warn_of_buried(const machine::Model& model, const std::string& words);
   void warn_of_sunk(const machine::Model& m, const machine::State& state, const std::string& words);
   void take_beams(const solve::EquilibriumResult& state, const std::string& words);
+  void take_footings(const machine::Model& model, const solve::EquilibriumResult& state, const std::string& words);
+  bool holds_uplift(const std::string& anchor) const;
   /// `once`: what it is of, whatever the state; of several states the one with the largest `size`, else the first.
   void warn(const std::string& once, const std::string& text, bool unsafe, double size = 0);
   void take_contacts(const machine::Model& model, const solve::EquilibriumResult& state, const std::string& words);
@@ -195,10 +194,11 @@ class Judge {
   std::map<std::string, Height> carriages_, rope_heights_;
   std::set<std::string> off_ground_;         ///< ropes of which a part leaves the corridor of the terrain
   std::set<std::string> slack_over_ground_;  ///< ropes that were slack over terrain: how low they hang is not known
-  std::map<std::string, Beyond> beyond_;     ///< carriages
-  std::map<std::string, OffLine> off_line_;  ///< ropes
-  std::map<std::string, study::TerrainGap> gaps_;  ///< of ropes, the largest of one state
+  std::map<std::string, study::TerrainGap> beyond_;  ///< how far carriages have stood from the ends of the terrain
+  std::map<std::string, OffLine> off_line_;          ///< ropes
+  std::map<std::string, study::TerrainGap> gaps_;    ///< of ropes, the largest of one state
   std::vector<BeamWorst> beams_;
+  std::vector<Footing> footings_;
   OffGroove off_groove_;
   TwoBlocked two_blocked_;
   std::vector<Warned> warned_;

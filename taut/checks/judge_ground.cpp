@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -9,11 +10,12 @@
 #include "taut/study/line/rope_clearance.hpp"
 #include "taut/study/load_path.hpp"
 
-/// What a judge says of carriages and ropes over the ground.
+/// What a judge says of carriages and ropes over the ground, and of what the ground holds.
 namespace taut::checks {
 namespace {
 
-constexpr double rough = 0.1;  ///< m; a terrain is not surveyed better
+constexpr double rough = 0.1;       ///< m; a terrain is not surveyed better
+constexpr double of_forces = 1e-6;  ///< a force on the ground is none to this share of the machine's largest one
 
 /// Whether the deck asks for the clearance of a rope: then its check tells where it is not known.
 bool asks_clearance(const std::optional<ChecksRequest>& checks, const std::string& rope) {
@@ -82,9 +84,9 @@ void Judge::take_carriage(const machine::Model& m, const machine::Carriage& car,
   take_off_line(m, car.reeving, place, where);
   take_height(car.name, "carriage " + car.name, place.z() - ground, x, where, carriages_);
   if (!std::isnan(ground)) return;
-  Beyond& beyond = beyond_[car.name];
-  beyond.low = std::min(beyond.low, x);
-  beyond.high = std::max(beyond.high, x);
+  study::TerrainGap& beyond = beyond_[car.name];
+  beyond.before = std::max(beyond.before, m.terrain.front().x - x);
+  beyond.after = std::max(beyond.after, x - m.terrain.back().x);
 }
 
 void Judge::take_gap(const std::string& rope, const study::TerrainGap& gap) {
@@ -165,6 +167,34 @@ void Judge::warn_of_sunk(const machine::Model& m, const machine::State& state, c
   }
 }
 
+/// Whether a check asks for what an anchor holds upwards.
+bool Judge::holds_uplift(const std::string& anchor) const {
+  if (!deck_->checks) return false;
+  const auto& asked = deck_->checks->anchors;
+  return std::any_of(asked.begin(), asked.end(),
+                     [&](const auto& one) { return one.name == anchor && (one.uplift || one.strength); });
+}
+
+/// The engine holds a foot both ways, the ground only what presses on it.
+void Judge::take_footings(const machine::Model& m, const solve::EquilibriumResult& e, const std::string& words) {
+  std::vector<Vector3> forces;
+  double largest = 0;
+  for (const solve::RopeResult& rope : e.ropes) largest = std::max(largest, rope.T_max);
+  for (const Footing& one : footings_) largest = std::max(largest, forces.emplace_back(force_on(one, m, e)).norm());
+  for (std::size_t i = 0; i < footings_.size(); ++i) {
+    const Footing& one = footings_[i];
+    const double uplift = forces[i].z();
+    if (!(uplift > of_forces * largest) || holds_uplift(one.name)) continue;
+    const std::string what = one.of.empty() ? fmt::format("the joint of '{}'", one.name)
+                                            : fmt::format("the foot of {} at '{}'", fmt::join(one.of, ", "), one.name);
+    warn(one.name + " pulled up",
+         fmt::format("{}: {} is pulled up with {:.4g} kN: it must be anchored to hold it; 'uplift' or 'strength' of "
+                     "'checks: anchors: {}' says what it holds",
+                     words, what, uplift / 1e3, one.name),
+         true, uplift);
+  }
+}
+
 void Judge::add_heights(Result& r) const {
   const auto add = [&](const std::map<std::string, Height>& all, const char* name) {
     const Height* least = nullptr;
@@ -223,10 +253,12 @@ void Judge::add_off_line(Result& r) const {
 void Judge::add_gaps(Result& r) const {
   constexpr double to_anchor = 6;  // m
   for (const auto& [car, beyond] : beyond_) {
-    warn_unsafe(r, fmt::format("{} stands at x = {:.4g} m{} without terrain below it: its height is not judged there; "
-                               "give the ground under all of its way",
-                               car, beyond.low,
-                               beyond.high > beyond.low ? fmt::format(" to {:.4g} m", beyond.high) : std::string{}));
+    std::vector<std::string> where;
+    if (beyond.before > 0) where.push_back(fmt::format("{:.4g} m before the first place", beyond.before));
+    if (beyond.after > 0) where.push_back(fmt::format("{:.4g} m behind the last place", beyond.after));
+    warn_unsafe(r, fmt::format("{} stands up to {} of the terrain: its height is not judged there; give the ground "
+                               "under all of its way",
+                               car, fmt::join(where, " and up to ")));
   }
   for (std::size_t i = 0; i < deck_->machine.reevings.size(); ++i) {
     const std::string& rope = model_->reevings[i].name;

@@ -493,24 +493,27 @@ analyses: [transient: {duration: 0.1 s}]
 
 // The ground is known up to 140 m only.
 TEST(Judge, WhereTheTerrainEndsTheAnswerPassesWithWarningsAtBest) {
-  const auto with = [](const std::string& ends, const std::string& from) {
+  const auto with = [](const std::string& ends, const std::string& from, const std::string& begins = "-10 m") {
     return run_text(R"(taut: 1
 machine:
   points: {A: [0 m, 0 m, 20 m], B: [200 m, 0 m, 20 m]}
   ropes: {sky: {mass: 1.7 kg/m, stiffness: 20 MN, breaking_force: 300 kN, diameter: 20 mm}}
   carriages: {car: {mass: 300 kg, rides: sky, hold: clamped}}
   reevings: [{rope: sky, path: [{anchor: A}, {through: car}, {anchor: B}], length: 203 m}]
-  terrain: {x: [-10 m, )" +
-                    ends + "], z: [0 m, 1 m]}\nanalyses:\n  - load_path: {carriage: car, from: " + from +
+  terrain: {x: [)" + begins +
+                    ", " + ends + "], z: [0 m, 1 m]}\nanalyses:\n  - load_path: {carriage: car, from: " + from +
                     ", to: 190 m, steps: 4}\nchecks: {ropes: {sky: {safety_factor: 3}}}\n");
   };
   const Result beyond = with("140 m", "150 m");
   EXPECT_EQ(verdict_of(beyond)->kind, VerdictKind::passes_with_warnings) << verdict_of(beyond)->reason;
-  EXPECT_THAT(beyond.unsafe, Contains(HasSubstr("car stands at x = 150 m to 190 m without terrain below it")));
+  EXPECT_THAT(beyond.unsafe, Contains(HasSubstr("car stands up to 50 m behind the last place of the terrain:")));
   EXPECT_THAT(beyond.unsafe, Contains(HasSubstr("sky: its clearance is not judged on 60 m")));
   const Result near = with("195 m", "150 m");
   EXPECT_THAT(near.unsafe, IsEmpty()) << "5 m from the anchor the rope may be in the ground";
   EXPECT_THAT(with("210 m", "150 m").unsafe, IsEmpty());
+  EXPECT_THAT(with("140 m", "10 m", "30 m").unsafe,
+              Contains(HasSubstr("car stands up to 20 m before the first place and up to 50 m behind the last place of "
+                                 "the terrain:")));
 }
 
 // The stump stands 18 m beside the line, 5 m below the ground there; a guy along the line is in the ground.

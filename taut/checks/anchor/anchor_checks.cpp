@@ -36,7 +36,8 @@ const Quantities<AnchorStates>& anchor_quantities() {
   using Row = AnchorStates;
   static const Quantities<Row> all = {
       {"name", "", si::one, "the anchor, or the point where ropes end", [](const Row& s) { return s.request->name; }},
-      {"force", "F", si::N, "largest pull of all ropes together that end there or run over it, without factors",
+      {"force", "F", si::N,
+       "largest pull of all that ends there, runs over it, or stands on it and pulls it up, without factors",
        [](const Row& s) { return s.pull.norm(); }},
       {"horizontal", "", si::N, "its horizontal part", [](const Row& s) { return std::hypot(s.pull.x(), s.pull.y()); }},
       {"upwards", "", si::N, "its vertical part, uplift positive", [](const Row& s) { return s.pull.z(); }},
@@ -60,13 +61,23 @@ TableWords anchor_words() {
       .name = "anchor_forces", .rows = "every anchor of `checks: anchors:`", .columns = words_of(anchor_quantities())};
 }
 
-void complain_of_anchors(const std::vector<AnchorCheckRequest>& anchors, const machine::Model& model,
-                         std::vector<Complaint>& complaints) {
-  const std::vector<std::string> known = anchors_of(model);
+void complain_of_anchors(const std::vector<AnchorCheckRequest>& anchors, const machine::Machine& described,
+                         const machine::Model& model, std::vector<Complaint>& complaints) {
+  const std::vector<std::string> of_ropes = anchors_of(model);
+  std::vector<std::string> known = of_ropes;
+  for (const Footing& one : footings_of(described, model)) known.push_back(one.name);
+  const auto has = [](const std::vector<std::string>& names, const std::string& name) {
+    return std::find(names.begin(), names.end(), name) != names.end();
+  };
   for (const AnchorCheckRequest& one : anchors) {
     const std::string path = fmt::format("checks.anchors.{}", one.name);
-    if (std::find(known.begin(), known.end(), one.name) == known.end()) {
-      complaints.push_back({path, fmt::format("no rope ends at '{}'{}", one.name, did_you_mean(one.name, known))});
+    if (!has(known, one.name)) {
+      complaints.push_back({path, fmt::format("no rope ends at '{}', and nothing stands there{}", one.name,
+                                              did_you_mean(one.name, known))});
+    } else if (!has(of_ropes, one.name) && (one.as_strong_as_rope || one.tree_diameter || one.fastening)) {
+      complaints.push_back({path, fmt::format("no rope ends at '{}': 'as_strong_as_rope', 'tree_diameter' and "
+                                              "'fastening' are for what holds ropes",
+                                              one.name)});
     }
     if (one.fastening && one.fastening->spikes && one.fastening->staples) {
       complaints.push_back({path + ".fastening", "either 'spikes' or 'staples'"});
@@ -76,12 +87,16 @@ void complain_of_anchors(const std::vector<AnchorCheckRequest>& anchors, const m
   }
 }
 
-std::vector<AnchorStates> anchor_states(const std::vector<AnchorCheckRequest>& anchors) {
+std::vector<AnchorStates> anchor_states(const std::vector<AnchorCheckRequest>& anchors,
+                                        const machine::Machine& described, const machine::Model& model) {
+  const std::vector<Footing> footings = footings_of(described, model);
   std::vector<AnchorStates> all;
   for (const AnchorCheckRequest& one : anchors) {
     AnchorStates& anchor = all.emplace_back();
     anchor.request = &one;
     anchor.tree.level = one.ground_slope == 0;
+    const auto own = std::find_if(footings.begin(), footings.end(), [&](const auto& f) { return f.name == one.name; });
+    if (own != footings.end()) anchor.footing = *own;
   }
   return all;
 }
@@ -108,6 +123,24 @@ double strongest_together(const std::vector<Vector3>& ropes) {
   return largest;
 }
 
+/// Adds what stands there where it pulls up: what presses does not hold down the ropes beside it. The force of a body
+/// on its joint has that of the ropes at its origin in it.
+void add_footing(const CheckState& state, Vector3& F, AnchorStates& anchor) {
+  if (!anchor.footing) return;
+  const bool beams = !anchor.footing->of.empty();
+  if (state.rest == nullptr) {
+    if (!beams && anchor.unknown.empty()) anchor.unknown = state.words;
+    return;
+  }
+  const Vector3 force = force_on(*anchor.footing, *state.model, *state.rest);
+  if (force.z() > 0) {
+    F = beams ? F + force : force;
+  } else if (F.norm() == 0 && anchor.uplift < 0) {
+    anchor.uplift = 0;
+    anchor.where_uplift = state.words;
+  }
+}
+
 }  // namespace
 
 void take(const CheckState& state, AnchorStates& anchor) {
@@ -123,8 +156,13 @@ void take(const CheckState& state, AnchorStates& anchor) {
     anchor.thickest_rope = std::max(anchor.thickest_rope, pull.rope.diameter);
   });
   anchor.strongest_rope = std::max(anchor.strongest_rope, strongest_together(strengths));
+  const bool ropes = F.norm() > 0;
+  anchor.ropes |= ropes;
+  add_footing(state, F, anchor);
   if (F.norm() == 0) return;
-  anchor.tree.take(factor * F.norm(), elevation(F) - anchor.request->ground_slope, with_factor(state.words, factor));
+  if (ropes) {
+    anchor.tree.take(factor * F.norm(), elevation(F) - anchor.request->ground_slope, with_factor(state.words, factor));
+  }
   if (factor * F.norm() > anchor.force) {
     anchor.force = factor * F.norm();
     anchor.pull = F;
@@ -209,17 +247,25 @@ void check_fastening(const AnchorStates& s, Result& r) {
 void add_anchor_checks(const std::vector<AnchorStates>& anchors, Result& r) {
   bool reported = false;
   for (const AnchorStates& s : anchors) {
-    if (s.force == 0) {
-      r.unmade.push_back(fmt::format("{} is not checked: no load case of the deck pulls at it", s.request->name));
+    const AnchorCheckRequest& one = *s.request;
+    if (!s.unknown.empty()) {
+      r.unmade.push_back(fmt::format("{} is not checked in a motion ({}), which does not know the force on its joint",
+                                     one.name, s.unknown));
+      r.warnings.push_back(r.unmade.back());
+    }
+    const bool pressed = s.force == 0 && s.uplift == 0;
+    if (s.force == 0 && !(pressed && one.uplift && !one.strength && !one.angle)) {
+      r.unmade.push_back(fmt::format("{} is not checked: no load case of the deck pulls at it", one.name));
       r.warnings.push_back(r.unmade.back());
       continue;
     }
-    if (!reported) r.assumptions.emplace_back(fastening);
-    reported = true;
-    add_anchor_row(s, r);
-    check_holding(s, r);
+    if (!reported && s.ropes) r.assumptions.emplace_back(fastening);
+    reported |= s.ropes;
+    if (!pressed) {
+      add_anchor_row(s, r);
+      check_holding(s, r);
+    }
     check_fastening(s, r);
-    const AnchorCheckRequest& one = *s.request;
     if (one.uplift) {
       add_part_check(one.name, "anchor_uplift", s.uplift, si::N,
                      {.sense = Sense::at_most,

@@ -1,12 +1,14 @@
 #pragma once
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "taut/calc/quantity.hpp"
 #include "taut/checks/anchor/anchor_tree.hpp"
+#include "taut/checks/anchor/footing.hpp"
 #include "taut/checks/check_state.hpp"
 #include "taut/checks/checked_deck.hpp"
 #include "taut/checks/guy/guy_checks_deck.hpp"
@@ -37,9 +39,11 @@ void take_put_up(const CheckState& state, const std::string& name, GuyStates& gu
 void take_motion(const CheckState& begins, const solve::TransientResult& motion, const std::string& words, bool slowly,
                  GuyStates& guy);
 
-/// A place at which ropes end, over all states that were shown. As above.
+/// A place at which ropes end, or on which a part of the machine stands, over all states that were shown. As above.
+/// What stands there counts where it pulls the place up.
 struct AnchorStates {
   const AnchorCheckRequest* request = nullptr;
+  std::optional<Footing> footing;
   double force = 0, uplift = -HUGE_VAL, angle = -HUGE_VAL;  ///< N, N, rad
   Vector3 pull = Vector3::Zero();                           ///< where the force is largest, without a factor, N
   double factor = 1;                                        ///< in `force`: the dynamic factor of a state at rest
@@ -48,8 +52,11 @@ struct AnchorStates {
   double strongest_rope = 0;  ///< breaking forces of its ropes, all copies, as far as they pull together, N
   bool strength_unknown = false;
   double thickest_rope = 0;  ///< m; 0: not known
+  bool ropes = false;        ///< ropes pull at it
+  std::string unknown;       ///< the first moment of a motion, which does not know the force of a body on its joint
 };
-std::vector<AnchorStates> anchor_states(const std::vector<AnchorCheckRequest>& anchors);
+std::vector<AnchorStates> anchor_states(const std::vector<AnchorCheckRequest>& anchors,
+                                        const machine::Machine& described, const machine::Model& model);
 void take(const CheckState& state, AnchorStates& anchor);
 
 /// One value over all states.
@@ -87,8 +94,8 @@ void complain_of_guys(const std::vector<GuyCheckRequest>& guys, const CheckedDec
 void add_guy_checks(const std::vector<GuyStates>& guys, const CheckedDeck& deck, const machine::Model& model,
                     Result& r);
 
-void complain_of_anchors(const std::vector<AnchorCheckRequest>& anchors, const machine::Model& model,
-                         std::vector<Complaint>& complaints);
+void complain_of_anchors(const std::vector<AnchorCheckRequest>& anchors, const machine::Machine& described,
+                         const machine::Model& model, std::vector<Complaint>& complaints);
 void add_anchor_checks(const std::vector<AnchorStates>& anchors, Result& r);
 /// The table `anchor_forces` as described.
 TableWords anchor_words();

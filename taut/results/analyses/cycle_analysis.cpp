@@ -9,6 +9,7 @@
 #include "taut/results/analyses/analyses.hpp"
 #include "taut/results/described.hpp"
 #include "taut/study/deck/watch.hpp"
+#include "taut/study/line/carriage_way.hpp"
 
 namespace taut::results {
 namespace {
@@ -151,6 +152,9 @@ void add_answer(const study::CycleRun& asked, MachineRun& machine, Result& r) {
   for (std::size_t i = 0; i < run.answers.size(); ++i) {
     const study::PhaseAnswer& answer = run.answers[i];
     const std::string words = fmt::format("cycle{}, {}", run.ending, run.phases[i].name);
+    if (const auto left_out = study::left_out_words(machine.model, run.phases[i].way)) {
+      r.warnings.push_back(fmt::format("{}: {}", words, *left_out));
+    }
     answer.missing.note(r, words, machine.checked->judged);
     complete = complete && !answer.missing.any();
     if (const auto wrong = study::wrong_senses(answer.senses)) {

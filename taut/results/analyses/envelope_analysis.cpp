@@ -7,6 +7,7 @@
 #include "taut/results/analyses/analyses.hpp"
 #include "taut/results/described.hpp"
 #include "taut/study/deck/watch.hpp"
+#include "taut/study/line/carriage_way.hpp"
 
 namespace taut::results {
 namespace {
@@ -51,6 +52,9 @@ void add_answer(const study::EnvelopeRun& asked, MachineRun& machine, Result& r)
   }
   watch.note(r);
   run.missing.note(r, "envelope" + run.ending, machine.checked->judged);
+  if (const auto words = run.carriage ? study::left_out_words(machine.model, run.way) : std::nullopt) {
+    r.warnings.push_back(fmt::format("envelope{}: {}", run.ending, *words));
+  }
   if (run.on_support) r.warnings.emplace_back("envelope: positions on a support are left out");
   if (run.extremes.empty()) return;
   r.tables.push_back(envelope_table(run, "", si::N, true));

@@ -18,6 +18,7 @@
 #include "taut/results/load_path_table.hpp"
 #include "taut/study/deck/missing.hpp"
 #include "taut/study/deck/watch.hpp"
+#include "taut/study/line/carriage_way.hpp"
 #include "taut/units/display.hpp"
 
 namespace taut::results {
@@ -329,6 +330,9 @@ std::vector<NothingCarried> add_nothing(const MachineRun& machine, const study::
 
 void add_results(MachineRun& machine, const study::PayloadRun& run, Result& r) {
   study::Missing missing;
+  if (const auto words = study::left_out_words(machine.model, run.way)) {
+    r.warnings.push_back(fmt::format("payload{}, {}: {}", run.ending, run.words, *words));
+  }
   for (const study::PayloadPosition& one : run.positions) {
     const std::string where = fmt::format("payload, x = {:.6g} m", one.point.x);
     if (!one.support.empty()) {

@@ -306,4 +306,47 @@ analyses: [payload: {carriage: car, from: 140 m, to: 160 m, steps: 1, limits: {s
   EXPECT_NE(r.unmade[0].find("'drop' that hangs 'hook' there does not carry it"), std::string::npos) << r.unmade[0];
 }
 
+/// A model of a skyline on a bench: 1 m between two saddles.
+std::string on_bench(const std::string& loads, const std::string& analyses, double safety_factor) {
+  return fmt::format(R"(taut: 1
+machine:
+  points: {{a: [-0.5 m, 0 m, 0 m], b: [1.5 m, 0 m, 0 m]}}
+  ropes: {{sky: {{mass: 0.02 kg/m, stiffness: 100 kN, breaking_force: 1.5 kN}}}}
+  supports:
+    s1: {{at: [0 m, 0 m, 0.8 m], diameter: 40 mm, friction: 0.1}}
+    s2: {{at: [1 m, 0 m, 0.8 m], diameter: 40 mm, friction: 0.1}}
+  carriages: {{car: {{mass: 0.2 kg, rides: sky, hold: clamped}}}}
+  reevings:
+    - {{rope: sky, path: [{{anchor: a}}, {{over: s1}}, {{through: car}}, {{over: s2}}, {{anchor: b}}], install: {{tension: 80 N}}}}
+{}analyses: [{}]
+checks: {{ropes: {{sky: {{safety_factor: {}}}}}}}
+)",
+                     loads, analyses, safety_factor);
+}
+
+TEST(PayloadAnalysis, AShortSpanIsLookedAtInItsMiddleToo) {
+  const Result r = run_text(on_bench("",
+                                     "payload: {carriage: car, from: 0.1 m, to: 0.9 m, steps: 16, limits: {sky: "
+                                     "{safety_factor: 5}}}",
+                                     1));
+  ASSERT_EQ(r.status, Status::ok) << r.message << to_text(r.errors);
+  EXPECT_EQ(table_of(r, "payload").rows.size(), 17U) << "none is nearer than a tenth of the span beside the saddles";
+  const auto with = [](double mass, const std::string& analysis, double safety_factor) {
+    return run_text(on_bench(fmt::format("  loads: [{{at: car, mass: {:.12g} kg}}]\n", mass), analysis, safety_factor));
+  };
+  const double payload = value_of(r, "payload_min");
+  const std::string middle = "equilibrium: {carriage: car, x: 0.5 m}";
+  EXPECT_TRUE(check_of(with(0.999 * payload, middle, 5), "sky.safety_factor").passes);
+  EXPECT_FALSE(check_of(with(8.741, middle, 5), "sky.safety_factor").passes) << "what the ends of the way alone carry";
+  const Result path = with(8.741, "load_path: {carriage: car, from: 0.1 m, to: 0.9 m, steps: 16}", 3.7);
+  EXPECT_EQ(table_of(path, "load_path").rows.size(), 17U);
+  EXPECT_NEAR(check_of(path, "sky.safety_factor").value, check_of(with(8.741, middle, 3.7), "sky.safety_factor").value,
+              1e-6);
+  // 0.065 m and 0.095 m from the saddles
+  const Result near = with(1, "load_path: {carriage: car, from: 0.035 m, to: 0.965 m, steps: 31}", 1);
+  EXPECT_TRUE(std::any_of(near.warnings.begin(), near.warnings.end(), [](const std::string& one) {
+    return one.find("load path, at rest: 4 of 32 places are left out") == 0;
+  }));
+}
+
 }  // namespace payload_analysis_test

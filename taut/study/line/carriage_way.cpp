@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <utility>
 
 #include "taut/base/array.hpp"
@@ -25,18 +26,36 @@ std::optional<Vector3> stays_at(const machine::Model& model, const machine::Node
 
 constexpr double beside = 0.01;       ///< m: farther from a support than where a carriage is on it
 constexpr double half_carriage = 1;   ///< m: of a carriage that is a point; nearer to a support its length counts
+constexpr double of_span = 0.1;       ///< or this share of the span beside it: on a short one no carriage is as long
 constexpr double least_reach = 1e-6;  ///< m: of what has no radius
 
 /// Around a support or guide, the coordinates along a way at which a carriage is on it.
 struct Zone {
   const machine::Node* node = nullptr;
   double middle = 0, reach = 0;  ///< m
-  double near = 0;               ///< from the middle to the places next to it, m; 0: an end, which is not passed
-  bool point = false;            ///< the carriage is a point: steps nearer than `near` are left out
+  double clear = 0;              ///< from the middle to where its round, or a carriage with a length, ends, m
+  bool end = false;              ///< not passed
+  bool point = false;            ///< the carriage is a point: its length is not known
+  /// Where the place next to it at either side is, m along the way; of a point steps that are nearer are left out.
+  double low = 0, high = 0;
 
   bool has(double x) const { return std::abs(middle - x) <= reach; }
-  bool is_too_near(double x) const { return point && !has(x) && std::abs(middle - x) < near - beside; }
+  bool is_too_near(double x) const { return point && !end && !has(x) && low + beside < x && x < high - beside; }
 };
+
+/// Sets `low` and `high` of each by the spans beside it.
+void set_places_beside(Array<Zone>& zones) {
+  for (Zone& zone : zones) {
+    double before = half_carriage, behind = half_carriage;
+    for (const Zone& other : zones) {
+      if (zone.has(other.middle)) continue;
+      double& own = other.middle < zone.middle ? before : behind;
+      own = std::min(own, of_span * std::abs(other.middle - zone.middle));
+    }
+    zone.low = zone.middle - zone.clear - (zone.point ? before : beside);
+    zone.high = zone.middle + zone.clear + (zone.point ? behind : beside);
+  }
+}
 
 /// How far the outer rollers are from the middle of a carriage, m.
 double half_length(const machine::Model& model, const machine::Carriage& car) {
@@ -57,16 +76,19 @@ Array<Zone> zones_of(const machine::Model& model, int carriage, const Vector3& a
     all.push_back({.node = &node,
                    .middle = place->dot(along),
                    .reach = std::max(node.radius + half, least_reach),
-                   .near = end ? 0 : node.radius + (half > 0 ? half + beside : half_carriage),
-                   .point = half == 0 && !end});
+                   .clear = node.radius + half,
+                   .end = end,
+                   .point = half == 0});
   }
   for (const machine::PlacedGuide& guide : machine::guides_ahead_of(model, carriage)) {
     all.push_back({.node = guide.node,
                    .middle = guide.place.dot(along),
                    .reach = std::max(guide.node->radius, least_reach),
-                   .near = guide.node->radius + (half > 0 ? half + beside : half_carriage),
+                   .clear = guide.node->radius + half,
+                   .end = false,
                    .point = half == 0});
   }
+  set_places_beside(all);
   return all;
 }
 
@@ -80,8 +102,8 @@ Array<double> places_beside(const Array<Zone>& zones, double from, double to) {
   Array<double> all;
   const auto [low, high] = std::minmax(from, to);
   for (const Zone& zone : zones) {
-    if (zone.near == 0) continue;
-    for (const double x : {zone.middle - zone.near, zone.middle + zone.near}) {
+    if (zone.end) continue;
+    for (const double x : {zone.low, zone.high}) {
       if (low < x && x < high && zone_at(zones, x) == nullptr) all.push_back(x);
     }
   }
@@ -89,6 +111,13 @@ Array<double> places_beside(const Array<Zone>& zones, double from, double to) {
   const auto same = [](double a, double b) { return std::abs(a - b) < beside; };
   all.erase(std::unique(all.begin(), all.end(), same), all.end());
   return all;
+}
+
+/// Whether a step is nearer to a support than the place next to it. The ends of the way are asked for.
+bool is_left_out(const Array<Zone>& zones, const Way& way, int i) {
+  const double x = way.x(i);
+  return i > 0 && i < way.steps && zone_at(zones, x) == nullptr &&
+         std::any_of(zones.begin(), zones.end(), [&](const Zone& one) { return one.is_too_near(x); });
 }
 
 }  // namespace
@@ -103,12 +132,7 @@ Array<WayPart> parts_of(const machine::Model& model, const Way& way) {
     return a.carriages[way.carriage].node == b.carriages[way.carriage].node && machine::same_guides(a, b);
   };
   const Array<Zone> zones = zones_of(model, way.carriage, way.along);
-  // the ends of the way are asked for; of the other steps those next to a support count in place of nearer ones
-  const auto left_out = [&](int i) {
-    const double x = way.x(i);
-    return i > 0 && i < way.steps && zone_at(zones, x) == nullptr &&
-           std::any_of(zones.begin(), zones.end(), [&](const Zone& one) { return one.is_too_near(x); });
-  };
+  const auto left_out = [&](int i) { return is_left_out(zones, way, i); };
   Array<WayPart> parts;
   for (int i = 0; i <= way.steps; ++i) {
     WayPart part{.model = at(way.x(i)), .first = i, .last = i, .support = zone_at(zones, way.x(i))};
@@ -125,6 +149,25 @@ Array<WayPart> parts_of(const machine::Model& model, const Way& way) {
       parts.push_back({.model = at(x), .first = before, .last = before, .support = nullptr, .beside = x});
   }
   return parts;
+}
+
+std::optional<std::string> left_out_words(const machine::Model& model, const Way& way) {
+  const Array<Zone> zones = zones_of(model, way.carriage, way.along);
+  int places = 0;
+  bool lost = false;
+  std::set<std::pair<double, bool>> sides;  // of supports: the place next to one stands for one step
+  for (int i = 0; i <= way.steps; ++i) {
+    if (!is_left_out(zones, way, i)) continue;
+    ++places;
+    const double x = way.x(i);
+    const auto zone = std::find_if(zones.begin(), zones.end(), [&](const Zone& one) { return one.is_too_near(x); });
+    lost |= !sides.emplace(zone->middle, x < zone->middle).second;
+  }
+  if (!lost) return std::nullopt;
+  return fmt::format(
+      "{} of {} places are left out, as they are nearer to a support or guide than {:g} m and a tenth of the span "
+      "beside it, where the length of '{}' counts: give its 'rollers' and 'wheelbase'",
+      places, way.steps + 1, half_carriage, model.carriages[way.carriage].name);
 }
 
 LoadPathOptions path_over(const Way& way, const WayPart& part) {

@@ -24,6 +24,10 @@ const machine::Node* support_at(const machine::Model& model, int carriage, doubl
 /// a carriage that is a point, steps nearer to a support than these places are left out, but for the ends of the way.
 Array<WayPart> parts_of(const machine::Model& model, const Way& way);
 
+/// How many steps that leaves out, and what to do; nullopt: at most one at each side of a support, for which the place
+/// next to it stands.
+std::optional<std::string> left_out_words(const machine::Model& model, const Way& way);
+
 /// A load path over the positions of a part; of a single place it has two, both there.
 LoadPathOptions path_over(const Way& way, const WayPart& part);
 

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "test/support/machines.hpp"
@@ -51,6 +53,30 @@ TEST(CarriageWay, HasPlacesBesideEachSupportBetweenItsSteps) {
       << "the steps are nearer";
   EXPECT_EQ(places(m, way(0, 20, 1)), (std::vector<double>{-1, 20})) << "an end of the rope is not passed";
   EXPECT_EQ(places(m, way(jack + 5, jack + 10, 1)), (std::vector<double>{jack + 5, jack + 10}));
+}
+
+/// Two sheaves 1 m apart, anchors 0.5 m behind them: 0.1 m and 0.05 m beside the rounds of 20 mm.
+TEST(CarriageWay, OnAShortSpanATenthOfItIsBeside) {
+  machine::Model m;
+  m.bodies.push_back(taut_test::body("car", {0.5, 0, 0.7}, 1, "xyz"));
+  const auto jack = [](double x) { return taut_test::sheave("jack", {x, 0, 0.8}, 0.02, 1); };
+  m.reevings.push_back(
+      taut_test::reeve("sky",
+                       {taut_test::anchor("a", {-0.5, 0, 0}), jack(0), taut_test::over("car", Vector3::Zero(), 0),
+                        jack(1), taut_test::anchor("b", {1.5, 0, 0})},
+                       3, 0.02, 1e5));
+  m.carriages.push_back({"car", 0, 0, 2, {}});
+  const std::vector<double> all = places(m, way(-0.25, 0.5, 1));
+  ASSERT_EQ(all.size(), 4U);
+  EXPECT_NEAR(all[1], -0.07, 1e-12);
+  EXPECT_NEAR(all[2], 0.12, 1e-12);
+  EXPECT_EQ(places(m, way(0.1, 0.9, 16)), (std::vector<double>{0.1, 0.9})) << "all in one span";
+  EXPECT_EQ(left_out_words(m, way(0.1, 0.9, 16)), std::nullopt) << "the nearest ones are its ends";
+  // 0.025 to 0.1 and 0.9 to 0.975 lie within 0.11 m of the sheaves
+  const auto words = left_out_words(m, way(0, 1, 40));
+  ASSERT_TRUE(words);
+  EXPECT_EQ(left_out_words(m, way(0, 1, 10)), std::nullopt) << "the places beside stand for 0.1 m and 0.9 m";
+  EXPECT_EQ(words->substr(0, words->find(" are")), "8 of 41 places") << *words;
 }
 
 TEST(CarriageWay, ACarriageIsOnASupportUntilItsRollersAreClear) {
