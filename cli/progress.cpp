@@ -39,6 +39,10 @@ InterruptHeld::~InterruptHeld() { somebody_asks = 0; }
 bool InterruptHeld::goes_on() { return asked_to_end == 0; }
 
 bool ProgressLine::operator()(const taut::Progress& progress) {
+  if (progress.last) {
+    somebody_asks = 0;
+    return asked_to_end == 0;
+  }
   const Clock::time_point now = Clock::now();
   if (somebody_asks == 0) {
     somebody_asks = 1;

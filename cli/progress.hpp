@@ -6,7 +6,8 @@
 namespace taut::cli {
 
 /// From now on an interrupt (Ctrl-C, SIGTERM) ends the program with exit code 130: at once, or while a calculation asks
-/// whether to go on (ProgressLine), as soon as it has kept what is done. A second one always ends it at once.
+/// whether to go on (ProgressLine, up to Progress::last), as soon as it has kept what is done. A second one always ends
+/// it at once.
 void take_interrupts();
 
 /// While it lives, an interrupt does not end the program: what works asks `goes_on` and ends by itself.

@@ -263,6 +263,17 @@ void warn_of_machine(const MachineDeck& deck, const results::MachineRun& run, co
 
 SweptVerdict judge_apart(const MachineDeck& deck, const results::MachineRun& run, Result& r);
 
+/// Behind the last question whether to go on: an interrupt that nobody has heard yet counts, a later one is not asked
+/// for.
+void ask_no_more(const std::function<bool(const Progress&)>& progress, Result& r) {
+  if (!progress || r.interrupted) return;
+  if (progress({.what = "checks", .done = 1, .words = "all analyses done", .last = true})) return;
+  r.interrupted = true;
+  if (r.status != Status::ok) return;
+  r.status = Status::not_converged;
+  r.message = "interrupted behind the last analysis";
+}
+
 /// All that was asked, as deep as wanted. `run`: what it rests on, for whoever goes on from there.
 Result compute(const MachineDeck& deck, machine::Model model, study::AskedAll asked, RunDepth depth,
                const std::function<bool(const Progress&)>& progress, results::MachineRun& run) {
@@ -291,6 +302,7 @@ Result compute(const MachineDeck& deck, machine::Model model, study::AskedAll as
     results::show_answers(run, *run.checked);
   }
   Result more = solve_more(asked.more, run, r);
+  ask_no_more(progress, r);
   if (depth != RunDepth::values) {
     results::add_tables(run, r);
     results::add_beam_tables(run, r);
@@ -356,6 +368,7 @@ SweptVerdict judge_apart(const MachineDeck& deck, const results::MachineRun& run
     }
     watch.note(r);
   }
+  if (!run.judged_apart.empty()) ask_no_more(run.progress, r);
   verdict.put_into(r);
   return verdict;
 }

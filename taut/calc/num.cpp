@@ -83,6 +83,7 @@ Num sinh(const Num& x) { return plain_call("sinh", x, std::sinh(x.value())); }
 Num cosh(const Num& x) { return plain_call("cosh", x, std::cosh(x.value())); }
 Num tanh(const Num& x) { return plain_call("tanh", x, std::tanh(x.value())); }
 Num asinh(const Num& x) { return plain_call("asinh", x, std::asinh(x.value())); }
+Num atanh(const Num& x) { return plain_call("atanh", x, std::atanh(x.value())); }
 Num sqrt(const Num& x) { return call("sqrt", x, std::sqrt(x.value()), power(x.dimension(), 1, 2)); }
 Num cbrt(const Num& x) { return call("cbrt", x, std::cbrt(x.value()), power(x.dimension(), 1, 3)); }
 Num abs(const Num& x) { return call("abs", x, std::abs(x.value()), x.dimension()); }

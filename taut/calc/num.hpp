@@ -61,6 +61,7 @@ Num sinh(const Num& x);
 Num cosh(const Num& x);
 Num tanh(const Num& x);
 Num asinh(const Num& x);
+Num atanh(const Num& x);
 Num hypot(const Num& x, const Num& y);
 Num abs(const Num& x);
 Num min(const Num& a, const Num& b);

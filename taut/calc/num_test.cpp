@@ -13,10 +13,11 @@ namespace taut::num_test {
 /// A formula that uses every operation; written once, as a method's would be.
 template <class T>
 T everything(const T& x, const T& y, const T& force) {
-  using std::abs, std::acos, std::asin, std::asinh, std::atan, std::atan2, std::cbrt, std::cos, std::cosh, std::exp,
-      std::hypot, std::log, std::max, std::min, std::pow, std::sin, std::sinh, std::sqrt, std::tan, std::tanh;
+  using std::abs, std::acos, std::asin, std::asinh, std::atan, std::atan2, std::atanh, std::cbrt, std::cos, std::cosh,
+      std::exp, std::hypot, std::log, std::max, std::min, std::pow, std::sin, std::sinh, std::sqrt, std::tan, std::tanh;
   T sum = exp(-x) + sqrt(y) * sin(x) / (cos(x) + 2.0) - tan(0.1 * x) + atan2(x, y) + pow(x, 3) - log(y + 1.0);
-  sum += asin(x / (1.0 + x)) * acos(x / (1.0 + x)) + atan(y) + sinh(x) / cosh(x) - tanh(x) + asinh(y) + cbrt(y);
+  sum += asin(x / (1.0 + x)) * acos(x / (1.0 + x)) + atan(y) + sinh(x) / cosh(x) - tanh(x) + asinh(y) + cbrt(y) +
+         atanh(x / (1.0 + x));
   sum *= hypot(x, y) + abs(x - y);
   sum -= max(x, y) / min(x + 1.0, y + 1.0);
   sum /= 3.0;

@@ -34,7 +34,7 @@ const std::vector<ValueKind>& value_kinds() {
   static const std::vector<ValueKind> all = {
       of_states("T_max", "", si::N, "largest tension", "guide/verdict.md"),
       of_states("ROPE.T_max", "", si::N, "largest tension", "guide/verdict.md"),
-      of_states("ROPE.safety_factor", "ROPE.S", si::one, "breaking force over the largest tension at rest",
+      of_states("ROPE.safety_factor", "ROPE.S", si::one, "breaking force over the largest static tension",
                 "theory/rope-checks.md"),
       of_states("clearance_min", "c_min", si::m, "least height of a carriage over the ground", "theory/load-path.md"),
       of_states("rope_clearance_min", "c_r_min", si::m, "least height of a rope over the ground",

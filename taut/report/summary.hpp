@@ -21,6 +21,9 @@ std::vector<const Check*> worst_by_part(const Result& r);
 /// The lines of the answer that a summary shows: utilisations stand in the table of checks.
 std::vector<Answer> answers_beside_checks(const Result& r);
 
+/// What a summary says of a check of such a part (lacks_limit): the check has its limit.
+inline constexpr const char* no_limit_of_part = "part has no strength limit";
+
 /// Whether the part of a check has no limit that counts: breaking force and yield alone judge nothing.
 bool lacks_limit(const Check& c, const Result& r);
 

@@ -116,7 +116,14 @@ std::string warnings(const Result& r, const TerminalOptions& o) {
 
 /// The outcome of a check; in a summary that of its part, of which nobody may say that it passes when it has no limit.
 std::string outcome_word(const Check& c, const Result& r, const TerminalOptions& o) {
-  return !o.all && c.passes && lacks_limit(c, r) ? "no limit" : std::string(outcome_text(c));
+  return !o.all && c.passes && lacks_limit(c, r) ? "not judged" : std::string(outcome_text(c));
+}
+
+/// Behind the numbers of a check: what is to be known of its limit, and of its part.
+std::string limit_words(const Check& c, const Result& r, const TerminalOptions& o) {
+  std::string words = is_unverified(c.trust) ? "limit unverified" : "";
+  if (outcome_word(c, r, o) == outcome_text(c)) return words;
+  return fmt::format("{}{}{}", words, words.empty() ? "" : ", ", no_limit_of_part);
 }
 
 std::string check_lines(const std::vector<const Check*>& checks, const Result& r, const TerminalOptions& o) {
@@ -128,7 +135,7 @@ std::string check_lines(const std::vector<const Check*>& checks, const Result& r
     const int digits = digits_apart(c, display, o.all ? all_digits : summary_digits);
     rows.push_back({outcome_word(c, r, o), words(c.name), quantity_plain(c.value, c.unit, display, digits),
                     c.sense == Sense::at_most ? "<=" : ">=", quantity_plain(c.limit, c.unit, display, digits),
-                    utilisation_text(c.utilisation), is_unverified(c.trust) ? "limit unverified" : ""});
+                    utilisation_text(c.utilisation), limit_words(c, r, o)});
   }
   std::string text = aligned(rows, {false, false, true, false, true, true, false});
   if (!o.colour) return text;

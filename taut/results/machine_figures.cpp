@@ -12,7 +12,6 @@
 #include <set>
 
 #include "taut/calc/none.hpp"
-#include "taut/checks/check_state.hpp"
 #include "taut/results/answers/line_profile.hpp"
 #include "taut/results/described_state.hpp"
 #include "taut/results/machine_beams.hpp"
@@ -263,9 +262,24 @@ void draw_dimensions(Drawing& d, const machine::Model& m, const solve::Equilibri
   }
 }
 
-/// Over everything that is drawn: how far the first rope's ends are apart, level and in height.
+/// Whether the first rope has one span: nothing but carriages and points of the free rope is between its ends.
+bool has_one_span(const machine::Model& m) {
+  if (m.reevings.empty() || m.reevings.front().closed) return false;
+  const auto& nodes = m.reevings.front().nodes;
+  const auto carries = [&](int node) {
+    return std::any_of(m.carriages.begin(), m.carriages.end(), [&](const machine::Carriage& car) {
+      return car.reeving == 0 && node >= car.node && node < car.node + car.rollers;
+    });
+  };
+  for (int n = 1; n + 1 < static_cast<int>(nodes.size()); ++n) {
+    if (nodes[n].kind != machine::NodeKind::load && !carries(n)) return false;
+  }
+  return true;
+}
+
+/// Over everything that is drawn: the span of the first rope, and the difference in height of its ends.
 void draw_span(Drawing& d, const machine::Model& m, const solve::EquilibriumResult& e, const View& view) {
-  if (view.plan || m.reevings.empty() || m.reevings.front().closed) return;
+  if (view.plan || !has_one_span(m)) return;
   const auto first = std::find_if(e.branches.begin(), e.branches.end(), [](const auto& s) { return s.reeving == 0; });
   const auto last = std::find_if(e.branches.rbegin(), e.branches.rend(), [](const auto& s) { return s.reeving == 0; });
   if (first == e.branches.end()) return;
@@ -546,13 +560,9 @@ void add_figures(MachineRun& run, Result& r) {
     return;
   }
   const Answer& drawn = deciding(all);
-  const auto at_rest = std::find_if(run.equilibria.begin(), run.equilibria.end(),
-                                    [&](const auto& one) { return &one.result == drawn.result; });
-  std::string words = drawn.words;
-  if (at_rest != run.equilibria.end()) {
-    const bool alone = at_rest->ending.empty();
-    words = "Equilibrium, " + (alone ? words : checks::analysis_words(at_rest->ending, "equilibrium") + ", " + words);
-  }
+  const bool at_rest = std::any_of(run.equilibria.begin(), run.equilibria.end(),
+                                   [&](const auto& one) { return &one.result == drawn.result; });
+  std::string words = fmt::format("{}{}", at_rest ? "Equilibrium, " : "", drawn.words);
   if (const std::string more = strained_more(run, strain_of(*drawn.model, *drawn.result), r); !more.empty()) {
     words += fmt::format(". Its ropes bear more in a state that is not drawn: {}", more);
   } else if (all.size() > 1) {

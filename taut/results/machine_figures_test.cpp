@@ -70,6 +70,28 @@ analyses:
   EXPECT_THAT(of(aside + "}\n" + middle + ", judge: false}\n"), HasSubstr("Equilibrium, parked"));
 }
 
+// From one span to the next, or from a winch over a sheave to its load, the ends of a rope are no span apart.
+TEST(MachineFigures, ASpanIsMeasuredOnlyOfARopeWithOneSpan) {
+  const auto has_span =
+      [](const std::string& path) {
+        const Drawing d = drawing(run_text(R"(taut: 1
+machine:
+  points: {a: [0 m, 0 m, 30 m], b: [200 m, 0 m, 25 m]}
+  sheaves: {post: {at: [150 m, 0 m, 29 m], diameter: 400 mm}}
+  ropes: {sky: {mass: 1.6 kg/m, stiffness: 20 MN, breaking_force: 250 kN}}
+  carriages: {car: {mass: 300 kg, rides: sky, hold: clamped, at: [100 m, 0 m, 20 m]}}
+  reevings: [{rope: sky, path: )" + path + R"(, length: 203 m}]
+)"),
+                                  "machine");
+        return std::any_of(d.shapes.begin(), d.shapes.end(), [](const Shape& s) {
+          const auto* line = std::get_if<DimensionLine>(&s);
+          return line != nullptr && line->text == "span";
+        });
+      };
+  EXPECT_TRUE(has_span("[{anchor: a}, {through: car}, {anchor: b}]"));
+  EXPECT_FALSE(has_span("[{anchor: a}, {through: car}, {over: post}, {anchor: b}]"));
+}
+
 /// A load on two falls, 2 t at rest.
 std::string hoist(const std::string& analyses) {
   return drawing(run_text(R"(taut: 1

@@ -22,19 +22,23 @@ std::string state_words(const char* kind, const std::string& ending, const std::
   return ending.empty() ? words : fmt::format("{}, {}", checks::analysis_words(ending, kind), words);
 }
 
+/// "load path, haulback -1, x = 100 m", "sag, haulback -1, x = 100 m": a place of a load path by the name of the path.
+std::string place_words(const study::LoadPathRun& one, const study::LoadPathPoint& point) {
+  return fmt::format("{}, {}, x = {:.6g} m", checks::analysis_words(one.ending, "load path"), one.words, point.x);
+}
+
 }  // namespace
 
 std::vector<Answer> answers_of(const MachineRun& run) {
   std::vector<Answer> all;
   for (const study::EquilibriumRun& one : run.equilibria) {
-    if (one.result.outcome.ok()) all.push_back({&one.model, &one.result, nullptr, one.words, one.judged});
+    if (one.result.outcome.ok()) all.push_back({&one.model, &one.result, nullptr, state_words(one), one.judged});
   }
   for (const study::LoadPathRun& one : run.paths) {
     for (const study::LoadPathPart& part : one.parts) {
       for (const auto& point : part.result.points) {
         if (!point.at.outcome.ok()) continue;
-        all.push_back({&part.model, &point.at, &point, fmt::format("load path, {}, x = {:.6g} m", one.words, point.x),
-                       one.judged});
+        all.push_back({&part.model, &point.at, &point, place_words(one, point), one.judged});
       }
     }
   }
@@ -110,9 +114,7 @@ void show_answers(const MachineRun& run, checks::CheckedParts& checked) {
     for (const study::LoadPathPart& part : one.parts) {
       for (const auto& point : part.result.points) {
         if (!point.at.outcome.ok()) continue;
-        const std::string words =
-            fmt::format("{}, {}, x = {:.6g} m", checks::analysis_words(one.ending, "load path"), one.words, point.x);
-        checked.take(part.model, point.at, words, checks::analysis_name(one.ending, "load_path"));
+        checked.take(part.model, point.at, place_words(one, point), checks::analysis_name(one.ending, "load_path"));
       }
     }
   }

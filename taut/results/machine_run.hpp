@@ -53,7 +53,7 @@ struct Answer {
   const machine::Model* model = nullptr;
   const solve::EquilibriumResult* result = nullptr;
   const study::LoadPathPoint* point = nullptr;  ///< of a load path
-  std::string words;                            ///< "hoist", "load path at x = 12 m"
+  std::string words;                            ///< as in the checks: "hoist, hoist", "load path, sky -1, x = 12 m"
   bool judged = true;                           ///< whether it counts for the verdict
 };
 

@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <string>
+
 #include "taut/base/number.hpp"
 #include "taut/units/display.hpp"
 
@@ -20,6 +23,7 @@ constexpr Unit hertz = frequency_in("Hz"), turning = frequency_in("rad/s");
 
 /// What stands behind the number.
 std::string_view unit_in(std::string_view text) {
+  text.remove_prefix(std::min(text.find_first_not_of(' '), text.size()));
   const std::size_t sign = text.substr(0, 1) == "+" ? 1 : 0;
   std::string_view unit = text.substr(sign + number_at_front(text.substr(sign)).length);
   while (!unit.empty() && (unit.front() == ' ' || unit.front() == '\t')) unit.remove_prefix(1);
@@ -58,7 +62,8 @@ Unit difference_of(const Unit& unit) {
           .kind = "difference of temperatures"};
 }
 
-tl::expected<double, UnitError> parse_difference(std::string_view text, const Unit& unit) {
+tl::expected<double, UnitError> parse_difference(std::string_view written, const Unit& unit) {
+  const std::string text = with_plain_signs(written);
   auto x = parse_quantity(text, unit);
   if (x && is_celsius(text, unit)) *x -= zero_celsius;
   return x;
@@ -74,7 +79,8 @@ bool counts_from_zero_celsius(const Unit& unit) {
   return unit.dimension == si::K.dimension && unit.shown == celsius.shown;
 }
 
-tl::expected<AnyQuantity, UnitError> parse_any_quantity(std::string_view text) {
+tl::expected<AnyQuantity, UnitError> parse_any_quantity(std::string_view written) {
+  const std::string text = with_plain_signs(written);
   const auto plain = parse_quantity(text, si::one);
   if (plain) return AnyQuantity{.value = *plain, .unit = unit_in(text) == percent.shown ? percent : si::one};
   for (const Unit& unit : display_kinds()) {

@@ -488,8 +488,9 @@ Measure measure_of(const AnyQuantity& quantity) {
 }
 
 tl::expected<Measure, UnitError> evaluate(std::string_view text, const NameMeaning& meaning) {
+  const std::string plain = with_plain_signs(text);
   try {
-    const Measure m = ExpressionParser(text, meaning).all().is;
+    const Measure m = ExpressionParser(plain, meaning).all().is;
     if (!std::isfinite(m.value))
       return tl::unexpected(UnitError{.message = "this is not a finite number", .offset = 0, .width = 1});
     return m;
@@ -504,8 +505,9 @@ tl::expected<FormulaText, UnitError> formula_text(std::string_view text, std::st
     return tl::unexpected(
         fmt::format("there is no '{}' here: a formula has numbers with their units, pi and '{}'", name, variable));
   };
+  const std::string plain = with_plain_signs(text);
   try {
-    ExpressionParser parser(text, nothing, variable, {.value = 1, .dimension = dimension, .is_angle = false});
+    ExpressionParser parser(plain, nothing, variable, {.value = 1, .dimension = dimension, .is_angle = false});
     const Part whole = parser.all();
     parser.place_of(whole);  // the last one is the formula's
     return FormulaText{.text = std::string(text), .is = whole.is, .operations = std::move(parser.operations)};

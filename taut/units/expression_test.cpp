@@ -51,6 +51,8 @@ TEST(Expression, Arithmetic) {
       {"15 %", 0.15},
       {".5e1 + 1.5E-1", 5.15},
       {"1e3 N", 1000},
+      {"9\u00a0m \u2212 2*gap", 7.1},
+      {"\u22122\u202f* 3\u2009kN/m", -6000},
   };
   for (const auto& [text, expected] : rows) {
     const auto got = value_of(text);

@@ -59,6 +59,8 @@ struct Superscript {
 };
 constexpr std::array<Superscript, 4> superscripts = {
     {{.text = "¹", .value = 1}, {.text = "²", .value = 2}, {.text = "³", .value = 3}, {.text = "⁴", .value = 4}}};
+constexpr std::array<std::string_view, 3> printed_spaces = {"\u00a0", "\u2009", "\u202f"};
+constexpr std::string_view printed_minus = "\u2212";
 constexpr std::string_view middle_dot = "·";
 constexpr std::string_view degree_sign = "°";
 
@@ -245,17 +247,28 @@ bool starts_infinite(std::string_view rest) {
   return rest.substr(0, 4) == ".inf" || rest.substr(0, 4) == ".Inf" || rest.substr(0, 4) == ".INF";
 }
 
-/// The number at the front of a text.
+/// Whether a sign that some write between thousands stands there, and a digit behind it: "1'000".
+bool is_between_thousands(std::string_view rest) {
+  for (const std::string_view sign : {"'", "\u2019", "_"}) {
+    if (!rest.starts_with(sign) || rest.size() == sign.size()) continue;
+    if (std::isdigit(static_cast<unsigned char>(rest[sign.size()])) != 0) return true;
+  }
+  return false;
+}
+
+/// The number at the front of a text, behind blanks.
 tl::expected<Split, UnitError> split_number(std::string_view text) {
   if (text.size() > longest_quantity) return fail("too long for a quantity", 0, text.size());
-  std::size_t from = 0;
-  if (!text.empty() && text[0] == '+') from = 1;
-  const bool minus = !text.empty() && text[0] == '-';
+  const std::size_t begin = std::min(text.find_first_not_of(' '), text.size());
+  const std::string_view sign = text.substr(begin, 1);
+  const std::size_t from = begin + (sign == "+" ? 1 : 0);
+  const bool minus = sign == "-";
   if (starts_infinite(text.substr(from + (minus ? 1U : 0U)))) {
     const double value = std::numeric_limits<double>::infinity();
     return Split{.number = minus ? -value : value, .unit_from = from + (minus ? 5U : 4U), .infinite = true};
   }
-  if (from < text.size() && (text[from] == '+' || (from == 1 && text[from] == '-'))) return fail("two signs", from, 1);
+  if (from < text.size() && (text[from] == '+' || (from > begin && text[from] == '-')))
+    return fail("two signs", from, 1);
   Split s;
   const NumberAtFront number = number_at_front(text.substr(from));
   const std::size_t used = number.length;
@@ -266,6 +279,9 @@ tl::expected<Split, UnitError> split_number(std::string_view text) {
   if (s.unit_from < text.size() && text[s.unit_from] == ',') {
     return fail("a comma in a number: write a decimal point, and no signs between thousands", s.unit_from, 1);
   }
+  if (is_between_thousands(text.substr(s.unit_from))) {
+    return fail("a sign between thousands: write 1000 without one; feet are 'ft'", s.unit_from, 1);
+  }
   return s;
 }
 
@@ -273,11 +289,29 @@ tl::expected<Split, UnitError> split_number(std::string_view text) {
 
 bool counts_cycles(const Unit& unit) { return unit.dimension == si::per_s.dimension && unit.shown == "Hz"; }
 
-tl::expected<double, UnitError> parse_number(std::string_view text) {
+std::string with_plain_spaces(std::string_view text) {
+  std::string plain(text);
+  for (const std::string_view space : printed_spaces) {
+    for (std::size_t at = plain.find(space); at != std::string::npos; at = plain.find(space, at))
+      plain.replace(at, space.size(), space.size(), ' ');
+  }
+  return plain;
+}
+
+std::string with_plain_signs(std::string_view text) {
+  std::string plain = with_plain_spaces(text);
+  for (std::size_t at = plain.find(printed_minus); at != std::string::npos; at = plain.find(printed_minus, at + 1)) {
+    if (at == 0 || plain[at - 1] != '^') plain.replace(at, printed_minus.size(), "  -");
+  }
+  return plain;
+}
+
+tl::expected<double, UnitError> parse_number(std::string_view written) {
+  const std::string text = with_plain_signs(written);
   const auto s = split_number(text);
   if (!s) return tl::unexpected(s.error());
   if (s->infinite) return fail("a finite number is expected", 0, text.size());
-  if (s->unit_from != text.size()) return fail(fmt::format("'{}' is not a plain number", text), 0, text.size());
+  if (s->unit_from != text.size()) return fail(fmt::format("'{}' is not a plain number", written), 0, text.size());
   return s->number;
 }
 
@@ -289,7 +323,9 @@ tl::expected<double, UnitError> unit_factor(std::string_view unit, const Unit& t
   return factor_for(*e, target);
 }
 
-tl::expected<double, UnitError> parse_quantity(std::string_view text, const Unit& target, bool allow_infinite) {
+tl::expected<double, UnitError> parse_quantity(std::string_view written, const Unit& target, bool allow_infinite) {
+  const std::string plain = with_plain_signs(written);
+  const std::string_view text = plain;
   const auto s = split_number(text);
   if (!s) return tl::unexpected(s.error());
   if (s->infinite && !allow_infinite) return fail("a finite number is expected", 0, text.size());

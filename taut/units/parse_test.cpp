@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "taut/units/any_quantity.hpp"
 #include "taut/units/names.hpp"
 
 namespace taut::parse_test {
@@ -85,6 +86,26 @@ TEST(ParseQuantity, SaysWhatIsWrongAndWhatToDo) {
                           "5 (N", "--5 N", "+-5 N", "5 N^", "5 N^-", "5 m12"}) {
     EXPECT_FALSE(parse_quantity(bad, si::N).has_value()) << bad;
   }
+}
+
+// As they are copied from a printed text: no-break spaces U+00A0 and U+202F, the thin space U+2009, the minus U+2212.
+TEST(ParseQuantity, ReadsSpacesAndMinusOfAPrintedText) {
+  EXPECT_DOUBLE_EQ(in_si("100\u00a0kN", si::N), 1e5);
+  EXPECT_DOUBLE_EQ(in_si("100\u202fkN\u2009s/m\u00a0", si::N_s_per_m), 1e5);
+  EXPECT_DOUBLE_EQ(in_si("\u00a0100 kN", si::N), 1e5);
+  EXPECT_DOUBLE_EQ(in_si("\u221212\u00a0deg", si::rad), -12 * std::numbers::pi / 180);
+  EXPECT_TRUE(std::isinf(parse_quantity("\u2212.inf", si::N, true).value()));
+  EXPECT_EQ(parse_number("\u22120.5").value(), -0.5);
+  EXPECT_DOUBLE_EQ(parse_difference("\u22125\u00a0degC", si::K).value(), -5);
+  EXPECT_NEAR(parse_any_quantity("\u22125\u00a0degC")->value, 268.15, 1e-9);
+  EXPECT_NE(refusal("1\u00a0000 kN", si::N).find("digits without spaces"), std::string::npos);
+  for (const char* grouped : {"1'000 kN", "1\u2019000 kN", "1_000 kN"})
+    EXPECT_NE(refusal(grouped, si::N).find("write 1000 without one"), std::string::npos) << grouped;
+  for (const char* bad : {"5\u2212N", "\u2212\u22125 N", "10\u221220 N", "5 N^\u22121", "1e\u22123 N", "\u2212"})
+    EXPECT_FALSE(parse_quantity(bad, si::N).has_value()) << bad;
+  const auto v = parse_quantity("12\u202fkNN", si::N);
+  ASSERT_FALSE(v.has_value());
+  EXPECT_EQ(v.error().offset, 5) << "behind a space of three bytes";
 }
 
 TEST(ParseQuantity, AllowsInfinityOnlyWhereAsked) {

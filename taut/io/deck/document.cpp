@@ -16,6 +16,7 @@
 
 #include "taut/io/deck/yaml_brackets.hpp"
 #include "taut/io/deck/yaml_words.hpp"
+#include "taut/units/parse.hpp"
 
 namespace taut::io {
 namespace {
@@ -275,6 +276,8 @@ class Builder : public YAML::EventHandler {
     map.drop = true;
     if (n.kind != Node::Kind::scalar) {
       mistake(n.spot, fmt::format("a key is a text, not {}", kind_text(n)));
+    } else if (with_plain_spaces(n.text).starts_with(' ') && !n.text.starts_with(' ')) {
+      mistake(n.spot, "a no-break or thin space stands before this key: write plain spaces");
     } else if (!map.keys.insert(n.text).second) {
       mistake(n.spot, fmt::format("the key {} stands here a second time", in_quotes(n.text)));
     } else {

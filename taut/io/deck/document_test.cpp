@@ -86,6 +86,7 @@ TEST(Document, TellsWhatIsNotADeck) {
       {"[1, 2]: x\n", "deck.yaml:1:1: error: a key is a text, not a list"},
       {"? {a: b}\n: 3\n", "a key is a text, not a map"},
       {"a:\n\tb: 1\n", "deck.yaml:2:1: error: a tab"},
+      {"a:\n\u00a0\u00a0b: 1\n", "deck.yaml:2:1: error: a no-break or thin space stands before this key"},
       {"a: b: c\n", "deck.yaml:1:5: error: a ':' can't stand here"},
       {"a: 1\nspan\nb: 2\n", "deck.yaml:3:2: error: a ':' can't stand here: check the indentation and the line above"},
       {"a: 1\nspan\n", "deck.yaml:2:1: error: 'span' stands alone"},

@@ -60,6 +60,19 @@ TEST(MastSectionFigures, ClampHoldsTheMast) {
   EXPECT_NEAR(y, 0, 1e-6);
 }
 
+TEST(MastSectionFigures, TheCaptionsSayWhichStateIsDrawn) {
+  Input in = mast();
+  Output out = solved(in);
+  for (const Drawing& d : {mast_drawing(in, out), force_polygon(in, out)}) {
+    EXPECT_TRUE(d.caption.starts_with("Ropes hauled in")) << d.caption;
+    EXPECT_EQ(d.caption.find("carriage at"), std::string::npos) << d.caption;
+  }
+  out.x = 285;
+  out.M_payout = 1.1 * out.M;
+  EXPECT_TRUE(mast_drawing(in, out).caption.starts_with(
+      "Ropes hauled in, carriage at 285 m; ropes paid out, which are not drawn, bend the mast more. "));
+}
+
 TEST(MastSectionFigures, NothingLiesBelowTheGroundOrIsNotANumber) {
   for (const double angle : {-1.04, -0.3, 0.0, 0.5, 1.48}) {
     Input in = mast();

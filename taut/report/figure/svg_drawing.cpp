@@ -59,10 +59,11 @@ void want_label(Canvas& c, const std::string& text, Place place) {
                       place.may_cover});
 }
 
-/// "G_3 = 12 kN" for a symbol, "F tower 51 kN" and "span 200 m" for words.
+/// "G_3 = 12 kN" for a symbol, "F tower 51 kN" and "span 200 m" for words. A long name is cut, not its number.
 std::string named(const std::string& name, const std::string& value) {
   if (name.empty()) return value;
-  return fmt::format("{}{}{}", name, split_symbol(name).is_word ? " " : " = ", value);
+  const std::string between = split_symbol(name).is_word ? " " : " = ";
+  return fmt::format("{}{}{}", shortened(clean(name), longest_label - length(between + value)), between, value);
 }
 
 Pixel between(Pixel a, Pixel b, double t) { return {.x = a.x + t * (b.x - a.x), .y = a.y + t * (b.y - a.y)}; }

@@ -178,6 +178,13 @@ TEST(SvgDrawing, NamesCarryTheirForcesAndLengths) {
   EXPECT_NE(text.find("span 100 m"), std::string::npos);
 }
 
+TEST(SvgDrawing, ALongNameIsCutNotItsNumber) {
+  const Polyline rope{.points = {{.x = 0, .y = 0}, {.x = 100, .y = 30}}, .role = Role::rope};
+  const std::string text =
+      svg({rope, ForceArrow{.at = {.x = 0, .y = 0}, .fx = 0, .fy = 51e3, .label = "F " + std::string(100, 'n')}});
+  EXPECT_NE(text.find("nnn... 51 kN"), std::string::npos) << text;
+}
+
 /// A hundred names in a place for ten: each is on the drawing, in the list, or counted.
 TEST(SvgDrawing, NoNameIsLostInACrowd) {
   std::vector<Shape> shapes;

@@ -77,10 +77,9 @@ std::string check_row(const Check& c, std::size_t rule, const Display& display) 
          cell(rule == 0 ? std::string() : std::to_string(rule), "num") + "</tr>\n";
 }
 
-/// What the column of use says of a check besides its number.
-std::string outcome_html(const Check& c, const Result& r) {
-  if (!c.passes) return fmt::format(" <b>{}</b>", outcome_text(c));
-  return lacks_limit(c, r) ? " no limit" : "";
+/// Behind the name of a check, which has a limit of its own, that its part lacks another one.
+std::string lacking_html(const Check& c, const Result& r) {
+  return c.passes && lacks_limit(c, r) ? fmt::format(" <span class=\"where\">{}</span>", no_limit_of_part) : "";
 }
 
 }  // namespace
@@ -128,9 +127,12 @@ std::string worst_checks_html(const Result& r) {
     const Check& c = *check;
     rows += fmt::format("<tr class=\"{}\">", c.passes ? "good" : "bad") +
             cell(escape(shortened(clean(c.part), longest_part))) +
-            cell(prose_html(shortened(clean(words_below_part(c)), longest_name)), "name") +
+            cell(prose_html(shortened(clean(words_below_part(c)), longest_name)) + lacking_html(c, r), "name") +
             cell(escape(value_text(c, display)), "num") + cell(escape(limit_text(c, display)), "num") +
-            cell(escape(utilisation_text(c.utilisation)) + outcome_html(c, r), "use") + "</tr>\n";
+            cell(escape(utilisation_text(c.utilisation)) +
+                     (c.passes ? std::string() : fmt::format(" <b>{}</b>", outcome_text(c))),
+                 "use") +
+            "</tr>\n";
   }
   std::string more;
   if (worst.size() < all)

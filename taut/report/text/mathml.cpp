@@ -37,8 +37,8 @@ std::string one(const std::string& inside) { return fmt::format("<mrow>{}</mrow>
 bool is_power_of_ten_text(double x) { return fmt::format("{:.6g}", x).find('e') != std::string::npos; }
 
 std::string function_name(std::string_view name) {
-  constexpr std::array<std::pair<std::string_view, std::string_view>, 4> spelt{
-      {{"asin", "arcsin"}, {"acos", "arccos"}, {"atan", "arctan"}, {"asinh", "arsinh"}}};
+  constexpr std::array<std::pair<std::string_view, std::string_view>, 5> spelt{
+      {{"asin", "arcsin"}, {"acos", "arccos"}, {"atan", "arctan"}, {"asinh", "arsinh"}, {"atanh", "artanh"}}};
   const auto* at = std::find_if(spelt.begin(), spelt.end(), [&](const auto& s) { return s.first == name; });
   return fmt::format("<mi>{}</mi>", at == spelt.end() ? escape(name) : std::string(at->second));
 }

@@ -177,9 +177,11 @@ void add_results(MachineRun& machine, const study::SweepRun& run, const solve::S
   add_swept(run, s, words, machine.display, r);
   if (machine.checked->judged) note_values_lost(run, s, r);
   if (s.points.size() > 1) add_plots(run, m, s, r);
+  const auto words_at = [&](double value) {
+    return fmt::format("sweep, {} = {}, {}", run.parameter, Display().quantity(value, run.unit), run.words);
+  };
   for (const auto& point : s.points) {
-    const std::string at =
-        fmt::format("sweep, {} = {}, {}", run.parameter, Display().quantity(point.value, run.unit), run.words);
+    const std::string at = words_at(point.value);
     run.judged_apart ? machine.checked->take_values(point.model, point.at, at)
                      : machine.checked->take(point.model, point.at, at, checks::analysis_name(run.ending, "sweep"));
   }
@@ -187,12 +189,11 @@ void add_results(MachineRun& machine, const study::SweepRun& run, const solve::S
   const solve::SweepPoint& hardest = *std::max_element(
       s.points.begin(), s.points.end(),
       [](const auto& a, const auto& b) { return strain_of(a.model, a.at) < strain_of(b.model, b.at); });
-  machine.others.push_back(
-      {.words = fmt::format("{} = {}, {}", run.parameter, Display().quantity(hardest.value, run.unit), run.words),
-       .model = hardest.model,
-       .result = hardest.at,
-       .explores = true,
-       .judged = machine.checked->judged});
+  machine.others.push_back({.words = words_at(hardest.value),
+                            .model = hardest.model,
+                            .result = hardest.at,
+                            .explores = true,
+                            .judged = machine.checked->judged});
 }
 
 }  // namespace

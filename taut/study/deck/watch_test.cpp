@@ -53,6 +53,7 @@ Result run_until(const std::string& analysis, std::size_t last, std::vector<Prog
   app::Job job;
   job.text = skyline_deck("  - " + analysis);
   job.progress = [&reported, last](const Progress& p) {
+    if (p.last) return true;
     reported.push_back(p);
     return reported.size() < last;
   };
@@ -72,6 +73,26 @@ TEST(Watch, TellsEveryStateOfALongAnalysis) {
       EXPECT_NEAR(reported[i].done, static_cast<double>(i) / static_cast<double>(one.states), 1e-12);
       EXPECT_FALSE(reported[i].words.empty());
     }
+  }
+}
+
+// Who asked holds an interrupt back until it is heard: behind the last question nobody would hear it.
+TEST(Watch, ItIsToldThatNobodyAsksAnyMore) {
+  for (const bool goes_on : {true, false}) {
+    std::vector<bool> last;
+    app::Job job;
+    job.text = skyline_deck("  - " + asked()[0].analysis + "\n  - " + asked()[1].analysis);
+    job.progress = [&](const Progress& p) {
+      last.push_back(p.last);
+      return goes_on || !p.last;
+    };
+    const Result r = app::run(job);
+    ASSERT_EQ(last.size(), asked()[0].states + asked()[1].states + 1);
+    EXPECT_EQ(std::count(last.begin(), last.end(), true), 1);
+    EXPECT_TRUE(last.back());
+    EXPECT_EQ(r.interrupted, !goes_on);
+    EXPECT_EQ(r.message, goes_on ? "" : "interrupted behind the last analysis");
+    EXPECT_NE(r.find_table("payload"), nullptr) << "what was done stays";
   }
 }
 

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <iterator>
 #include <map>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -82,6 +83,15 @@ void add_row(const Statistic& one, const CaseOutput& output, const Display& disp
   t.rows.push_back(std::move(cells));
 }
 
+/// What the quantiles are of, where cases have no answer: ", of the 84 % of cases with an answer".
+std::string of_those_with_answer(std::span<const double> values) {
+  const auto answered = std::count_if(values.begin(), values.end(), [](double x) { return !std::isnan(x); });
+  const auto all = static_cast<std::ptrdiff_t>(values.size());
+  if (answered == all) return {};
+  return fmt::format(", of the {:.3g} % of cases with an answer",
+                     100 * static_cast<double>(answered) / static_cast<double>(all));
+}
+
 void add_statistics(const Study& study, const StudyData& data, Summary& summary, Result& r) {
   for (std::size_t k = 0; k < study.model.outputs.size(); ++k) {
     const CaseOutput& output = study.model.outputs[k];
@@ -106,10 +116,12 @@ void add_statistics(const Study& study, const StudyData& data, Summary& summary,
                           true});
     }
     r.tables.push_back(std::move(t));
-    const std::vector<chance::Estimate> ends = chance::quantiles(sample_of(study, data, k), nine_of_ten);
+    const chance::Sample sample = sample_of(study, data, k);
+    const std::vector<chance::Estimate> ends = chance::quantiles(sample, nine_of_ten);
     r.answers.push_back(
-        {"Nine of ten", fmt::format("{}: {} to {}", output.name, study.display.brief(ends[0].value, output.unit),
-                                    study.display.brief(ends[1].value, output.unit))});
+        {"Nine of ten",
+         fmt::format("{}: {} to {}{}", output.name, study.display.brief(ends[0].value, output.unit),
+                     study.display.brief(ends[1].value, output.unit), of_those_with_answer(sample.values))});
   }
 }
 

@@ -94,6 +94,7 @@ TEST(StudyResult, FailedCasesAreCountedByTheirReasonsAndLeftOutOfTheStatistics) 
   EXPECT_EQ(cell(failed, 999, "case"), 999);
   EXPECT_EQ(value_of(r, "y1.mean"), 7);
   EXPECT_THAT(table_of(r, "quantiles").title, HasSubstr("left out"));
+  EXPECT_EQ(r.answers.at(0).text, "y1: 7 to 7, of the 20 % of cases with an answer");
 }
 
 /// The product of two lists, which has no value where the first number is `without`.

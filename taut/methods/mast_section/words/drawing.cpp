@@ -1,6 +1,9 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <string>
 
 #include "taut/methods/mast_section/figures.hpp"
 
@@ -149,6 +152,14 @@ void add_branch_angle(std::vector<Shape>& shapes, const Frame& k, double alpha) 
                                 .text = "alpha"});
 }
 
+/// The state that the drawings show: of several carriage positions the one that asks for the largest tube.
+std::string state_drawn(const Output& out) {
+  std::string words = "Ropes hauled in";
+  if (std::isfinite(out.x)) words += fmt::format(", carriage at {:.4g} m", out.x);
+  const bool paid_out_is_worse = std::isfinite(out.M_payout) && out.M_payout > out.M;
+  return words + (paid_out_is_worse ? "; ropes paid out, which are not drawn, bend the mast more. " : ". ");
+}
+
 }  // namespace
 
 double mainline_height(const Input& in) { return in.mainline_block_height.value_or(in.skyline_block_height); }
@@ -157,10 +168,9 @@ Drawing mast_drawing(const Input& in, const Output& out) {
   const Frame k = frame_of(in, out.D_tube);
   Drawing d{.name = "mast",
             .title = "Mast, ropes and forces",
-            .caption =
-                "Mast and tube diameter to scale (blocks are not); force arrows to one scale; R is the sum where both "
-                "blocks are at one height. At the clamp: what holds the "
-                "mast.",
+            .caption = state_drawn(out) +
+                       "Mast and tube diameter to scale (blocks are not); force arrows to one scale; R is the sum "
+                       "where both blocks are at one height. At the clamp: what holds the mast.",
             .shapes = {},
             .unit = si::m,
             .vertical_scale = 1,
@@ -212,9 +222,9 @@ Drawing force_polygon(const Input& in, const Output& out) {
   Drawing d{
       .name = "force_polygon",
       .title = "Force polygon of the blocks",
-      .caption =
-          "Span side and drum side of each rope make the resultant on its block; both resultants add up to Q across "
-          "and N down.",
+      .caption = state_drawn(out) +
+                 "Span side and drum side of each rope make the resultant on its block; both resultants add up to Q "
+                 "across and N down.",
       .shapes = {},
       .unit = si::N,
       .vertical_scale = 1,
