@@ -176,7 +176,11 @@ checks::AskedChecks resolve_checks(const checks::ChecksRequest& request, const s
     if (use->chosen) complain_of_chosen(one, use->rope, path, complaints);
     const checks::AskedRules& rules = asked.ropes.emplace_back(checks::asked_rules(one, path, complaints));
     checks::complain_of_limits(one, rules, rope, path, complaints);
-    checks::complain_of_life(one, rope, {}, path, complaints);
+    std::vector<std::string> rounds;
+    for (const rope::Bend& bend : use->bends) rounds.push_back(bend.name);
+    checks::complain_of_life(one, rope, rounds, path, complaints);
+    if (!one.compensating.empty())
+      complaints.push_back({path + ".compensating", "a published method has no such sheave: describe a machine"});
   }
   checks::complain_of_confirmed(request, complaints);
   checks::complain_of_method_masts(request.masts, method, complaints);

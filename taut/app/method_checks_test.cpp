@@ -165,13 +165,14 @@ TEST(MethodChecks, TheLowerSectionOfACarriageHasTheClearance) {
   EXPECT_FALSE(check_of(in, "sag at the carriage").passes);
 }
 
-/// A hinged mast of 14 m under 109.2 kN: pi^2 E I/L^2 of CHS 168.3x6.3 is 111.4 kN.
+/// A hinged mast of 14 m under 97.2 kN of a rope at rest, T (1 + sin(80 deg)), and the guys: pi^2 E I/L^2 of CHS
+/// 168.3x6.3 is 111.4 kN.
 TEST(MethodChecks, AMastNearItsCriticalLoadFails) {
   const std::string guy = ", anchor_distance: 14 m, rope: 6x36-IWRC 20 mm 1960 MPa, install: {tension: 5 kN, at: top}}";
   const Result r = run_text(
-      "taut: 1\nmethod: mast_section\ninput: {skyline_force: 57 kN, mainline_force: 0 kN, skyline_block_height: 14 m, "
-      "block_friction: 0.12, branch_angle: 80 deg, steel: EN 10210-1 S355H, safety: 2.0, section: CHS 168.3x6.3, base: "
-      "hinged, guys: [{plan_angle: 60 deg" +
+      "taut: 1\nmethod: mast_section\ninput: {skyline_force: 48.95 kN, mainline_force: 0 kN, skyline_block_height: 14 "
+      "m, block_friction: 0.12, branch_angle: 80 deg, steel: EN 10210-1 S355H, safety: 2.0, section: CHS 168.3x6.3, "
+      "base: hinged, guys: [{plan_angle: 60 deg" +
       guy + ", {plan_angle: 180 deg" + guy + ", {plan_angle: 300 deg" + guy + "]}\n");
   const Check& c = check_of(r, "buckling of CHS 168.3x6.3, exact");
   EXPECT_FALSE(c.passes);
@@ -386,6 +387,83 @@ TEST(MethodChecks, ATakeUpThatTearsTheRopeFails) {
   EXPECT_FALSE(judges_the_paper(torn));
   EXPECT_TRUE(judges_the_paper(saw("")));
   EXPECT_NE(verdict_of(saw(", take_up: {weight: 20 kN}"))->kind, VerdictKind::fails);
+}
+
+/// A rope saw with two duties, the second of them over a round of this name.
+Result saw_with_duty(const std::string& idler, const std::string& over, const std::string& more = "") {
+  return run_text(
+      "taut: 1\nmethod: friction_drive\ninput: {cutting_force: 4 kN, friction: 0.35, wrap: 200 deg, rope_mass: 0.6 "
+      "kg/m, speed: 15 m/s, sheave_radius: 250 mm, rope: 6x36-IWRC 12 mm 1960 MPa" +
+      idler +
+      "}\nchecks: {ropes: {rope: {safety_factor: 2, duty: [{name: trial, cycles: 100, over: driving sheave}, {name: "
+      "work, cycles: 1e9, over: " +
+      over + "}]" + more + "}}}\n");
+}
+
+// A duty over a round that the rope does not have would do nothing, and the life of the others would pass.
+TEST(MethodChecks, ADutyRunsOverRoundsOfItsMethod) {
+  const std::string idler = ", idler_radius: 250 mm";
+  EXPECT_FALSE(check_of(saw_with_duty(idler, "idler"), "rope.life").passes);
+  taut_test::expect_mistake(saw_with_duty(idler, "drive sheave"), "did you mean 'driving sheave'");
+  taut_test::expect_mistake(saw_with_duty("", "idler"), "the rope runs over no 'idler' with a diameter");
+}
+
+TEST(MethodChecks, NoSheaveOfAMethodCompensates) {
+  taut_test::expect_mistake(saw_with_duty(", idler_radius: 250 mm", "idler", ", compensating: idler"),
+                            "checks.ropes.rope.compensating: a published method has no such sheave");
+}
+
+/// Four guys at 10 m or at the top, the two before the mast declared.
+std::string four_guys(const char* more) {
+  std::string all;
+  for (const char* angle : {"150", "210", "30", "-30"}) {
+    all += std::string("{rope: 6x36-IWRC 36 mm 1960 MPa, anchor_distance: 14 m, may_slack: true, plan_angle: ") +
+           angle + " deg" + more + "}, ";
+  }
+  return all;
+}
+
+// A rope that stands on its block has as much on both sides as its friction allows: no less than without friction.
+TEST(MethodChecks, FrictionRelievesNoMast) {
+  const auto stress = [](const std::string& friction, const std::string& mast) {
+    const Result r = run_text(
+        "taut: 1\nmethod: mast_section\ninput: {steel: EN 10210-1 S355H, safety: 2.0, block_friction: " + friction +
+        ", " + mast + "}\n");
+    double worst = 0;
+    for (const Check& c : r.checks) {
+      if (c.name.starts_with("strength of")) worst = std::max(worst, c.value);
+    }
+    return worst;
+  };
+  const std::string guyed =
+      "skyline_force: 300 kN, mainline_force: 100 kN, skyline_block_height: 14 m, branch_angle: 45 deg, section: CHS "
+      "323.9x12.5, guys: [" +
+      four_guys(", install: {tension: 20 kN}") + "]";
+  const std::string low =
+      "skyline_force: 100 kN, mainline_force: 40 kN, skyline_block_height: 2.5 m, branch_angle: 75 deg, section: CHS "
+      "273x12.5";
+  for (const std::string& mast : {guyed, low}) {
+    const double smooth = stress("0", mast);
+    EXPECT_GT(smooth, 177.5e6) << mast;
+    EXPECT_GE(stress("0.16", mast), (1 - 1e-9) * smooth) << mast;
+  }
+}
+
+// The skyline at the top bends the mast against the mainline below: without it the mast has more.
+TEST(MethodChecks, AGuyedMastIsJudgedWithEachRopeAlone) {
+  const auto mast = [](const std::string& skyline) {
+    return run_text(
+        "taut: 1\nmethod: mast_section\ninput: {mainline_force: 215 kN, skyline_block_height: 16 m, "
+        "mainline_block_height: 3.5 m, branch_angle: 10 deg, steel: EN 10210-1 S355H, safety: 2.0, section: CHS "
+        "457x16, "
+        "skyline_force: " +
+        skyline + ", guys: [" + four_guys(", attachment_height: 10 m, install: {tension: 40 kN}") + "]}\n");
+  };
+  const Result both = mast("53 kN"), alone = mast("0.01 kN");
+  const char* const strength = "strength of CHS 457x16, exact";
+  EXPECT_FALSE(check_of(both, strength).passes);
+  EXPECT_GE(check_of(both, strength).value, 0.999 * check_of(alone, strength).value);
+  EXPECT_GE(both.find_value("M_worst_exact")->value, 0.999 * alone.find_value("M_worst_exact")->value);
 }
 
 }  // namespace taut::app::method_checks_test

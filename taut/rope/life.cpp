@@ -16,11 +16,6 @@ constexpr double reference_grade = 1770e6;  // Pa
 constexpr double tested_bent_length = 60;   // diameters
 constexpr double least_counted = 6e-3;      // m; of a rope's diameter, in its endurance factor
 
-bool counts(const Duty& duty, const Bend& bend) {
-  if (bend.kind == BendKind::saddle || !(bend.tension > 0)) return false;
-  return duty.over.empty() || std::find(duty.over.begin(), duty.over.end(), bend.name) != duty.over.end();
-}
-
 /// f_L of what bends. The formula grows without bound towards l = 2.585 d, and the source's tests of short lengths are
 /// not known. So nothing shorter than the tests behind the constants is credited with a longer life.
 double length_factor(const std::optional<double>& bent_length, double d) {
@@ -61,6 +56,11 @@ LifeLine line_of(const RopeUse& use, const LifeRules& rules, const LifeConstants
 }
 
 }  // namespace
+
+bool counts(const Duty& duty, const Bend& bend) {
+  if (bend.kind == BendKind::saddle || !(bend.tension > 0)) return false;
+  return duty.over.empty() || std::find(duty.over.begin(), duty.over.end(), bend.name) != duty.over.end();
+}
 
 bool is_finite(const Life& life) {
   return std::all_of(life.lines.begin(), life.lines.end(), [](const LifeLine& line) {

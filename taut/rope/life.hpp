@@ -56,6 +56,9 @@ struct Duty {
   std::vector<std::string> over;  ///< the rounds that bend the rope in it; empty: all
 };
 
+/// Whether a duty bends the rope there: over a sheave or a drum, under tension.
+bool counts(const Duty& duty, const Bend& bend);
+
 /// What a life is computed from besides the use.
 struct LifeRules {
   std::vector<Duty> duty;

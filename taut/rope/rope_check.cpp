@@ -1,6 +1,7 @@
 #include "taut/rope/rope_check.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -403,19 +404,22 @@ class RopeChecker {
 
   /// What the deck asks of drums that have not the data for it.
   void drums_left_out() {
-    const auto tell = [&](bool asked, const char* what, const char* needs, const auto& known) {
+    const auto tell = [&](bool asked, const char* what, const auto& needs, const auto& known) {
       if (!asked) return;
       if (use_.drums.empty()) return leave_out(what, "it ends on no drum");
       for (const DrumEnd& drum : use_.drums) {
         if (known(drum)) continue;
-        leave_out(what, drum.tension > 0 ? fmt::format("the drum '{}' needs {}", drum.name, needs)
+        leave_out(what, drum.tension > 0 ? fmt::format("the drum '{}' needs {}", drum.name, needs(drum))
                                          : fmt::format("in no state the rope pulls at the drum '{}'", drum.name));
       }
     };
-    tell(rules_.fleet_angle.has_value(), "its fleet angle", "'face_width'",
-         [](const DrumEnd& d) { return d.fleet_angle.has_value(); });
+    tell(
+        rules_.fleet_angle.has_value(), "its fleet angle", [](const DrumEnd&) { return "'face_width'"; },
+        [](const DrumEnd& d) { return d.fleet_angle.has_value(); });
     const auto layered = [](const DrumEnd& d) { return d.layers.has_value(); };
-    const char* const of_layers = "'face_width' and 'length_on_drum'";
+    const auto of_layers = [](const DrumEnd& d) {
+      return d.lacks.empty() ? "'face_width' and 'length_on_drum'" : fmt::format("{}", fmt::join(d.lacks, " and "));
+    };
     tell(rules_.layers.has_value(), "the number of its layers", of_layers, layered);
     tell(rules_.rated_pull.has_value(), "the pull in the last layer", of_layers, layered);
   }

@@ -39,6 +39,7 @@ struct DrumEnd {
   std::optional<double> fleet_angle;                ///< largest over the face, rad
   std::optional<int> layers;                        ///< wound when the most rope lies on it
   std::optional<double> first_radius, last_radius;  ///< of the first and of the last of these layers, m
+  std::vector<std::string> lacks = {};              ///< what its layers need and the deck has not: "'face_width'"
 };
 
 /// A rope over all load cases.

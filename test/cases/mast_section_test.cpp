@@ -152,7 +152,7 @@ TEST(MastSectionCase, ChecksANamedSection) {
   Input in = case_a();
   in.section = "CHS 508x16";
   const Result r = run(in);
-  ASSERT_EQ(r.checks.size(), 3u);
+  ASSERT_EQ(r.checks.size(), 4u);
   const double D = 0.508, d = D - 0.032;
   const double area = std::numbers::pi / 4 * (D * D - d * d),
                I = std::numbers::pi / 64 * (std::pow(D, 4) - std::pow(d, 4));
@@ -186,7 +186,7 @@ TEST(MastSectionCase, ABrakeLimitsPayingOut) {
 // What is chosen carries both directions by both wraps.
 TEST(MastSectionCase, TheSectionIsChosenForBothDirections) {
   const Result r = run(case_a());
-  ASSERT_EQ(r.checks.size(), 3u);
+  ASSERT_EQ(r.checks.size(), 4u);
   for (const Check& c : r.checks) EXPECT_TRUE(c.passes) << c.name << c.value;
   const Table* t = r.find_table("sections");
   ASSERT_NE(t, nullptr);

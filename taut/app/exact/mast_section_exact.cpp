@@ -119,7 +119,7 @@ Section section_of(const Input& in, const Solved& method) {
 /// The forces of one position with the ropes hauled in.
 const ClampForces& hauled_in_at(const Solved& method, std::size_t index) {
   return *std::find_if(method.forces.begin(), method.forces.end(), [&](const ClampForces& f) {
-    return f.index == index && !f.skyline_out && !f.mainline_out && !f.put_up;
+    return f.index == index && are(f, RopeState::hauled_in) && !f.put_up;
   });
 }
 
@@ -414,8 +414,9 @@ void add_checks(const Input& in, const Solved& method, const Section& section, E
                 const MastSectionExact& e, Result& r) {
   if (!is_beyond_method(in)) return;  // the method has checked it by second order
   std::string rule =
-      "N/A + M/W <= [sigma] at every height, second order, at every carriage position, each rope hauled in and paid "
-      "out, and with the guys alone";
+      "N/A + M/W <= [sigma] at every height, second order, at every carriage position, each rope hauled in, paid out "
+      "and "
+      "at rest, with guys each rope alone too, and with the guys alone";
   if (in.safety) rule += "; the larger of the stress and of that under the safety times the forces, over the safety";
   const double stress = stress_of_all(method, section, masts);
   if (std::isnan(stress)) rule = "the mast finds no equilibrium under the safety times the ropes' forces: it buckles";

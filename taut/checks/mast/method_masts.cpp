@@ -96,8 +96,8 @@ void add_method_masts(const std::vector<MastCheckRequest>& masts, Result& r) {
     MastReport report = own_mast(own, loads);
     report.covers = {methods_mast};
     report.words.push_back(
-        fmt::format("{}: under the forces of the method on its blocks, each rope hauled in and paid out, at every "
-                    "carriage position (table load_cases).",
+        fmt::format("{}: under the forces of the method on its blocks, each rope hauled in, paid out and at rest, at "
+                    "every carriage position (table load_cases).",
                     one.name));
     add_mast_report(one, report, r);
   }

@@ -109,6 +109,18 @@ void warn_of_peaks(const rope::RopeUse& use, const rope::RopeRules& rules, Resul
   }
 }
 
+/// A termination of which the tables say nothing but what the deck gives, its efficiency. Some of theirs are too weak
+/// in the heat, and some are not for lifting.
+void doubt_termination(const rope::RopeUse& use, const AskedRules& asked, const rope::RopeRules& rules, Result& r) {
+  if (asked.unknown_termination.empty()) return;
+  const std::string words = fmt::format(
+      "{}: the tables do not have the termination '{}': whether it is for lifting, and "
+      "how hot it may be, is not checked",
+      use.name, asked.unknown_termination);
+  warn_unsafe(r, words);
+  if (rules.temperature && weakens(*rules.temperature)) r.unmade.push_back(words);
+}
+
 void add_checks_of(const RopeCheckRequest& request, const AskedRules& asked, const rope::RopeUse& use, Result& r,
                    std::optional<double> around, bool chosen) {
   const rope::RopeRules rules = rope_rules(request, asked, use.rope, around);
@@ -127,6 +139,7 @@ void add_checks_of(const RopeCheckRequest& request, const AskedRules& asked, con
   r.warnings.insert(r.warnings.end(), found.remarks.begin(), found.remarks.end());
   std::move(found.left_out.begin(), found.left_out.end(), std::back_inserter(r.unmade));
   warn_of_peaks(use, rules, r);
+  doubt_termination(use, asked, rules, r);
   const double heat_share = rules.heat_strength ? rules.heat_strength->value : 1;
   // the value beside the check is that of the cold rope so far
   for (Value& value : r.values) {

@@ -23,11 +23,11 @@ const Description& En13001Request::describe() {
           .field(&En13001Request::bends, "bends", "w_tot", si::one,
                  "number of bendings in the design life; default: the static proof alone")
           .above(0)
-          .field(&En13001Request::spectrum, "spectrum", "k_r", si::one, "spectrum factor of the rope force")
+          .field(&En13001Request::spectrum, "spectrum", "k_r", si::one, "spectrum factor of the rope force; default: 1")
           .above(0)
           .at_most(1)
           .field(&En13001Request::factor, "factor", "f_f", si::one,
-                 "product of the factors of influence: D/d, grade, fleet angle, groove")
+                 "product of the factors of influence: D/d, grade, fleet angle, groove; default: 1")
           .above(0)
           .at_most(5);
   return d;

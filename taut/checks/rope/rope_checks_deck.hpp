@@ -24,9 +24,9 @@ enum class DrumFace { unsaid, smooth, grooved };
 
 /// Proofs of EN 13001-3-2.
 struct En13001Request {
-  std::optional<double> bends;  ///< w_tot in the design life; without it the static proof alone
-  double spectrum = 1;          ///< k_r
-  double factor = 1;            ///< f_f
+  std::optional<double> bends;     ///< w_tot in the design life; without it the static proof alone
+  std::optional<double> spectrum;  ///< k_r; 1
+  std::optional<double> factor;    ///< f_f; 1
   static const Description& describe();
 };
 

@@ -392,4 +392,37 @@ checks: {{ropes: {{w: {{safety_factor: 3, drum: grooved, fleet_angle: 5 deg}}}}}
   EXPECT_EQ(layers("79 m", 2), 6);
 }
 
+// The deck's own efficiency takes the place of a number: what the name says of heat and of lifting stays.
+TEST(RopeChecks, an_efficiency_hides_no_limit_of_the_termination) {
+  const auto ended = [](const std::string& end) {
+    return run_text(hoist_deck(
+        "  ropes: {hoist: {field: crane_running, class: M3, termination_efficiency: 0.85, termination: " + end + "}}"));
+  };
+  EXPECT_THAT(ended("u_bolt_grips").unmade, testing::Contains(HasSubstr("not for lifting")));
+  EXPECT_FALSE(find(ended("ferrule, temperature: 180 degC"), "hoist.end_temperature")->passes);
+  expect_mistake(ended("sokcet"), "did you mean 'socket'");
+  const auto does_not_know = testing::Contains(HasSubstr("the tables do not have the termination 'aluminium sleeve'"));
+  const Result cold = ended("aluminium sleeve"), hot = ended("aluminium sleeve, temperature: 180 degC");
+  EXPECT_THAT(cold.unsafe, does_not_know);
+  EXPECT_THAT(cold.unmade, testing::Not(does_not_know));
+  EXPECT_THAT(hot.unmade, does_not_know);
+  EXPECT_THAT(ended("socket").unsafe, testing::Not(testing::Contains(HasSubstr("termination"))));
+}
+
+// A drum's layers need the diameter of the rope that the machine winds, which `checks` can not give.
+TEST(RopeChecks, what_a_drum_lacks_for_its_layers_is_named) {
+  const auto lacks = [](const std::string& rope, const std::string& drum) {
+    return run_text(hoist_deck("  ropes: {hoist: {safety_factor: 4, breaking_force: 178 kN, rated_pull: 60 kN" + rope +
+                               "}}"),
+                    {"machine.ropes.hoist={mass: 1 kg/m, stiffness: 12 MN}",
+                     "machine.drums.winch={at: [-8 m, 0 m, 2 m], core_diameter: 300 mm" + drum + "}"})
+        .unmade;
+  };
+  EXPECT_THAT(lacks(", diameter: 16 mm", ", face_width: 500 mm, length_on_drum: 60 m"),
+              testing::ElementsAre(testing::EndsWith("the drum 'winch' needs the 'diameter' of its rope in 'ropes' of "
+                                                     "the machine")));
+  EXPECT_THAT(lacks("", ", face_width: 500 mm"),
+              testing::Contains(HasSubstr("needs 'length_on_drum' and the 'diameter'")));
+}
+
 }  // namespace taut::checks::rope_checks_test

@@ -151,6 +151,11 @@ void add_life_check(const rope::Life& life, const rope::LifeRules& rules, const 
                                 fmt::format("how often the duty of {} can run, {}", use.name, life.constants->count)));
 }
 
+void leave_out(const rope::RopeUse& use, const std::string& what, Result& r) {
+  r.unmade.push_back(fmt::format("{}: {}", use.name, what));
+  r.warnings.push_back(r.unmade.back());
+}
+
 /// The pull with which a round bends the rope hardest: that of the states, or that of a duty above it.
 struct HardestBend {
   double pull = 0;  ///< N, with the dynamic factor
@@ -180,14 +185,13 @@ HardestBend hardest_bend(const RopeCheckRequest& request, const rope::RopeUse& u
 
 void check_donandt(const RopeCheckRequest& request, const rope::RopeUse& use, const rope::RopeRules& rules, Result& r) {
   const HardestBend hardest = hardest_bend(request, use, rules.dynamic_factor);
-  const auto leave_out = [&](const std::string& why) {
-    r.unmade.push_back(fmt::format("{}: its Donandt force is not checked: {}", use.name, why));
-    r.warnings.push_back(r.unmade.back());
+  const auto not_checked = [&](const std::string& why) {
+    leave_out(use, "its Donandt force is not checked: " + why, r);
   };
   if (!use.unmeasured.empty())
-    leave_out(fmt::format("no diameter is known of {}", fmt::join(use.unmeasured, ", ")));
+    not_checked(fmt::format("no diameter is known of {}", fmt::join(use.unmeasured, ", ")));
   else if (!(hardest.pull > 0))
-    leave_out("no sheave or drum bends it under tension");
+    not_checked("no sheave or drum bends it under tension");
   if (!(hardest.pull > 0)) return;
   const bool doubted = rules.dynamic_factor != 1 && is_unverified(rules.dynamic_trust);
   Check c = make_check(
@@ -208,6 +212,42 @@ TableWords life_words() {
           .columns = words_of(life_quantities())};
 }
 
+namespace {
+
+/// The Donandt force is a check of its own: all other data are of the life.
+bool asks_for_life(const RopeCheckRequest& request) {
+  if (!request.life) return false;
+  const LifeRequest& life = *request.life;
+  return !life.donandt_force || !life.constants.empty() || life.bent_length || life.core_factor || life.reverse_weight;
+}
+
+/// "'sad' of the duty 'lifts'": where the duties name rounds of the rope that do not bend it.
+std::vector<std::string> not_bent_on(const rope::LifeRules& rules, const rope::RopeUse& use) {
+  std::vector<std::string> all;
+  for (const rope::Duty& duty : rules.duty) {
+    for (const std::string& name : duty.over) {
+      const auto is_here = [&](const rope::Bend& bend) { return bend.name == name; };
+      const auto bends = [&](const rope::Bend& bend) { return is_here(bend) && counts(duty, bend); };
+      const auto& rounds = use.bends;
+      if (std::any_of(rounds.begin(), rounds.end(), is_here) && std::none_of(rounds.begin(), rounds.end(), bends))
+        all.push_back(fmt::format("'{}' of the duty '{}'", name, duty.name));
+    }
+  }
+  return all;
+}
+
+constexpr const char* unbent = "no sheave or drum of known diameter bends it under tension";
+
+/// Of a rope that no duty bends.
+std::string why_unbent(const rope::RopeUse& use) {
+  const auto bent = std::find_if(use.bends.begin(), use.bends.end(), [](const auto& bend) { return counts({}, bend); });
+  if (bent == use.bends.end()) return unbent;
+  return fmt::format(
+      "no duty runs over '{}', which bends it: name it in 'over', or check other reevings by their names", bent->name);
+}
+
+}  // namespace
+
 void complain_of_life(const RopeCheckRequest& request, const catalogue::RopeRow& rope,
                       const std::vector<std::string>& rounds, const std::string& path,
                       std::vector<Complaint>& complaints) {
@@ -218,14 +258,18 @@ void complain_of_life(const RopeCheckRequest& request, const catalogue::RopeRow&
           {fmt::format("{}.life.constants[{}].a", path, i), "four constants are expected: a0, a1, a2, a3"});
     }
   }
-  if (request.duty.empty()) return;
-  if (rope.id.empty()) return;  // chosen later
-  if (!(rope.diameter > 1.4e-3) || !rope.grade) {
+  if (request.duty.empty()) {
+    if (asks_for_life(request))
+      complaints.push_back({path + ".life", "a life needs a 'duty': what bends the rope how often"});
+    return;
+  }
+  const bool chosen_later = rope.id.empty();
+  if (!chosen_later && (!(rope.diameter > 1.4e-3) || !rope.grade)) {
     complaints.push_back({path + ".duty", "a life needs the rope's 'diameter' (over 1.4 mm) and 'grade'"});
   }
   for (std::size_t i = 0; i < request.duty.size(); ++i) {
     for (const std::string& name : request.duty[i].over) {
-      if (rounds.empty() || std::find(rounds.begin(), rounds.end(), name) != rounds.end()) continue;
+      if (std::find(rounds.begin(), rounds.end(), name) != rounds.end()) continue;
       complaints.push_back(
           {fmt::format("{}.duty[{}].over", path, i),
            fmt::format("the rope runs over no '{}' with a diameter{}", name, did_you_mean(name, rounds))});
@@ -237,37 +281,29 @@ void add_life(const RopeCheckRequest& request, const rope::RopeUse& use, const r
   if (request.life && request.life->donandt_force) check_donandt(request, use, rules, r);
   if (request.discard) add_discard(request, use, r);
   if (request.duty.empty()) return;
-  if (!(use.rope.diameter > 1.4e-3) || !use.rope.grade) {  // of a rope that a design has chosen
-    r.unmade.push_back(fmt::format("{}: its life is not computed: the grade or the diameter of '{}' is not known",
-                                   use.name, use.rope.id));
-    r.warnings.push_back(r.unmade.back());
-    return;
-  }
+  const auto not_computed = [&](const std::string& why) { leave_out(use, "its life is not computed: " + why, r); };
+  if (!(use.rope.diameter > 1.4e-3) || !use.rope.grade)  // of a rope that a design has chosen
+    return not_computed(fmt::format("the grade or the diameter of '{}' is not known", use.rope.id));
   const rope::LifeRules life_rules = rules_of(request, use, rules);
+  for (const std::string& round : not_bent_on(life_rules, use))
+    leave_out(use, fmt::format("its life leaves out {}: {} there", round, unbent), r);
   const std::vector<rope::Life> lives = rope::life_of(use, life_rules);
   const auto worst =
       std::max_element(lives.begin(), lives.end(), [](const auto& a, const auto& b) { return a.damage < b.damage; });
-  if (worst == lives.end() || worst->lines.empty()) {
-    r.unmade.push_back(fmt::format(
-        "{}: its life is not computed: no sheave or drum of known diameter bends it under tension", use.name));
-    r.warnings.push_back(r.unmade.back());
-    return;
-  }
+  if (worst == lives.end() || worst->lines.empty()) return not_computed(why_unbent(use));
   const auto endless = std::find_if_not(lives.begin(), lives.end(), rope::is_finite);
   if (endless != lives.end()) {
-    r.unmade.push_back(
-        fmt::format("{}: its life is not computed: the constants of '{}' give no finite number of bendings ({})",
-                    use.name, endless->constants->count, endless->constants->words));
-    r.warnings.push_back(r.unmade.back());
-    return;
+    return not_computed(fmt::format("the constants of '{}' give no finite number of bendings ({})",
+                                    endless->constants->count, endless->constants->words));
   }
   // a duty that names its rounds names known ones
   const bool over_all =
       std::any_of(request.duty.begin(), request.duty.end(), [](const auto& d) { return d.over.empty(); });
   if (over_all && !use.unmeasured.empty()) {
-    r.unmade.push_back(fmt::format("{}: its life leaves out the bends over {}, of which no diameter is known", use.name,
-                                   fmt::join(use.unmeasured, ", ")));
-    r.warnings.push_back(r.unmade.back());
+    leave_out(use,
+              fmt::format("its life leaves out the bends over {}, of which no diameter is known",
+                          fmt::join(use.unmeasured, ", ")),
+              r);
   }
   add_life_check(*worst, life_rules, trust_of_life(request, *worst, rules), use, r);
   add_table(lives, use, r);

@@ -9,8 +9,8 @@
 
 namespace taut::checks {
 
-/// What is wrong with a rope's `duty` and `life`, at paths below `path`. `rounds`: names of what bends it; empty: not
-/// known yet.
+/// What is wrong with a rope's `duty` and `life`, at paths below `path`. `rounds`: names of what bends it, with a
+/// diameter.
 void complain_of_life(const RopeCheckRequest& request, const catalogue::RopeRow& rope,
                       const std::vector<std::string>& rounds, const std::string& path,
                       std::vector<Complaint>& complaints);

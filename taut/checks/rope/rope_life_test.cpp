@@ -251,4 +251,66 @@ checks:
   EXPECT_LT(damage("6x36-FC"), known);
 }
 
+// What a duty names and does not bend the rope adds nothing to the damage: that is no life.
+TEST(RopeLife, a_duty_over_a_saddle_is_not_judged) {
+  const auto deck = [](const std::string& duty) {
+    return run_text(R"(taut: 1
+machine:
+  ropes: {hoist: {rope: "EN 12385-4|6x36-IWRC|16|1960"}}
+  bodies: {hook: {mass: 2 t, free: [z]}}
+  points: {eye: {body: hook, at: [5.2 m, 0 m, 0 m]}}
+  sheaves: {head: {at: [5 m, 0 m, 10 m], diameter: 400 mm}}
+  supports: {sad: {at: [2 m, 0 m, 5 m], diameter: 300 mm, law: saddle, friction: 0.1}}
+  drums: {winch: {at: [0 m, 0 m, 0 m], core_diameter: 300 mm}}
+  reevings: [{rope: hoist, path: [{drum: winch}, {over: sad}, {over: head}, {anchor: eye}], length: 20 m}]
+analyses: [equilibrium: {}]
+checks: {ropes: {hoist: {safety_factor: 3, duty: [)" +
+                    duty + "]}}}\n");
+  };
+  const std::string over_winch = "{name: w, cycles: 10, over: winch}",
+                    over_saddle = "{name: s, cycles: 5e9, over: sad}";
+  EXPECT_TRUE(deck(over_winch).unmade.empty());
+  EXPECT_THAT(deck(over_winch + ", " + over_saddle).unmade,
+              testing::ElementsAre(HasSubstr("hoist: its life leaves out 'sad' of the duty 's'")));
+  EXPECT_THAT(deck(over_saddle).unmade, testing::Contains(HasSubstr("hoist: its life is not computed")));
+}
+
+// A rope in two reevings: each has the damage of the duties over its own rounds.
+TEST(RopeLife, a_duty_over_another_reeving_of_the_rope_is_that_ones) {
+  const auto deck = [](const std::string& duty) {
+    return run_text(R"(taut: 1
+machine:
+  ropes: {r: {rope: "EN 12385-4|6x36-IWRC|16|1960"}}
+  bodies: {h1: {mass: 2 t, free: [z]}, h2: {mass: 6 t, free: [z]}}
+  points:
+    a: {at: [0 m, 0 m, 0 m]}
+    e1: {body: h1, at: [2.2 m, 0 m, 0 m]}
+    e2: {body: h2, at: [4.2 m, 3 m, 0 m]}
+    a2: {at: [0 m, 3 m, 0 m]}
+  sheaves: {s1: {at: [2 m, 0 m, 10 m], diameter: 400 mm}, s2: {at: [4 m, 3 m, 10 m], diameter: 400 mm}}
+  reevings:
+    - {name: one, rope: r, path: [{anchor: a}, {over: s1}, {anchor: e1}], length: 15 m}
+    - {name: two, rope: r, path: [{anchor: a2}, {over: s2}, {anchor: e2}], length: 15 m}
+analyses: [equilibrium: {}]
+checks: {ropes: {r: {safety_factor: 2, duty: [{name: w, cycles: 1e4, over: s1})" +
+                    duty + "]}}}\n");
+  };
+  EXPECT_THAT(deck("").unmade,
+              testing::ElementsAre(HasSubstr("two: its life is not computed: no duty runs over 's2', which bends it")));
+  const Result both = deck(", {name: v, cycles: 1e4, over: s2}");
+  EXPECT_TRUE(both.unmade.empty());
+  EXPECT_EQ(table_of(both, "life_one").rows.size(), 1U);
+  EXPECT_EQ(table_of(both, "life_two").rows.size(), 1U);
+}
+
+// Data of a life ask for one. The Donandt force is a check of its own.
+TEST(RopeLife, its_data_need_a_duty) {
+  for (const char* life : {"core_factor: 2", "reverse_weight: 5", "bent_length: 20 m",
+                           "donandt_force: 90 kN, core_factor: 2", "constants: [{count: discard, a: [5, 0, 0, 0]}]"}) {
+    expect_mistake(run_text(lift(fmt::format("{{life: {{{}}}}}", life))),
+                   "checks.ropes.hoist.life: a life needs a 'duty'");
+  }
+  EXPECT_EQ(run_text(lift("{life: {donandt_force: 90 kN}}")).status, Status::ok);
+}
+
 }  // namespace taut::checks::rope_life_test

@@ -9,6 +9,7 @@
 
 #include "taut/base/expects.hpp"
 #include "taut/base/number.hpp"
+#include "taut/base/suggest.hpp"
 #include "taut/catalogue/construction.hpp"
 #include "taut/catalogue/rope_words.hpp"
 #include "taut/catalogue/rule.hpp"
@@ -166,9 +167,15 @@ class RequestReader {
         rules_.resistance = Limit{.value = 0, .rule = words_of(*row), .trust = catalogue::trust_words(*row)};
       }
     }
-    if (request_.en13001 && request_.en13001->bends) {
-      rules_.fatigue_history = rope::force_history(request_.en13001->spectrum, *request_.en13001->bends);
-      rules_.fatigue_factor = request_.en13001->factor;
+    if (request_.en13001) fatigue(*request_.en13001);
+  }
+
+  void fatigue(const En13001Request& given) {
+    if (given.bends) {
+      rules_.fatigue_history = rope::force_history(given.spectrum.value_or(1), *given.bends);
+      rules_.fatigue_factor = given.factor.value_or(1);
+    } else if (given.spectrum || given.factor) {
+      complain("en13001", "'spectrum' and 'factor' are of the fatigue proof, which needs 'bends'");
     }
   }
 
@@ -210,13 +217,14 @@ class RequestReader {
                                        *slope->low, number, given.speed, least->source);
   }
 
+  /// An efficiency of the deck takes the place of the number alone: where a termination may be used, and how hot it may
+  /// be, goes by its name.
   void termination() {
+    if (request_.termination) named_termination(*request_.termination);
     if (request_.termination_efficiency) {
       rules_.termination = Limit{.value = *request_.termination_efficiency,
                                  .rule = request_.termination.value_or("the termination") + ", efficiency of the deck",
                                  .trust = "user"};
-    } else if (request_.termination) {
-      named_termination(*request_.termination);
     }
   }
 
@@ -228,19 +236,24 @@ class RequestReader {
     if (found == known.end() && std::count_if(known.begin(), known.end(), begins_so) == 1) {
       found = std::find_if(known.begin(), known.end(), begins_so);
     }
+    const bool has_number = request_.termination_efficiency.has_value();
     if (found != known.end()) {
       asked_.termination = *found;
+    } else if (has_number && nearest(given, known).empty() && std::none_of(known.begin(), known.end(), begins_so)) {
+      asked_.unknown_termination = given;
     } else {
-      complain("termination", fmt::format("there is no termination '{}' in the tables: {}; or give "
-                                          "'termination_efficiency'",
-                                          given, catalogue::listed(known, 12)));
+      complain("termination",
+               fmt::format("there is no termination '{}' in the tables: {}{}", given, catalogue::listed(known, 12),
+                           has_number ? did_you_mean(given, known) : "; or give 'termination_efficiency'"));
     }
   }
 
+  /// A class that no field of use needs is there for D/d.
   bool runs() const {
     if (request_.running != Choose::by_field) return request_.running == Choose::yes;
     const auto& ids = asked_.fields;
-    return ids.empty() || std::any_of(ids.begin(), ids.end(), [](const std::string& id) {
+    return ids.empty() || (request_.group && !used_group_) ||
+           std::any_of(ids.begin(), ids.end(), [](const std::string& id) {
              return !begins(id, {"safety.skyline", "safety.guyline", "safety.crane_stay", "safety.ropeway_track",
                                  "safety.cableway"});
            });
@@ -318,13 +331,16 @@ class RopeLimits {
   bool fibre() const { return rope_.core == "FC"; }
 
   void termination() {
-    if (!asked_.termination.empty()) named_termination(asked_.termination);
+    const auto row = row_of_end();
+    const bool in_range =
+        row && (!row->up_to || (rope_.diameter > 0 && rope_.diameter <= *row->up_to * (1 + same_value)));
+    if (in_range && !rules_.termination) rules_.termination = limit_of(*row, SafeEnd::low);
     const auto& ids = asked_.fields;
     const bool crane =
         std::any_of(ids.begin(), ids.end(), [](const auto& id) { return begins(id, {"safety.crane_"}); });
     rules_.no_saddles |= crane && rules_.runs;
-    if (crane && rules_.termination && rules_.termination->rule.find(not_for_lifting) != std::string::npos) {
-      rules_.termination_refused = rules_.termination->rule;
+    if (crane && row && row->text.find(not_for_lifting) != std::string::npos) {
+      rules_.termination_refused = words_of(*row);
     }
     const auto& factors = rules_.safety_factors;
     const bool covered = factors.empty() ||  // EN 13001 has no factor with a number
@@ -335,25 +351,25 @@ class RopeLimits {
     }
   }
 
-  void named_termination(const std::string& name) {
+  /// Of the termination that is named, for this rope. Nothing: none is, or none of its tables is for the core.
+  std::optional<RuleRow> row_of_end() const {
     std::optional<RuleRow> worst;
+    if (asked_.termination.empty()) return worst;
     for (const char* core : {"IWRC", "FC"}) {
       // of a rope whose core nobody knows the weaker one
       if (!rope_.core.empty() && fibre() != (std::string_view(core) == "FC")) continue;
-      const auto row = rule_named(fmt::format("termination.{}.{}", name, core));
+      const auto row = rule_named(fmt::format("termination.{}.{}", asked_.termination, core));
       if (row && row->low && (!worst || *row->low < *worst->low)) worst = row;
     }
-    if (!worst || (worst->up_to && !(rope_.diameter > 0 && rope_.diameter <= *worst->up_to * (1 + same_value)))) return;
-    rules_.termination = limit_of(*worst, SafeEnd::low);
+    return worst;
   }
 
   void temperature() {
     rules_.temperature = request_.temperature;
     if (!rules_.temperature && around_ && weakens(*around_)) rules_.temperature = around_;
     if (!rules_.temperature) return;
-    const std::string end = asked_.termination.empty() ? request_.termination.value_or("") : asked_.termination;
     for (const RuleRow& row : catalogue::rules_of("temperature.end")) {
-      if (row.group != end) continue;
+      if (row.group != asked_.termination) continue;
       rules_.hottest_end = Limit{.value = hottest_of(row), .rule = words_of(row), .trust = catalogue::trust_words(row)};
     }
     const char* const core = fibre() || rope_.core.empty() ? "FC" : "steel";

@@ -24,7 +24,8 @@ void complain_of_values(const RopeCheckRequest& request, catalogue::RopeRow rope
 struct AskedRules {
   rope::RopeRules of_any_rope;      ///< without the limits that depend on the rope
   std::vector<std::string> fields;  ///< of use: "safety.crane_running.M4"
-  std::string termination;          ///< by its name in the tables; empty: none, or by its efficiency
+  std::string termination;          ///< by its name in the tables; empty: none, or none of theirs
+  std::string unknown_termination;  ///< one that the tables do not have, with an efficiency of the deck
 };
 
 /// Complaints of names that the tables do not have, at paths below `path`.

@@ -247,4 +247,58 @@ TEST(RopeRules, an_abbreviated_termination_has_its_temperature) {
   }
 }
 
+// A number of the deck's own changes neither where a termination may be used nor how hot it may be.
+TEST(RopeRules, an_efficiency_is_no_other_termination) {
+  RopeCheckRequest request;
+  request.temperature = 400;
+  request.termination_efficiency = 0.85;
+  for (const char* name : {"ferrule", "ferrule_eye"}) {
+    request.termination = name;
+    const auto rules = rules_for(request, six_strand("IWRC"));
+    ASSERT_TRUE(rules.hottest_end) << name;
+    EXPECT_NEAR(rules.hottest_end->value, 150 + 273.15, 1e-9) << name;
+    EXPECT_EQ(rules.termination->value, 0.85);
+    EXPECT_EQ(rules.termination->trust, "user");
+  }
+  request.termination = "u_bolt_grips";
+  EXPECT_TRUE(rules_for(request, six_strand("IWRC")).termination_refused.empty());
+  request.field = {"crane_stay"};
+  request.group = "M5";
+  EXPECT_NE(rules_for(request, six_strand("IWRC")).termination_refused.find("not for lifting"), std::string::npos);
+  for (const char* wrong : {"sokcet", "hand splice", "hand"}) {
+    request.termination = wrong;
+    EXPECT_NE(complaint_for(request, six_strand("IWRC")).find("there is no termination '"), std::string::npos) << wrong;
+  }
+}
+
+TEST(RopeRules, the_fatigue_proof_needs_the_number_of_bendings) {
+  RopeCheckRequest request;
+  request.en13001 = En13001Request{};
+  EXPECT_FALSE(rules_for(request, six_strand("IWRC")).fatigue_history);
+  request.en13001->factor = 1;
+  EXPECT_NE(complaint_for(request, six_strand("IWRC")).find("en13001: 'spectrum' and 'factor'"), std::string::npos);
+  request.en13001->bends = 5e5;
+  EXPECT_DOUBLE_EQ(*rules_for(request, six_strand("IWRC")).fatigue_history, 1);
+  request.en13001->spectrum = 0.2;
+  EXPECT_DOUBLE_EQ(*rules_for(request, six_strand("IWRC")).fatigue_history, 0.2);
+}
+
+// A class that the field of use does not need asks for D/d; that of a stay is its factor's.
+TEST(RopeRules, a_class_is_never_ignored) {
+  RopeCheckRequest request;
+  request.group = "M8";
+  request.field = {"skyline.ch"};
+  const auto ratios = [&] { return rules_for(request, six_strand("IWRC")).sheave_ratios.size(); };
+  EXPECT_GT(ratios(), 0U);
+  EXPECT_TRUE(rules_for(request, six_strand("IWRC")).ratio_asked);
+  request.running = Choose::no;
+  EXPECT_EQ(ratios(), 0U);
+  request.running = Choose::by_field;
+  request.field = {"crane_stay"};
+  EXPECT_EQ(ratios(), 0U);
+  request.field = {"skyline.ch"};
+  request.group = "M9";
+  EXPECT_NE(complaint_for(request, six_strand("IWRC")).find("there is no class 'M9'"), std::string::npos);
+}
+
 }  // namespace taut::checks::rope_rules_test

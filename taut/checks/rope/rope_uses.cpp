@@ -55,6 +55,15 @@ void turn(rope::Bend& bend, const Vector3& about) {
   }
 }
 
+/// What is not known of a drum and its rope, for the layers.
+std::vector<std::string> lacks_of_layers(const machine::Drum& drum, double rope_diameter) {
+  std::vector<std::string> all;
+  if (!(drum.width > 0)) all.emplace_back("'face_width'");
+  if (!drum.length_on_drum) all.emplace_back("'length_on_drum'");
+  if (!(rope_diameter > 0)) all.emplace_back("the 'diameter' of its rope in 'ropes' of the machine");
+  return all;
+}
+
 /// Of branches in the order of the paths; of a rope in segments the whole of its first or last branch.
 template <class Branches, class Ends>
 BesideDrum beside_drum(const Branches& branches, int reeving, bool at_end, const Ends& ends_of) {
@@ -194,7 +203,8 @@ void RopeUses::add_end(std::size_t reeving, const machine::Model& model, bool at
                    .fleet_angle = {},
                    .layers = {},
                    .first_radius = {},
-                   .last_radius = {}});
+                   .last_radius = {},
+                   .lacks = lacks_of_layers(model.drums[*node.drum], rope.diameter)});
 }
 
 void RopeUses::take(const machine::Model& model, const solve::EquilibriumResult& state, const std::string& words) {

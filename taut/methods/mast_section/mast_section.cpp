@@ -7,9 +7,12 @@
 namespace taut::mast_section {
 namespace {
 
-constexpr std::array<const char*, sizes.size()> size_words{"the tube", "the solid square", "the hollow square",
+constexpr std::array<const char*, sizes.size()> size_words{"the tube",
+                                                           "the solid square",
+                                                           "the hollow square",
                                                            "the tube with the ropes paid out",
-                                                           "the tube with one rope hauled in, the other paid out"};
+                                                           "the tube with one rope hauled in, the other paid out",
+                                                           "the tube with a rope at rest"};
 
 /// Takes over one size, and what goes with it, from the position that governs it.
 void take_size(std::size_t k, const Output& from, Output& out) {

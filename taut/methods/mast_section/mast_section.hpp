@@ -140,6 +140,7 @@ struct Output {
   double M_payout = not_computed;           ///< N m
   double D_tube_payout = not_computed;      ///< m
   double D_tube_mixed = not_computed;       ///< m, one rope hauled in, the other paid out
+  double D_tube_rest = not_computed;        ///< m, at least one rope at rest
   double section_stress = not_computed;     ///< Pa, in the section checked or chosen
   double section_allowable = not_computed;  ///< Pa
   double section_mass = not_computed;       ///< kg/m
@@ -166,7 +167,8 @@ Outcome solve(const Input& in, Output& out);
 bool is_beyond_method(const Input& in);
 
 /// The result for a report: values, steps, tables of positions and of catalogue sections, checks, figures. A section
-/// is chosen and checked for ropes hauled in and paid out, by first order; run.hpp has the same by second order.
+/// is chosen and checked for ropes hauled in, paid out and at rest, by first order; run.hpp has the same by second
+/// order.
 Result run(const Input& in);
 /// The lines of the main answer, from a result of this input that is ok.
 std::vector<Answer> answers(const Input& in, const Result& r, const Display& display);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -224,37 +225,82 @@ bool ideal_sizes(const Mast<T>& m, const Loads<T>& at, Sheet<T>& s, Output& out)
   return true;
 }
 
-/// A rope paid out under load: what its block takes across and down, per unit of its force on the span side.
+/// What a rope does to the mast: force down on its block, and moment at the clamp.
 template <class T>
-struct PaidOut {
-  T sky, main;  ///< forces on the span side, N
-  T across, down;
+struct RopeLoad {
+  T down, moment;
 };
 
-/// One rope hauled in, the other paid out: of both ways the one that asks for the larger tube.
 template <class T>
-bool mixed(const Mast<T>& m, const PaidOut<T>& o, const Blocks<T>& in, Sheet<T>& s, Output& out) {
+struct RopeStates {
+  RopeLoad<T> in, out, rest;
+  const RopeLoad<T>& of(RopeState state) const {
+    return state == RopeState::hauled_in ? in : state == RopeState::paid_out ? out : rest;
+  }
+};
+
+/// What each of the ropes does, for the sheet.
+struct Pair {
+  RopeState skyline, mainline;
+  const char* heading;
+};
+using enum RopeState;
+constexpr std::array mixed_pairs{
+    Pair{.skyline = hauled_in, .mainline = paid_out, .heading = "Skyline hauled in, mainline paid out under load"},
+    Pair{.skyline = paid_out, .mainline = hauled_in, .heading = "Skyline paid out under load, mainline hauled in"}};
+constexpr std::array rest_pairs{
+    Pair{.skyline = at_rest, .mainline = at_rest, .heading = "Ropes at rest, full force on both sides of the blocks"},
+    Pair{.skyline = at_rest, .mainline = hauled_in, .heading = "Skyline at rest, mainline hauled in"},
+    Pair{.skyline = hauled_in, .mainline = at_rest, .heading = "Skyline hauled in, mainline at rest"},
+    Pair{.skyline = at_rest, .mainline = paid_out, .heading = "Skyline at rest, mainline paid out under load"},
+    Pair{.skyline = paid_out, .mainline = at_rest, .heading = "Skyline paid out under load, mainline at rest"}};
+
+/// Names of the quantities of a pair, and its place in the output.
+struct PairNames {
+  const char *N, *M, *D;
+  double Output::*size;
+};
+constexpr PairNames mixed_names{.N = "N_mixed", .M = "M_mixed", .D = "D_tube_mixed", .size = &Output::D_tube_mixed};
+constexpr PairNames rest_names{.N = "N_rest", .M = "M_rest", .D = "D_tube_rest", .size = &Output::D_tube_rest};
+
+template <class T>
+struct BothRopes {
+  RopeStates<T> skyline, mainline;
+};
+
+/// Of several pairs the one that asks for the largest tube.
+template <class T, std::size_t n>
+bool worst_of(const std::array<Pair, n>& pairs, const PairNames& names, const Mast<T>& m, const BothRopes<T>& ropes,
+              Sheet<T>& s, Output& out) {
   const double c2 = value(m.c2), c4 = value(m.c4), k_N = 4 / (std::numbers::pi * (1 - c2) * value(m.sigma)),
                k_M = 32 / (std::numbers::pi * (1 - c4) * value(m.sigma));
-  const auto across = [](const Block<T>& b) { return value(b.R) * std::cos(value(b.gamma)); };
-  const auto down = [](const Block<T>& b) { return value(b.R) * std::sin(value(b.gamma)); };
-  const double h_sky = value(m.h_sky), h_main = value(m.h_main), a = value(o.across), d = value(o.down);
-  const double mainline_out = cubic_root(k_N * std::abs(down(in.sky) + value(o.main) * d),
-                                         k_M * (across(in.sky) * h_sky + value(o.main) * a * h_main));
-  const double skyline_out = cubic_root(k_N * std::abs(value(o.sky) * d + down(in.main)),
-                                        k_M * (value(o.sky) * a * h_sky + across(in.main) * h_main));
-  const bool sky = skyline_out > mainline_out;
-  s.section(sky ? "Skyline paid out under load, mainline hauled in"
-                : "Skyline hauled in, mainline paid out under load");
-  const T N = sky ? s.eq("2*", "N_mixed", si::N, o.sky * o.down + in.main.R * sin(in.main.gamma))
-                  : s.eq("2*", "N_mixed", si::N, in.sky.R * sin(in.sky.gamma) + o.main * o.down);
-  const T M =
-      sky ? s.eq("3*", "M_mixed", si::N_m, o.sky * m.h_sky * o.across + in.main.R * m.h_main * cos(in.main.gamma))
-          : s.eq("3*", "M_mixed", si::N_m, in.sky.R * m.h_sky * cos(in.sky.gamma) + o.main * m.h_main * o.across);
-  return tube_size("D_tube_mixed", m, abs(N), M, s, out.D_tube_mixed);
+  const auto tube_of = [&](const Pair& pair) {
+    const RopeLoad<T>&sky = ropes.skyline.of(pair.skyline), &main = ropes.mainline.of(pair.mainline);
+    return cubic_root(k_N * std::abs(value(sky.down) + value(main.down)),
+                      k_M * (value(sky.moment) + value(main.moment)));
+  };
+  const Pair& worst = *std::max_element(pairs.begin(), pairs.end(),
+                                        [&](const Pair& a, const Pair& b) { return tube_of(a) < tube_of(b); });
+  const RopeLoad<T>&sky = ropes.skyline.of(worst.skyline), &main = ropes.mainline.of(worst.mainline);
+  s.section(worst.heading);
+  const T N = s.eq("2*", names.N, si::N, sky.down + main.down);
+  const T M = s.eq("3*", names.M, si::N_m, sky.moment + main.moment);
+  return tube_size(names.D, m, abs(N), M, s, out.*names.size);
 }
 
-/// The ropes paid out under load: then the span side carries T_max and the drum side less.
+/// What a rope does in each state. `held`: the force on its span side while it is paid out, N; `at_drum`: that on its
+/// drum side while it is at rest with `held` on its span side, N.
+template <class T>
+RopeStates<T> states_of(const Block<T>& in, const T& held, const T& at_drum, const T& height, const Mast<T>& m,
+                        const Angles<T>& at) {
+  const T bends = held * height * cos(at.alpha);
+  return {.in = {.down = in.R * sin(in.gamma), .moment = in.R * height * cos(in.gamma)},
+          .out = {.down = held * (sin(at.alpha) + exp(-m.f * at.epsilon)), .moment = bends},
+          .rest = {.down = held * sin(at.alpha) + at_drum, .moment = bends}};
+}
+
+/// The ropes paid out under load: then the span side carries T_max and the drum side less. At rest the drum side may
+/// have T_max too.
 template <class T>
 bool payout(const Input& in, const Mast<T>& m, const Angles<T>& at, const Blocks<T>& blocks, Sheet<T>& s, Output& out) {
   s.section("The same with the ropes paid out under load");
@@ -271,8 +317,15 @@ bool payout(const Input& in, const Mast<T>& m, const Angles<T>& at, const Blocks
   out.M_payout = value(M);
   // A steeply rising rope can pull the mast up when its drum side is slack: the other fibre governs then.
   if (!tube_size("D_tube_payout", m, abs(N), M, s, out.D_tube_payout)) return false;
-  const PaidOut<T> paid_out{sky, main, cos(at.alpha), sin(at.alpha) + exp(-m.f * at.epsilon)};
-  return mixed(m, paid_out, blocks, s, out);
+  T drum_sky = m.T_sky, drum_main = m.T_main;
+  if (in.paid_out_force) {
+    s.note("At rest the friction of the block holds the drum side, which has the rope's full force at most.");
+    drum_sky = s.eq("2*", "T_rest_sky", si::N, min(m.T_sky, sky * exp(m.f * at.epsilon)));
+    drum_main = s.eq("2*", "T_rest_main", si::N, min(m.T_main, main * exp(m.f * at.epsilon)));
+  }
+  const BothRopes<T> ropes{.skyline = states_of(blocks.sky, sky, drum_sky, m.h_sky, m, at),
+                           .mainline = states_of(blocks.main, main, drum_main, m.h_main, m, at)};
+  return worst_of(mixed_pairs, mixed_names, m, ropes, s, out) && worst_of(rest_pairs, rest_names, m, ropes, s, out);
 }
 
 template <class T>

@@ -11,6 +11,10 @@ namespace taut::mast_section {
 extern const double least_branch_angle;
 extern const double largest_branch_angle;
 
+/// What a rope does. Hauled in, the friction of the block lessens its span side; paid out, its drum side. At rest the
+/// drum side may have anything between: the most that both sides can have at once counts.
+enum class RopeState { hauled_in, paid_out, at_rest, slack };
+
 /// How many carriage positions there are; 1 when the branch angle is given.
 std::size_t position_count(const Input& in);
 
@@ -33,8 +37,8 @@ struct Position {
 std::vector<Position> sweep(const Input& in);
 
 /// The sizes that a position may govern, each with the numbers that go with it.
-inline constexpr std::array sizes{&Output::D_tube, &Output::b_square, &Output::B_hollow, &Output::D_tube_payout,
-                                  &Output::D_tube_mixed};
+inline constexpr std::array sizes{&Output::D_tube,        &Output::b_square,     &Output::B_hollow,
+                                  &Output::D_tube_payout, &Output::D_tube_mixed, &Output::D_tube_rest};
 
 /// For each of `sizes` the position that asks for most; the outcome is that of the last position when none is feasible.
 struct Governing {

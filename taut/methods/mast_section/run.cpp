@@ -19,9 +19,9 @@ namespace {
 /// Second order: the stress grows faster than the forces, so that a reserve n in the stress is a smaller one in them.
 const char* second_order_rule(const Input& in) {
   return in.safety ? "N/A + M/W <= [sigma] at every height, with the moments of the mast's own deflection, each rope "
-                     "hauled in and paid out; stress under the safety times the forces, over the safety"
+                     "hauled in, paid out and at rest; stress under the safety times the forces, over the safety"
                    : "N/A + M/W <= [sigma] at every height, with the moments of the mast's own deflection, each rope "
-                     "hauled in and paid out";
+                     "hauled in, paid out and at rest";
 }
 
 /// `allowable`: [sigma] at the section's wall, with the rule that the stress is held against it by.
@@ -33,18 +33,21 @@ Check stress_check(std::string name, double stress, Bound allowable, std::string
   return c;
 }
 
+bool has_rest(const ClampForces& f) {
+  return f.skyline_is == RopeState::at_rest || f.mainline_is == RopeState::at_rest;
+}
+
 /// Load cases whose stress of first order is checked together.
 struct Directions {
   const char* words;
   bool (*has)(const ClampForces& f);
 };
 constexpr std::array directions{
-    Directions{.words = "ropes hauled in",
-               .has = [](const ClampForces& f) { return !f.skyline_out && !f.mainline_out; }},
-    Directions{.words = "ropes paid out", .has = [](const ClampForces& f) { return f.skyline_out && f.mainline_out; }},
+    Directions{.words = "ropes hauled in", .has = [](const ClampForces& f) { return are(f, RopeState::hauled_in); }},
+    Directions{.words = "ropes paid out", .has = [](const ClampForces& f) { return are(f, RopeState::paid_out); }},
     Directions{.words = "one rope hauled in, the other paid out",
-               .has = [](const ClampForces& f) { return f.skyline_out != f.mainline_out; }},
-};
+               .has = [](const ClampForces& f) { return f.skyline_is != f.mainline_is && !has_rest(f); }},
+    Directions{.words = "a rope at rest", .has = has_rest}};
 
 /// (12)-(14) for one section under the worst of some forces, as steps and as a check.
 void check_first_order(const Input& in, const Assessment& a, const std::vector<ClampForces>& all,
@@ -53,12 +56,12 @@ void check_first_order(const Input& in, const Assessment& a, const std::vector<C
   std::copy_if(all.begin(), all.end(), std::back_inserter(forces), direction.has);
   const auto worst = assess(limit_of(in), a.section, forces);
   s.section(fmt::format("Strength of {}, {}", a.section.name, direction.words));
-  const bool mixed = worst->worst.skyline_out != worst->worst.mainline_out;
+  const bool mixed = worst->worst.skyline_is != worst->worst.mainline_is;
   const std::string where = mixed ? case_words(in, worst->worst) : position_words(in, worst->worst);
   if (in.span && in.span->carriage_position.size() > 1) {
     s.note("its worst carriage position: " + where);
   } else if (mixed) {
-    s.note("the worse of both: " + where);
+    s.note("the worst of them: " + where);
   }
   const Num N = s.named("N", si::N, std::abs(worst->worst.N)), M = s.named("M", si::N_m, std::abs(worst->worst.M));
   const Num A = s.named("A", si::m2, a.section.area), W = s.named("W", si::m3, a.section.W_el_y);
@@ -252,7 +255,9 @@ void add_warnings(const Input& in, const Output& out, bool alone, Result& r) {
 void add_assumptions(const Input& in, Result& r) {
   r.assumptions = {
       "The mast is clamped at its foot; guylines neither hold nor load it.",
-      "Ropes hauled in: the drum side runs straight down with the rated force. Paid out: the span side has it.",
+      "Ropes hauled in: the drum side runs straight down with the rated force. Paid out: the span side has it. At "
+      "rest: "
+      "both sides may have it.",
       "Both ropes leave the mast in one vertical plane and under the same angle.",
       "N > 0 presses the mast down, Q > 0 pulls its head towards the span, M > 0 bends it that way.",
       "Own weight, wind, dynamics and fatigue are left out; what [sigma] holds in reserve has to cover them.",

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "taut/base/expects.hpp"
 #include "taut/catalogue/steel.hpp"
@@ -52,37 +53,64 @@ double stress_in(const SectionRow& section, const ClampForces& f) {
   return std::abs(f.N) / section.area + std::abs(f.M) / section.W_el_y;
 }
 
-/// The resultant on a block by its rope's direction.
-struct BothWays {
-  BlockForce in, out;
-  const BlockForce& of(bool paid_out) const { return paid_out ? out : in; }
+/// The resultant on a block by what its rope does.
+struct BlockForces {
+  BlockForce in, out, rest;
+  BlockForce of(RopeState state) const {
+    switch (state) {
+      case RopeState::hauled_in:
+        return in;
+      case RopeState::paid_out:
+        return out;
+      case RopeState::at_rest:
+        return rest;
+      case RopeState::slack:
+        break;
+    }
+    return {};
+  }
 };
 
 /// Hauled in by (5), (6); paid out the span side carries the full force or what its brake holds, the drum side less by
-/// the friction of the block.
-BothWays block_of(const Input& in, const Output& o, double force, double R, double gamma) {
-  const double held = std::min(force, in.paid_out_force.value_or(force));
+/// the friction of the block; at rest that friction may hold the full force on the drum side too.
+BlockForces block_of(const Input& in, const Output& o, double force, double R, double gamma) {
+  const double held = std::min(force, in.paid_out_force.value_or(force)), grip = std::exp(in.block_friction * o.wrap);
+  const double across = held * std::cos(o.alpha), down = held * std::sin(o.alpha);
   return {.in = {.across = R * std::cos(gamma), .down = R * std::sin(gamma)},
-          .out = {.across = held * std::cos(o.alpha),
-                  .down = held * (std::sin(o.alpha) + std::exp(-in.block_friction * o.wrap))}};
+          .out = {.across = across, .down = down + held / grip},
+          .rest = {.across = across, .down = down + std::min(force, held * grip)}};
 }
 
-/// The four load cases of a position; N and M of the first two are the method's own.
+/// The states of both ropes. The forces that a rope can have on its two sides lie between those of its states, and the
+/// stress is a convex function of them: with one of these it is largest. What one rope does to a mast adds to what the
+/// other one does, unless its guys pull against them: then either may be slack.
+std::vector<std::pair<RopeState, RopeState>> states_of(const Input& in) {
+  using enum RopeState;
+  std::vector<std::pair<RopeState, RopeState>> all = {
+      {hauled_in, hauled_in}, {paid_out, paid_out}, {hauled_in, paid_out}, {paid_out, hauled_in}, {at_rest, at_rest},
+      {hauled_in, at_rest},   {at_rest, hauled_in}, {paid_out, at_rest},   {at_rest, paid_out}};
+  if (in.guys.empty()) return all;
+  for (const RopeState one : {hauled_in, paid_out, at_rest}) all.insert(all.end(), {{one, slack}, {slack, one}});
+  return all;
+}
+
+/// The load cases of a position; N and M of the first two are the method's own.
 void add_cases(const Input& in, const Position& p, std::vector<ClampForces>& all) {
   const Output& o = p.out;
-  const BothWays sky = block_of(in, o, in.skyline_force, o.R_sky, o.gamma_sky);
-  const BothWays main = block_of(in, o, in.mainline_force, o.R_main, o.gamma_main);
+  const BlockForces sky = block_of(in, o, in.skyline_force, o.R_sky, o.gamma_sky);
+  const BlockForces main = block_of(in, o, in.mainline_force, o.R_main, o.gamma_main);
   const double h_sky = in.skyline_block_height, h_main = in.mainline_block_height.value_or(h_sky);
-  for (const auto& [sky_out, main_out] : {std::pair{false, false}, {true, true}, {false, true}, {true, false}}) {
+  for (const auto& [sky_is, main_is] : states_of(in)) {
     ClampForces f{.index = p.index,
-                  .skyline_out = sky_out,
-                  .mainline_out = main_out,
-                  .skyline = sky.of(sky_out),
-                  .mainline = main.of(main_out),
+                  .skyline_is = sky_is,
+                  .mainline_is = main_is,
+                  .skyline = sky.of(sky_is),
+                  .mainline = main.of(main_is),
                   .lateral = in.lateral_force.value_or(0)};
     f.N = f.skyline.down + f.mainline.down;
     f.M = f.skyline.across * h_sky + f.mainline.across * h_main;
-    if (sky_out == main_out) f.N = sky_out ? o.N_payout : o.N, f.M = sky_out ? o.M_payout : o.M;
+    if (are(f, RopeState::hauled_in)) f.N = o.N, f.M = o.M;
+    if (are(f, RopeState::paid_out)) f.N = o.N_payout, f.M = o.M_payout;
     all.push_back(f);
   }
 }
@@ -126,10 +154,25 @@ ClampForces operator*(double factor, ClampForces f) {
   return f;
 }
 
-const char* direction_words(const ClampForces& f) {
+bool are(const ClampForces& f, RopeState state) { return f.skyline_is == state && f.mainline_is == state; }
+
+std::string direction_words(const ClampForces& f) {
   if (f.put_up) return "guys put up, no load";
-  if (f.skyline_out) return f.mainline_out ? "ropes paid out" : "skyline paid out, mainline hauled in";
-  return f.mainline_out ? "skyline hauled in, mainline paid out" : "ropes hauled in";
+  const auto words = [](RopeState state) {
+    switch (state) {
+      case RopeState::hauled_in:
+        return "hauled in";
+      case RopeState::paid_out:
+        return "paid out";
+      case RopeState::at_rest:
+        return "at rest";
+      case RopeState::slack:
+        break;
+    }
+    return "slack";
+  };
+  if (f.skyline_is == f.mainline_is) return fmt::format("ropes {}", words(f.skyline_is));
+  return fmt::format("skyline {}, mainline {}", words(f.skyline_is), words(f.mainline_is));
 }
 
 std::string position_words(const Input& in, const ClampForces& f) {

@@ -21,18 +21,21 @@ struct BlockForce {
 struct ClampForces {
   double N = 0;
   double M = 0;
-  std::size_t index = 0;                           ///< of the carriage position
-  bool skyline_out = false, mainline_out = false;  ///< the rope runs out under load, else it is hauled in
+  std::size_t index = 0;  ///< of the carriage position
+  RopeState skyline_is = RopeState::hauled_in, mainline_is = RopeState::hauled_in;
   BlockForce skyline = {}, mainline = {};
   double lateral = 0;   ///< across the span at the skyline block, N: not in the method
   bool put_up = false;  ///< no rope pulls and no force acts from the side: the mast stands with its guys alone
 };
 
+/// Whether both ropes are in this state.
+bool are(const ClampForces& f, RopeState state);
+
 /// The same with every force of the ropes, and across the span, times `factor`.
 ClampForces operator*(double factor, ClampForces f);
 
-/// "ropes hauled in", "ropes paid out", "skyline hauled in, mainline paid out", "guys put up, no load", ...
-const char* direction_words(const ClampForces& f);
+/// "ropes hauled in", "ropes at rest", "skyline hauled in, mainline paid out", "guys put up, no load", ...
+std::string direction_words(const ClampForces& f);
 
 /// "carriage at 10 m"; empty where the span is not given.
 std::string position_words(const Input& in, const ClampForces& f);
@@ -40,9 +43,9 @@ std::string position_words(const Input& in, const ClampForces& f);
 std::string case_words(const Input& in, const ClampForces& f);
 
 /// What a section must carry: at every carriage position that the method can do (`positions`: all of the deck) each
-/// rope hauled in and paid out, by the wrap as asked for and, where that is the paper's, by the geometric one as well.
-/// A mast with guys may be held by what loads it: it has the same without the side force too, and last its guys alone.
-/// Empty: no position is feasible.
+/// rope hauled in, paid out and at rest, by the wrap as asked for and, where that is the paper's, by the geometric one
+/// as well. A mast with guys may be held by what loads it: it has each rope alone, the other one slack, all that
+/// without the side force too, and last its guys alone. Empty: no position is feasible.
 std::vector<ClampForces> clamp_forces(const Input& in, const std::vector<Position>& positions);
 
 /// What the published method does not know of a mast, from outside; each function may be empty.

@@ -114,10 +114,10 @@ TEST(MastSectionSizing, EachRopeIsHauledInAndPaidOut) {
   in.paid_out_force = 56e3;
   in.branch_angle = std::numbers::pi / 6;
   const auto forces = clamp_forces(in, sweep(in));
-  ASSERT_EQ(forces.size(), 4U);
+  ASSERT_EQ(forces.size(), 9U);
   const double x = std::exp(-0.16 * 2 * std::numbers::pi / 3), c = std::sqrt(0.75);
   const auto in_out = std::find_if(forces.begin(), forces.end(), [](const auto& f) {
-    return std::string_view(direction_words(f)) == "skyline hauled in, mainline paid out";
+    return direction_words(f) == "skyline hauled in, mainline paid out";
   });
   ASSERT_NE(in_out, forces.end());
   EXPECT_NEAR(in_out->M, 100e3 * x * c * 10 + 56e3 * c * 9, 1);
@@ -136,12 +136,64 @@ TEST(MastSectionSizing, EachRopeIsHauledInAndPaidOut) {
       1e-6 * 160e6);
 }
 
+/// By hand, friction 0.16, alpha 75 deg, wrap 165 deg: T cos(75 deg) across on each block, T (1 + sin(75 deg)) down.
+/// The drum side of the brakes that slip at 50 kN has up to 50 kN exp(0.16 * 165 deg) = 79.3 kN.
+TEST(MastSectionSizing, ARopeAtRestMayHaveItsFullForceOnBothSides) {
+  Input in = plain_mast();
+  in.skyline_force = 100e3;
+  in.mainline_force = 40e3;
+  in.skyline_block_height = 2.5;
+  in.mainline_block_height.reset();
+  in.block_friction = 0.16;
+  in.branch_angle = 75 * std::numbers::pi / 180;
+  const double s = std::sin(*in.branch_angle), c = std::cos(*in.branch_angle), pi = std::numbers::pi;
+  const auto case_of = [&](const char* words) {
+    const auto forces = clamp_forces(in, sweep(in));
+    return *std::find_if(forces.begin(), forces.end(), [&](const auto& f) { return direction_words(f) == words; });
+  };
+  const ClampForces rest = case_of("ropes at rest");
+  EXPECT_NEAR(rest.M, 140e3 * c * 2.5, 1e-6 * rest.M);
+  EXPECT_NEAR(rest.N, 140e3 * (1 + s), 1e-6 * rest.N);
+  EXPECT_NEAR(rest.M, case_of("ropes paid out").M, 1e-6 * rest.M);
+  EXPECT_GT(rest.N, 1.2 * case_of("ropes paid out").N);
+  Output out;
+  ASSERT_TRUE(solve(in, out).ok());
+  const double D = out.D_tube_rest, d = in.tube_ratio * D;
+  EXPECT_GT(D, std::max({out.D_tube, out.D_tube_payout, out.D_tube_mixed}));
+  EXPECT_NEAR(rest.N / (pi / 4 * (D * D - d * d)) + rest.M * D / 2 / (pi / 64 * (std::pow(D, 4) - std::pow(d, 4))),
+              160e6, 1e-6 * 160e6);
+  in.paid_out_force = 50e3;
+  const double held = 50e3 * std::exp(0.16 * 165 * pi / 180);
+  EXPECT_NEAR(case_of("ropes at rest").N, 50e3 * s + held + 40e3 * (1 + s), 1);
+  EXPECT_NEAR(case_of("skyline at rest, mainline paid out").M, 90e3 * c * 2.5, 1);
+}
+
+// What balances the guys may be gone: one rope is laid before the other one.
+TEST(MastSectionSizing, AGuyedMastMayHaveOneRopeAlone) {
+  Input in = plain_mast();
+  in.guys.emplace_back();
+  const auto forces = clamp_forces(in, sweep(in));
+  for (const bool skyline : {true, false}) {
+    int alone = 0;
+    for (const ClampForces& f : forces) {
+      const BlockForce &slack = skyline ? f.mainline : f.skyline, &pulls = skyline ? f.skyline : f.mainline;
+      if (f.put_up || slack.across != 0 || slack.down != 0) continue;
+      ++alone;
+      EXPECT_GT(pulls.across, 0);
+      EXPECT_EQ(f.N, pulls.down);
+      EXPECT_NE(direction_words(f).find("slack"), std::string::npos);
+    }
+    EXPECT_EQ(alone, 3);
+  }
+}
+
 // The guys are put up before the ropes are laid: that is a load case of its own, without a carriage. A force from the
 // side comes and goes, and may be what holds the mast against its guys.
 TEST(MastSectionSizing, TheGuysAloneAreALoadCase) {
   Input in = plain_mast();
-  const std::size_t without = clamp_forces(in, sweep(in)).size();
+  const std::size_t unguyed = clamp_forces(in, sweep(in)).size();
   in.guys.emplace_back();
+  const std::size_t without = unguyed + 6;  // each rope alone, hauled in, paid out and at rest
   in.lateral_force = 5e3;
   const auto forces = clamp_forces(in, sweep(in));
   ASSERT_EQ(forces.size(), 2 * without + 1);

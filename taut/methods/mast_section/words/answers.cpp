@@ -73,8 +73,7 @@ std::vector<Answer> answers(const Input& in, const Result& r, const Display& dis
   const std::size_t row = sections == nullptr ? 0 : row_in_use(*sections, r);
   const bool has_section = sections != nullptr && row < sections->rows.size();
   if (has_section) {
-    add_answer_line(lines, in.choose_section && !in.section ? build_label : given_label,
-                    {section_words(in, *sections, row, display)});
+    add_answer_line(lines, in.section ? given_label : build_label, {section_words(in, *sections, row, display)});
   }
   if (const Check* c = worst_of_mast(r)) {
     add_answer_line(
@@ -84,8 +83,9 @@ std::vector<Answer> answers(const Input& in, const Result& r, const Display& dis
          c->name, c->where});
   }
   add_answer_line(lines, "Foot", foot_words(in, r, display));
-  const double tube =
-      std::fmax(std::fmax(number_of(r, "D_tube"), number_of(r, "D_tube_payout")), number_of(r, "D_tube_mixed"));
+  double tube = not_computed;
+  for (const char* size : {"D_tube", "D_tube_payout", "D_tube_mixed", "D_tube_rest"})
+    tube = std::fmax(tube, number_of(r, size));
   if (std::isfinite(tube)) {
     const Unit mm = si::m.in("mm");
     add_answer_line(lines, has_section ? std::string_view("Ideal tube") : needs_label,

@@ -30,6 +30,14 @@ TEST(MastAnswers, NameTheSectionThatIsChosen) {
   EXPECT_NE(line_of(all, "Stress").find("of 160 MPa allowed"), std::string::npos) << line_of(all, "Stress");
 }
 
+// Without `section` and `choose_section` the lightest of all is chosen too.
+TEST(MastAnswers, ASectionIsChosenUnasked) {
+  const Input in = plain_mast();
+  const auto all = answers(in, run(in), Display());
+  ASSERT_FALSE(all.empty());
+  EXPECT_EQ(all.front().label, "Build");
+}
+
 TEST(MastAnswers, AGivenSectionIsNotProposed) {
   Input in = plain_mast();
   in.section = "CHS 508x16";
@@ -42,7 +50,8 @@ TEST(MastAnswers, TheTubeIsNeededOrIdeal) {
   const Input in = plain_mast();
   const Result r = run(in);
   const auto all = answers(in, r, Display());
-  const double D = std::max(r.find_value("D_tube")->value, r.find_value("D_tube_payout")->value);
+  const double D = std::max({r.find_value("D_tube")->value, r.find_value("D_tube_payout")->value,
+                             r.find_value("D_tube_mixed")->value, r.find_value("D_tube_rest")->value});
   const std::string needed = line_of(all, r.find_table("sections") == nullptr ? "Needs" : "Ideal tube");
   EXPECT_NE(needed.find(Display().brief(D, si::m.in("mm"))), std::string::npos) << needed;
 }

@@ -34,6 +34,7 @@ const Quantities<PositionRow>& position_quantities() {
        of(&Output::D_tube_payout)},
       {"D_tube_mixed", "D_tube_mixed", mm, "the same with one rope hauled in and the other paid out",
        of(&Output::D_tube_mixed)},
+      {"D_tube_rest", "D_tube_rest", mm, "the same with at least one rope at rest", of(&Output::D_tube_rest)},
       {"governs", "", si::one, "governs: the values of the result are those of this position",
        [](const Row& r) { return std::string(r.governs ? "governs" : ""); }},
       {"reason", "", si::one, "why the position lies outside the method; empty: it does not",
@@ -55,8 +56,9 @@ const Quantities<LoadCase>& load_case_quantities() {
        [](const Row& r) {
          return r.in.span && !r.f.put_up ? r.in.span->carriage_position.at(r.f.index) : not_computed;
        }},
-      {"directions", "", si::one, "whether each rope is hauled in or paid out; or the guys put up without a load",
-       [](const Row& r) { return std::string(direction_words(r.f)); }},
+      {"directions", "", si::one,
+       "whether each rope is hauled in, paid out, at rest or slack; or the guys put up without a load",
+       [](const Row& r) { return direction_words(r.f); }},
       {"sky_across", "", si::N, "force on the skyline block, towards the span",
        [](const Row& r) { return r.f.skyline.across; }},
       {"sky_down", "", si::N, "force on the skyline block, downwards", [](const Row& r) { return r.f.skyline.down; }},
@@ -133,9 +135,9 @@ Table sections_table(const std::vector<SectionLine>& lines) {
 std::vector<TableWords> table_words() {
   return {{.name = "positions", .rows = "every carriage position", .columns = words_of(position_quantities())},
           {.name = "load_cases",
-           .rows = "each rope hauled in and paid out, at every carriage position; with wrap: paper by the geometric "
-                   "wrap too; with guys the same without the side force, and "
-                   "the mast without a load",
+           .rows = "each rope hauled in, paid out and at rest, at every carriage position; with wrap: paper by the "
+                   "geometric wrap too; with guys each rope alone, the same without the side force, and the mast "
+                   "without a load",
            .columns = words_of(load_case_quantities())},
           {.name = "sections",
            .rows = "the section given, or the lightest of each shape that passes",
