@@ -81,6 +81,7 @@ machine:
   ropes: {sky: {mass: 1.6 kg/m, stiffness: 20 MN, breaking_force: 250 kN}}
   carriages: {car: {mass: 300 kg, rides: sky, hold: clamped, at: [100 m, 0 m, 20 m]}}
   reevings: [{rope: sky, path: )" + path + R"(, length: 203 m}]
+analyses: [equilibrium: {carriage: car, x: 100 m}]
 )"),
                                   "machine");
         return std::any_of(d.shapes.begin(), d.shapes.end(), [](const Shape& s) {
