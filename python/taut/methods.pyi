@@ -1,6 +1,6 @@
 """Made from the descriptions by python/tools/make_stub.py; do not edit. `./dev python stub` makes it again.
 
-schema: 929735ba82d9ea5755f072ac9a1a2a7116f786ac5f04569b3ede1bc2f1219a01
+schema: 16c4b4377134dc97c085597525f26abfe1421546f8bcd785551e3ea6e273277f
 """
 
 from collections.abc import Mapping, Sequence

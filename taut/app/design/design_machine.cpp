@@ -123,9 +123,13 @@ void complain_of_ropes(const design::DesignRequest& design, const machine::Machi
   }
 }
 
-/// Length of a reeving, all copies, m: what the deck gives it, else the straight one.
-double length_of(const machine::Reeving& reeving, const machine::State& state) {
-  if (reeving.described_length) return reeving.copies * *reeving.described_length;
+/// Length of a reeving, all copies, m: what the deck gives it, unless every analysis has another one; else the straight
+/// one.
+double length_of(const MachineDeck& deck, const machine::Reeving& reeving, std::size_t i, const machine::State& state) {
+  if (reeving.described_length &&
+      !study::is_set_anew(deck.machine, deck.analyses, fmt::format("machine.reevings[{}].length", i))) {
+    return reeving.copies * *reeving.described_length;
+  }
   double length = 0;
   for (int k = 0; k < machine::branch_count(reeving); ++k) {
     const auto at = static_cast<std::size_t>(k);
@@ -157,7 +161,7 @@ void set_rope_lengths(const MachineDeck& deck, const machine::Model& model, cons
   const machine::State state = machine::initial_state(model);
   for (std::size_t i = 0; i < model.reevings.size(); ++i) {
     const std::string& rope = checks::rope_name_of(deck.machine, i);
-    const double length = length_of(model.reevings[i], state);
+    const double length = length_of(deck, model.reevings[i], i, state);
     of_rope[rope] += length;
     if (by_mass && !free_one(space.ropes, rope)) lengths.rest += model.reevings[i].mass * length;
   }

@@ -219,7 +219,8 @@ void check_hoist_factor(const study::TransientRun& run, Result& r) {
   }
   constexpr double much_more = 2;  // than where it begins: the load has stood there
   const double at_end = hangs_with(run, index).value_or(0);
-  const bool at_rest = study::begins_at_rest(run, index), by_end = !at_rest || at_end > much_more * e.T_static;
+  const bool at_rest = !(e.T_static > 0) || study::begins_at_rest(run, index);
+  const bool by_end = !at_rest || at_end > much_more * e.T_static;
   const double T_static = by_end ? at_end : e.T_static;
   if (!(T_static > 0)) {
     r.unmade.push_back(fmt::format(
