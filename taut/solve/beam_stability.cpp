@@ -441,7 +441,7 @@ Root critical_root(const StiffnessAssembly& machine, const StiffnessAssembly::Gr
   } else if (!machine.definite(of, hardly_any)) {
     return {.factor = 0};
   }
-  const Root guess = nearest_root(machine, of, low == 1 ? hardly_less : std::max(low, hardly_any));
+  Root guess = nearest_root(machine, of, low == 1 ? hardly_less : std::max(low, hardly_any));
   const double below = guess.factor * (1 - factor_precision), above = guess.factor * (1 + factor_precision);
   const bool stands = low <= below && below < high && machine.definite(of, below);
   if (stands && !machine.definite(of, above)) return guess;

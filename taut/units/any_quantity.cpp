@@ -62,8 +62,9 @@ Unit difference_of(const Unit& unit) {
           .kind = "difference of temperatures"};
 }
 
-tl::expected<double, UnitError> parse_difference(std::string_view written, const Unit& unit) {
-  const std::string text = with_plain_signs(written);
+tl::expected<double, UnitError> parse_difference(std::string_view text, const Unit& unit) {
+  const std::string plain = with_plain_signs(text);
+  text = plain;
   auto x = parse_quantity(text, unit);
   if (x && is_celsius(text, unit)) *x -= zero_celsius;
   return x;
@@ -79,18 +80,19 @@ bool counts_from_zero_celsius(const Unit& unit) {
   return unit.dimension == si::K.dimension && unit.shown == celsius.shown;
 }
 
-tl::expected<AnyQuantity, UnitError> parse_any_quantity(std::string_view written) {
-  const std::string text = with_plain_signs(written);
-  const auto plain = parse_quantity(text, si::one);
-  if (plain) return AnyQuantity{.value = *plain, .unit = unit_in(text) == percent.shown ? percent : si::one};
+tl::expected<AnyQuantity, UnitError> parse_any_quantity(std::string_view text) {
+  const std::string plain = with_plain_signs(text);
+  text = plain;
+  const auto number = parse_quantity(text, si::one);
+  if (number) return AnyQuantity{.value = *number, .unit = unit_in(text) == percent.shown ? percent : si::one};
   for (const Unit& unit : display_kinds()) {
     if (!parse_quantity(text, unit)) continue;
     const Unit own = unit_of(text, unit);
     return AnyQuantity{.value = *parse_quantity(text, own), .unit = own};
   }
   // not a number or not a unit: the same reason whatever is asked for
-  if (plain.error().message.find("a plain number is expected here") == std::string::npos) {
-    return tl::unexpected(plain.error());
+  if (number.error().message.find("a plain number is expected here") == std::string::npos) {
+    return tl::unexpected(number.error());
   }
   return tl::unexpected(UnitError{.message = fmt::format("'{}' measures nothing that is known here", text),
                                   .offset = 0,

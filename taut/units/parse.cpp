@@ -306,12 +306,12 @@ std::string with_plain_signs(std::string_view text) {
   return plain;
 }
 
-tl::expected<double, UnitError> parse_number(std::string_view written) {
-  const std::string text = with_plain_signs(written);
-  const auto s = split_number(text);
+tl::expected<double, UnitError> parse_number(std::string_view text) {
+  const std::string plain = with_plain_signs(text);
+  const auto s = split_number(plain);
   if (!s) return tl::unexpected(s.error());
   if (s->infinite) return fail("a finite number is expected", 0, text.size());
-  if (s->unit_from != text.size()) return fail(fmt::format("'{}' is not a plain number", written), 0, text.size());
+  if (s->unit_from != plain.size()) return fail(fmt::format("'{}' is not a plain number", text), 0, text.size());
   return s->number;
 }
 
@@ -323,9 +323,9 @@ tl::expected<double, UnitError> unit_factor(std::string_view unit, const Unit& t
   return factor_for(*e, target);
 }
 
-tl::expected<double, UnitError> parse_quantity(std::string_view written, const Unit& target, bool allow_infinite) {
-  const std::string plain = with_plain_signs(written);
-  const std::string_view text = plain;
+tl::expected<double, UnitError> parse_quantity(std::string_view text, const Unit& target, bool allow_infinite) {
+  const std::string plain = with_plain_signs(text);
+  text = plain;
   const auto s = split_number(text);
   if (!s) return tl::unexpected(s.error());
   if (s->infinite && !allow_infinite) return fail("a finite number is expected", 0, text.size());

@@ -346,8 +346,8 @@ class RopeLimits {
     const bool covered = factors.empty() ||  // EN 13001 has no factor with a number
                          std::any_of(factors.begin(), factors.end(), [](const Limit& f) { return f.covers_ends; });
     if (!rules_.termination || !covered) return;
-    if (const auto row = rule_named("termination.least_crane"); row && crane) {
-      rules_.least_termination = limit_of(*row, SafeEnd::high);
+    if (const auto least = rule_named("termination.least_crane"); least && crane) {
+      rules_.least_termination = limit_of(*least, SafeEnd::high);
     }
   }
 

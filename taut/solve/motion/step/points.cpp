@@ -57,8 +57,8 @@ void resize(Points& p, Eigen::Index links) {
   for (Points::Places* of : {&p.x, &p.v, &p.a, &p.free_fall}) of->setZero(links + 1, 3);
   p.share.setZero(links + 1);
   p.force.setZero(links, 3);
-  for (Points::Column* of : {&p.L, &p.per_length, &p.stiffness, &p.damping, &p.copies, &p.hangs[0], &p.hangs[1], &p.l,
-                             &p.e, &p.e_was, &p.T, &p.held, &p.change, &p.error}) {
+  for (Points::Column* of : {&p.L, &p.per_length, &p.stiffness, &p.damping, &p.copies, &p.hangs.front(),
+                             &p.hangs.back(), &p.l, &p.e, &p.e_was, &p.T, &p.held, &p.change, &p.error}) {
     of->setZero(links);
   }
   p.e.setConstant(-1);
