@@ -24,8 +24,9 @@ class Dragged {
   enum class Kind { drum, pulling_drum, motor, cylinder, support };
   using Which = std::pair<Kind, int>;
   struct Way {
-    double way = 0, least = 0;  ///< m: so far; up to which nothing is told
-    double speed = 0;           ///< m/s
+    double way = 0;    ///< that its load has dragged it so far, m
+    double least = 0;  ///< a shorter way gives no warning, m
+    double speed = 0;  ///< m/s
     std::string name, words;
   };
   class Moment;

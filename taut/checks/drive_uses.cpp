@@ -437,7 +437,7 @@ void DriveUses::take_set_brakes(const machine::Model& m, const solve::TransientF
 
 void DriveUses::take(const machine::Model& m, const solve::TransientResult& motion, const std::string& words) {
   for (const auto& [name, told] : dragged_.at_end(m, motion)) {
-    if (!yielding_.contains(name)) unbraked_.try_emplace(name, told);  // a cylinder at its limit is told as such
+    if (!yielding_.contains(name)) unbraked_.try_emplace(name, told);  // one at its limit has its own warning
   }
   slides_.clear();
   for (std::size_t d = 0; d < m.drums.size(); ++d) {

@@ -134,6 +134,7 @@ void Judge::take_beams(const solve::EquilibriumResult& e, const std::string& wor
     worst.top_displacement.take(b.top_displacement, words);
     worst.N_cr.take(buckles && b.compression > 0 ? factor * b.compression : none, words, true);
     worst.alpha_cr.take(buckles ? factor : none, words, true);
+    worst.swings.take(std::isfinite(b.swing_factor) ? b.swing_factor : none, words, true);
   }
 }
 

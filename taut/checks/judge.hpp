@@ -38,6 +38,7 @@ struct BeamWorst {
   WorstOf torsion_left_out;  ///< largest that the stresses don't contain, N m; NaN: they contain all
   WorstOf top_displacement;  ///< m
   WorstOf N_cr, alpha_cr;    ///< least, N, 1
+  WorstOf swings;            ///< least swing factor of the machine; NaN: it swings away in no state
 };
 
 /// Least and largest of a length over several states, m; NaN: no state has it.

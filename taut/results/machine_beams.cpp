@@ -127,6 +127,16 @@ void check_buckling(const machine::description::Beam& given, const checks::Worst
            r);
 }
 
+/// Of the whole machine: once for all of its beams. A mast whose check asks for more is unsafe, and says so itself.
+void tell_swing(const checks::WorstOf& swings, Result& r) {
+  if (std::isnan(swings.value)) return;
+  const std::string words = fmt::format(
+      "from {:.4g} times the forces on its beams the machine swings away if the tensions of its ropes stay as they are "
+      "({}); alpha_cr is that of buckling, with these tensions growing alike",
+      swings.value, swings.when);
+  if (std::find(r.warnings.begin(), r.warnings.end(), words) == r.warnings.end()) r.warnings.push_back(words);
+}
+
 void add_worst(const machine::description::Beam& given, const checks::BeamWorst& worst, Result& r) {
   const auto add = [&](const char* key, const checks::WorstOf& w) {
     if (std::isnan(w.value)) return;
@@ -144,6 +154,7 @@ void add_worst(const machine::description::Beam& given, const checks::BeamWorst&
   check_stress(given, worst, r);
   tell_left_out(given, worst.torsion_left_out, r);
   check_buckling(given, worst.alpha_cr, r);
+  tell_swing(worst.swings, r);
 }
 
 void add_base(const machine::description::Beam& given, const MachineRun& run, std::size_t i, Result& r) {

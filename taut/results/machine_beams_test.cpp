@@ -1,3 +1,4 @@
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -51,6 +52,26 @@ machine:
 )");
   EXPECT_TRUE(has_check(r, "mast.alpha_cr")) << to_text(r.errors);
   EXPECT_FALSE(has_check(r, "tie.alpha_cr"));
+}
+
+/// A boom whose stay is held above a place 0.5 m before its foot, 4 m above it and 8 m beside the tip: sideways T/l of
+/// the stay holds it against N/h of the boom. T/l : N/h = 8 : 7.5 by the level forces at the tip, whatever the load.
+TEST(MachineBeams, ASwingOfTheMachineIsToldBesideTheBuckling) {
+  for (const std::string load : {"1 t", "4 t"}) {
+    const taut::Result r = run_text(R"(taut: 1
+machine:
+  ropes: {r: {stiffness: 3000 MN, mass: 0 kg/m, breaking_force: 400 kN}}
+  points: {foot: [0 m, 0 m, 0 m], mast: [0.5 m, 0 m, 4 m], end: {body: tip, at: [0 m, 0 m, 0 m]}}
+  bodies: {tip: {mass: )" + load + R"(, at: [8 m, 0 m, 0 m], free: [x, y, z]}}
+  beams: {boom: {from: foot, to: end, section: CHS 168.3x6.3, steel: S355, mass: 0 kg/m, base: hinge, top: hinge}}
+  reevings: [{rope: r, path: [{anchor: mast}, {anchor: tip}], length: 8.5 m}]
+checks: {ropes: {r: {safety_factor: 3}}}
+)");
+    ASSERT_EQ(exit_code(r), 0) << r.message << to_text(r.errors);
+    EXPECT_THAT(r.warnings, testing::Contains(testing::HasSubstr("from 1.067 times the forces on its beams")));
+    const double I = std::numbers::pi / 64 * (std::pow(0.1683, 4) - std::pow(0.1557, 4));
+    EXPECT_NEAR(value_of(r, "boom.N_cr") / (std::pow(std::numbers::pi / 8, 2) * 210e9 * I), 1, 0.01);
+  }
 }
 
 TEST(MachineBeams, FirstOrderIsStatics) {

@@ -26,9 +26,7 @@ void describe_position(Describe<Exact>& d) {
 void describe_worst(Describe<Exact>& d) {
   d.field(&Exact::sigma_worst_exact, "sigma_worst_exact", "sigma_worst", si::Pa,
           "largest stress along the mast at any carriage position");
-  const char* const all =
-      "at any carriage position, with each rope hauled in, paid out, at rest and slack, and of the mast with its guys "
-      "alone";
+  const char* const all = "of all load cases";
   d.field(&Exact::M_worst_exact, "M_worst_exact", "M_worst", si::N_m,
           fmt::format("largest moment at the foot {}", all));
   d.field(&Exact::N_worst_exact, "N_worst_exact", "N_worst", si::N,

@@ -305,9 +305,8 @@ class MachineMast {
     swings_ = swings;
     report_.swings = fmt::format(
         "{}: from {:.4g} times the forces on its beams the machine swings away if the tensions of its ropes stay as "
-        "they "
-        "are, {:.4g} times are asked for; tensions that carry the same load grow with it, those of ropes put up "
-        "tight do not",
+        "they are, and {:.4g} times are asked for; tensions that carry the same load grow with it, those of ropes put "
+        "up tight do not",
         words, swings, factor);
   }
 

@@ -70,7 +70,7 @@ TEST(MastSectionFigures, TheCaptionsSayWhichStateIsDrawn) {
   out.x = 285;
   out.M_payout = 1.1 * out.M;
   EXPECT_TRUE(mast_drawing(in, out).caption.starts_with(
-      "Ropes hauled in, carriage at 285 m; ropes paid out, which are not drawn, bend the mast more. "));
+      "Ropes hauled in, carriage at 285 m. Ropes paid out, which are not drawn, bend the mast more. "));
 }
 
 TEST(MastSectionFigures, NothingLiesBelowTheGroundOrIsNotANumber) {

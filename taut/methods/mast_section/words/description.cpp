@@ -208,10 +208,9 @@ void describe_sizes(Describe<Output>& d) {
   d.field(&Output::D_tube_mixed, "D_tube_mixed", "D_tube_mixed", si::m.in("mm"),
           "tube for one rope hauled in, the other paid out under load, the worse of both ways")
       .from("(2), (3) corrected for one rope");
-  d.field(
-       &Output::D_tube_rest, "D_tube_rest", "D_tube_rest", si::m.in("mm"),
-       "tube for a rope at rest, full force on both sides of its block, the other one at rest, hauled in or paid out")
-      .from("(2), (3) corrected for a rope at rest");
+  d.field(&Output::D_tube_rest, "D_tube_rest", "D_tube_rest", si::m.in("mm"),
+          "tube for a rope at rest, full force on both sides of its block")
+      .from("(2), (3) corrected, at rest");
   d.field(&Output::section_stress, "section_stress", "sigma", si::Pa, "stress in the section checked or chosen")
       .from("(12)-(14)");
   d.field(&Output::section_allowable, "section_allowable", "[sigma]", si::Pa,

@@ -154,10 +154,13 @@ void add_branch_angle(std::vector<Shape>& shapes, const Frame& k, double alpha) 
 
 /// The state that the drawings show: of several carriage positions the one that asks for the largest tube.
 std::string state_drawn(const Output& out) {
-  std::string words = "Ropes hauled in";
-  if (std::isfinite(out.x)) words += fmt::format(", carriage at {:.4g} m", out.x);
+  return std::isfinite(out.x) ? fmt::format("Ropes hauled in, carriage at {:.4g} m. ", out.x) : "Ropes hauled in. ";
+}
+
+/// What the drawings do not show.
+std::string state_not_drawn(const Output& out) {
   const bool paid_out_is_worse = std::isfinite(out.M_payout) && out.M_payout > out.M;
-  return words + (paid_out_is_worse ? "; ropes paid out, which are not drawn, bend the mast more. " : ". ");
+  return paid_out_is_worse ? "Ropes paid out, which are not drawn, bend the mast more. " : "";
 }
 
 }  // namespace
@@ -168,7 +171,7 @@ Drawing mast_drawing(const Input& in, const Output& out) {
   const Frame k = frame_of(in, out.D_tube);
   Drawing d{.name = "mast",
             .title = "Mast, ropes and forces",
-            .caption = state_drawn(out) +
+            .caption = state_drawn(out) + state_not_drawn(out) +
                        "Mast and tube diameter to scale (blocks are not); force arrows to one scale; R is the sum "
                        "where both blocks are at one height. At the clamp: what holds the mast.",
             .shapes = {},
