@@ -255,8 +255,7 @@ void add_warnings(const Input& in, const Output& out, bool alone, Result& r) {
 void add_assumptions(const Input& in, Result& r) {
   r.assumptions = {
       "The mast is clamped at its foot; guylines neither hold nor load it.",
-      "Drum sides run straight down. Ropes hauled in have the rated force there, paid out on the span side, at rest on "
-      "both.",
+      "Drum sides run straight down. The rated force is there hauled in, on the span side paid out, on both at rest.",
       "Both ropes leave the mast in one vertical plane and under the same angle.",
       "N > 0 presses the mast down, Q > 0 pulls its head towards the span, M > 0 bends it that way.",
       "Own weight, wind, dynamics and fatigue are left out; what [sigma] holds in reserve has to cover them.",
