@@ -12,6 +12,7 @@
 #include "taut/checks/checks_deck.hpp"
 #include "taut/design/design_deck.hpp"
 #include "taut/machine/description/machine.hpp"
+#include "taut/machine/state.hpp"
 #include "taut/study/analyses.hpp"
 #include "taut/units/display.hpp"
 
@@ -20,6 +21,9 @@ namespace taut::app {
 /// How much of a machine's result is wanted: the values alone, those with tables and checks, or all that a report
 /// shows.
 enum class RunDepth { values, checks, report };
+
+/// The states of a deck's equilibria, in its order.
+using States = std::vector<machine::State>;
 
 /// A deck with `machine:`, `analyses:` and `checks:`. Without analyses: the equilibrium at rest.
 struct MachineDeck {

@@ -515,16 +515,21 @@ Result run_machine(const MachineDeck& deck, RunDepth depth, const std::function<
   return r;
 }
 
+Result run_near(const MachineDeck& deck, RunDepth depth, const std::function<bool(const Progress&)>& progress,
+                States& states) {
+  States found;
+  Result r = run_machine(deck, depth, progress, {.near = &states, .found = &found});
+  if (!found.empty()) states = std::move(found);
+  return r;
+}
+
 std::function<Result()> prepare_machine(const io::Node& input, Diagnostics& mistakes,
                                         std::function<bool(const Progress&)> progress, const Display& display) {
   auto read = read_machine(input, display, mistakes);
   if (!read) return {};
   if (read->deck->design) {
-    const auto run = [](const MachineDeck& deck, RunDepth depth, const std::function<bool(const Progress&)>& ask) {
-      return run_machine(deck, depth, ask);
-    };
     const design::DesignTask task = machine_task(read->deck, std::move(read->space),
-                                                 {.run = run, .picture = picture_described}, std::move(progress));
+                                                 {.run = run_near, .picture = picture_described}, std::move(progress));
     return [task] { return design::run_design(task); };
   }
   return [read = std::make_shared<const ReadMachine>(std::move(*read)), progress = std::move(progress)] {

@@ -34,9 +34,6 @@ struct ReadMachine {
 /// `display`: for the sentences of the result.
 std::optional<ReadMachine> read_machine(const io::Node& input, const Display& display, Diagnostics& mistakes);
 
-/// The states of a deck's equilibria, in its order.
-using States = std::vector<machine::State>;
-
 /// What makes a run of many cheaper.
 struct OneOfMany {
   const States* near = nullptr;                           ///< where each equilibrium begins
@@ -57,6 +54,11 @@ Outcome renew_checks(const design::DesignSpace& space, MachineDeck& deck);
 /// number makes no machine.
 Result run_machine(const MachineDeck& deck, RunDepth depth, const std::function<bool(const Progress&)>& progress = {},
                    const OneOfMany& many = {});
+
+/// The same for a machine whose numbers change from run to run: its equilibria begin from `states`, which then are its
+/// own where it has an answer.
+Result run_near(const MachineDeck& deck, RunDepth depth, const std::function<bool(const Progress&)>& progress,
+                States& states);
 
 /// Reads such a deck; without mistakes returns the calculation, ready to be called; else an empty one. `progress`: as
 /// in a Job.

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "taut/machine/compile/beam_build.hpp"
+#include "taut/solve/equilibrium.hpp"
 #include "test/support/configured.hpp"
 #include "test/support/machines.hpp"
 
@@ -176,6 +177,36 @@ TEST(BeamStability, ASpreaderBeamBucklesAtEulersLoad) {
     EXPECT_TRUE(std::isinf(found->swings));
     const double critical = std::pow(std::numbers::pi / (2 * half), 2) * EI;
     EXPECT_NEAR(found->factors.at(0) * N / critical, 1, 1e-3);
+  }
+}
+
+/// A leaning leg on a hinge, with two stays behind it, buckles as Euler's strut however little its ropes stretch.
+TEST(BeamStability, RopesThatDoNotStretchHoldALegAsOthersDo) {
+  const Vector3 tip(3, 0, 8);
+  const double L = tip.norm(), EI = structure::tube_section(0.1683, 0.008).EI_x;
+  const double critical = std::pow(std::numbers::pi / L, 2) * EI;
+  for (const double weight : {0.0, 0.01, 5.0}) {
+    for (const double EA : {1e9, 1e11, 1e13, HUGE_VAL}) {
+      machine::Model m;
+      m.bodies = {body("tip", tip, 10, "xyz"), body("hook", tip - 5 * up(), 15e3, "xyz")};
+      machine::StraightBeam b;
+      b.name = "leg";
+      b.to = {.body = 0, .at = Vector3::Zero()};
+      b.section = structure::tube_section(0.1683, 0.008);
+      b.base = BeamHold::hinged;
+      b.top = BeamTop::hinged;
+      machine::add_beam(m, b);
+      for (const double side : {-4.0, 4.0}) {
+        const Vector3 hold(-6, side, 0);
+        m.reevings.push_back(
+            reeve("stay", {anchor("hold", hold), anchor_on("tip", 0)}, (tip - hold).norm() * 1.0001, weight, EA));
+      }
+      m.reevings.push_back(reeve("drop", {anchor_on("tip", 0), anchor_on("hook", 1)}, 5, weight, EA));
+      const EquilibriumResult r = equilibrium(m);
+      ASSERT_TRUE(r.outcome.ok()) << EA << " " << weight << ": " << r.outcome.message;
+      const BeamResult& leg = r.beams.at(0);
+      EXPECT_NEAR(leg.critical_factor * leg.compression / critical, 1, 2e-3) << EA << " " << weight;
+    }
   }
 }
 

@@ -146,6 +146,12 @@ Outcome judge(const mechanics::System& s, const mechanics::Configuration& c, boo
         name(r), r.lean, most_lean));
   }
   const std::optional<BeamStability> stability = beam_stability(s, c, factors);
+  if (!stability && factors) {
+    return not_converged(fmt::format(
+        "whether beam '{}' stands, or buckles, was not found: the stiffness of the ropes that hold it has no number "
+        "here; give the ropes the stiffness that they have, or leave out what carries nothing",
+        name(results.front())));
+  }
   if (!stability || (stability->stable && !factors)) return {};
   if (!factors) {
     return infeasible("the equilibrium found is not one to stay in: a beam buckles, or falls over");

@@ -67,7 +67,22 @@ class ConditionSearch {
     return told.ok() ? failed_ : told;
   }
 
+  /// u of the rope's length in a state; 0 where its tension is given.
+  double change_to(const machine::State& state) const {
+    const machine::Reeving& rope = best.model.reevings[condition_.reeving];
+    if (rope.given != machine::Given::length) return 0;
+    const auto free_rope = [&](const machine::State& s) {
+      double sum = 0;
+      for (const machine::BranchState& branch : s.branches[condition_.reeving]) sum += branch.length;
+      return sum;
+    };
+    // rope on arcs is in neither sum
+    const double u = (free_rope(state) - free_rope(machine::initial_state(best.model))) / first_;
+    return u > -1 ? u : 0;
+  }
+
   Conditioned best;
+  double best_misfit = std::numeric_limits<double>::infinity();
 
  private:
   machine::Model varied(double u) const {
@@ -126,29 +141,34 @@ class ConditionSearch {
   Outcome failed_;                          ///< where there was no equilibrium last
   double failed_at_ = 0;                    ///< u there
   Array<std::pair<double, double>> tried_;  ///< u and what was open there
-  double best_misfit = std::numeric_limits<double>::infinity();
 };
 
-/// From u = 0 on, one way, until the sign changes: steps a little beyond where the last two places meet zero, or that
+/// A change u, and what is open there.
+struct Tried {
+  double u = 0;
+  double open = 0;
+};
+
+/// From a place on, one way, until the sign changes: steps a little beyond where the last two places meet zero, or that
 /// double where they do not. Where there is no equilibrium steps are quarters of the way there, so that the last one
 /// that holds is found too.
-std::optional<std::pair<double, double>> bracket(ConditionSearch& search, double at_zero, double way) {
-  double known = 0, at_known = at_zero, step = first_step, none = std::numeric_limits<double>::infinity();
+std::optional<std::pair<double, double>> bracket(ConditionSearch& search, const Tried& from, double way) {
+  double known = from.u, at_known = from.open, step = first_step, none = std::numeric_limits<double>::infinity();
   for (int i = 0; i < most_search_steps && step > least_step; ++i) {
     const double next = known + way * step;
     const double open = next > -1 ? search(next) : std::nan("");
     if (std::isnan(open)) {
-      none = std::abs(next);
+      none = std::abs(next - from.u);
       step /= 4;
       continue;
     }
-    if ((open < 0) != (at_zero < 0)) return std::minmax(known, next);
+    if ((open < 0) != (from.open < 0)) return std::minmax(known, next);
     const double to_zero = open / (at_known - open) * step;
     const double longer =
         to_zero > 0 ? std::clamp(beyond * to_zero, std::max(step / 4, 2 * least_step), most_growth * step) : 2 * step;
     known = next;
     at_known = open;
-    step = std::min(longer, (none - std::abs(known)) / 2);
+    step = std::min(longer, (none - std::abs(known - from.u)) / 2);
     if (std::abs(known) > 20) break;
   }
   return std::nullopt;
@@ -200,6 +220,7 @@ Conditioned equilibrium_under(const machine::Model& model, const Condition& cond
   expects(condition.reeving >= 0 && as_size(condition.reeving) < model.reevings.size(), "a rope of the model");
   const bool by_carriage = condition.kind == Kind::sag_at_carriage || condition.kind == Kind::free_running;
   expects(!by_carriage || options.prescribed, "a condition at a carriage needs its place");
+  expects(!start || machine::is_of(model, *start), "a start is a state of this model");
   if (direct(condition.kind)) {
     Conditioned done{.model = model, .result = {}};
     machine::Reeving& rope = done.model.reevings[condition.reeving];
@@ -216,17 +237,22 @@ Conditioned equilibrium_under(const machine::Model& model, const Condition& cond
   plain.tolerance = std::min(options.tolerance, search_tolerance);
   ConditionSearch search(model, condition, plain, start);
   const std::string& name = model.reevings[condition.reeving].name;
-  const double at_zero = search(0);
-  if (std::isnan(at_zero)) {
+  Tried first;
+  if (start) first.u = search.change_to(*start);
+  first.open = search(first.u);
+  if (first.u != 0 && std::isnan(first.open)) first = {.u = 0, .open = search(0)};
+  if (std::isnan(first.open)) {
     search.best.result.outcome = search.failure();
     return search.best;
   }
   const bool by_length = model.reevings[condition.reeving].given == machine::Given::length;
   // more sag, or rope in a loop: more length, less tension
-  const bool more = (at_zero < 0) != (condition.kind == Kind::tension_of);
+  const bool more = (first.open < 0) != (condition.kind == Kind::tension_of);
   const double way = more == by_length ? 1 : -1;
-  auto between = at_zero == 0 ? std::optional(std::pair(0.0, 0.0)) : bracket(search, at_zero, way);
-  if (!between) between = bracket(search, at_zero, -way);
+  auto between = first.open == 0 ? std::optional(std::pair(first.u, first.u)) : bracket(search, first, way);
+  // where the nearest one has none behind it, the other way leads away
+  const bool ends = search.best_misfit < std::abs(first.open) && condition.kind != Kind::free_running;
+  if (!between && !ends) between = bracket(search, first, -way);
   if (!between) {
     const Outcome failed = search.failure();
     search.best.result.outcome = infeasible(

@@ -38,10 +38,10 @@ struct Conditioned {
 };
 
 /// The equilibrium under a condition. Conditions other than a tension or length of the rope itself are solved by a
-/// bracketed root search in the length of the rope (given by tension: in the logarithm of the tension), starting from
-/// the given value: of several solutions it finds one near that value. Infeasible when the search finds none; the
-/// message says what stopped it. Throws ContractViolation for a condition at a carriage when `options.prescribed` is
-/// empty.
+/// bracketed root search in the length of the rope (given by tension: in the logarithm of the tension). It begins from
+/// the rope's length in `start`, else from the given value: of several solutions it finds one near there. Infeasible
+/// when the search finds none; the message says what stopped it. Throws ContractViolation for a condition at a carriage
+/// when `options.prescribed` is empty.
 Conditioned equilibrium_under(const machine::Model& model, const Condition& condition,
                               const EquilibriumOptions& options = {},
                               const std::optional<machine::State>& start = std::nullopt);

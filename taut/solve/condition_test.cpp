@@ -64,6 +64,28 @@ TEST(Condition, BySagByLengthAndByTensionAreOneState) {
   }
 }
 
+/// The deck's length may be far away, even too short to reach: with a state near by, the search begins from its rope.
+TEST(Condition, BeginsFromTheRopeOfAStateNearBy) {
+  machine::Model m = with_carriage(true, 0.1, 1500);
+  m.reevings[0].stiffness = inf;
+  EquilibriumOptions options;
+  options.prescribed = machine::Prescribed{.carriage = 0, .x = 150};
+  options.band = false;
+  const Condition sag{.kind = Kind::sag_at_carriage, .reeving = 0, .value = 9, .span = 0};
+  const Conditioned alone = equilibrium_under(m, sag, options);
+  ASSERT_TRUE(alone.result.outcome.ok()) << alone.result.outcome.message;
+  machine::Model other = m;
+  for (const double times : {0.3, 0.9, 1.2}) {
+    other.reevings[0].value = times * alone.model.reevings[0].value;
+    const Conditioned near = equilibrium_under(other, sag, options, alone.result.state);
+    ASSERT_TRUE(near.result.outcome.ok()) << times << ": " << near.result.outcome.message;
+    EXPECT_NEAR(near.model.reevings[0].value, alone.model.reevings[0].value, 1e-9 * alone.model.reevings[0].value);
+    EXPECT_NEAR(near.result.branches[0].T_from, alone.result.branches[0].T_from, 1e-8 * 3e4);
+  }
+  other.reevings[0].value = 0.3 * alone.model.reevings[0].value;
+  EXPECT_FALSE(equilibrium_under(other, sag, options).result.outcome.ok());
+}
+
 TEST(Condition, AFreeCarriageStaysWhereItIsLetGo) {
   const machine::Model m = with_carriage(false, 0, 1500);
   EquilibriumOptions options;

@@ -38,7 +38,7 @@ std::optional<SkylineFactors> SkylineMatrix::factors() const {
   Array<double>&scale = all.scale, &pivot = all.pivot;
   for (std::size_t i = 0; i < n; ++i) {
     const double d = diagonal(i);
-    if (d < 0) return std::nullopt;
+    if (!(d >= 0)) return std::nullopt;  // no number holds nothing
     scale[i] = d > 0 ? 1 / std::sqrt(d) : 1;
   }
   for (std::size_t i = 0; i < n; ++i) {
@@ -58,7 +58,7 @@ std::optional<SkylineFactors> SkylineMatrix::factors() const {
       L[j] = u / pivot[j];
       rest -= L[j] * u;
     }
-    if (rest < -neutral) return std::nullopt;
+    if (!(rest >= -neutral)) return std::nullopt;
     pivot[i] = rest <= neutral ? 0 : rest;
   }
   return all;

@@ -84,6 +84,16 @@ TEST(Definite, ADirectionWithoutStiffnessPasses) {
   EXPECT_FALSE(coupled.definite());
 }
 
+TEST(Definite, WhatIsNoNumberHoldsNothing) {
+  for (const auto& [row, column] : {std::pair{0, 0}, {1, 0}, {1, 1}}) {
+    SkylineMatrix two = full(2);
+    two.add(0, 0, 2);
+    two.add(1, 1, 2);
+    two.add(row, column, std::nan(""));
+    EXPECT_FALSE(two.definite()) << row << column;
+  }
+}
+
 TEST(Condense, LeavesTheSchurComplement) {
   Dice dice{std::mt19937(9)};
   for (int i = 0; i < 100; ++i) {

@@ -15,6 +15,7 @@
 #include "taut/solve/beam_tables.hpp"
 #include "taut/solve/rest/fed_rope.hpp"
 #include "taut/solve/rest/places_stiffness.hpp"
+#include "taut/solve/stiff_ropes.hpp"
 
 namespace taut::solve {
 namespace {
@@ -443,9 +444,9 @@ Array<Vector3> ways(const mechanics::System& s, const EnergyCurvature& curvature
   return way;
 }
 
-}  // namespace
-
-std::string indifferent(const mechanics::System& s, const mechanics::Configuration& c, const mechanics::Evaluation& e) {
+/// Where the ropes' forces are no unknowns.
+std::string indifferent_by_lengths(const mechanics::System& s, const mechanics::Configuration& c,
+                                   const mechanics::Evaluation& e) {
   Array<Vector3> moved(s.model.bodies.size(), Vector3::Zero());
   const double most = noticed * s.layout.length;
   bool any = false;
@@ -467,11 +468,22 @@ std::string indifferent(const mechanics::System& s, const mechanics::Configurati
     if (size <= matrix_rounding * matrix_rounding * direction.squaredNorm()) continue;
     for (std::size_t body = 0; body < way.size(); ++body) {
       const double far_by = std::abs(along) / size * way[body].norm();
-      if (far_by <= most) continue;
+      if (!(far_by > most)) continue;
       words += fmt::format("{}'{}' by {:.3g} m", words.empty() ? "" : ", ", s.model.bodies[body].name, far_by);
     }
   }
   return words;
+}
+
+}  // namespace
+
+std::string indifferent(const mechanics::System& s, const mechanics::Configuration& c, const mechanics::Evaluation& e) {
+  // what a tension holds across a rope shows beside what the rope holds along itself
+  auto soft = with_softer_ropes(s, c, std::sqrt(1 / matrix_rounding));
+  if (!soft) return indifferent_by_lengths(s, c, e);
+  const mechanics::System softer{.model = soft->model, .layout = soft->layout, .coordinate = s.coordinate};
+  mechanics::Evaluation there;
+  return mechanics::evaluate(softer, soft->c, there) ? std::string() : indifferent_by_lengths(softer, soft->c, there);
 }
 
 Stability stability(const mechanics::System& s, const mechanics::Configuration& c, const mechanics::Evaluation& e) {

@@ -216,10 +216,18 @@ TEST(Stability, ABodyThatBalancesAnywhereIsToldWhereItIsPutFarAway) {
   const double far = std::abs(goes.state.bodies[0].position.z() - 3);
   EXPECT_GT(far, 0.1);
   EXPECT_EQ(goes.indifferent, fmt::format("'hook' by {:.3g} m", far));
-  // a rope of a given length has one place for it
+  // a rope of a given length has one place for it, however little it stretches
   m.reevings[0].given = machine::Given::length;
   m.reevings[0].value = 19;
-  EXPECT_EQ(equilibrium(m).indifferent, "");
+  for (const double weight : {0.0, 10.0}) {
+    for (const double EA : {1e7, 1e10, 1e12, HUGE_VAL}) {
+      m.reevings[0].weight = weight;
+      m.reevings[0].stiffness = EA;
+      const EquilibriumResult one = equilibrium(m);
+      ASSERT_TRUE(one.outcome.ok()) << one.outcome.message;
+      EXPECT_EQ(one.indifferent, "") << EA;
+    }
+  }
 }
 
 TEST(Stability, TwoEqualWeightsAreFoundBesideTheirPlaces) {

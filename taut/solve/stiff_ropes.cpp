@@ -10,7 +10,6 @@
 namespace taut::solve {
 namespace {
 
-constexpr double found_by_length = 1e6;   ///< EA of the largest force: up to here lengths alone find an answer
 constexpr double usual_strain = 1e-3;     ///< of a rope at work
 constexpr double rounded_length = 4e-15;  ///< of EA: what rounded coordinates leave of a tension
 constexpr double rough_balance = 1e-9;    ///< of a force
@@ -125,6 +124,33 @@ machine::State with_stiffness(machine::State state, const machine::Model& before
     }
   }
   return state;
+}
+
+std::optional<Softer> with_softer_ropes(const mechanics::System& s, const mechanics::Configuration& c,
+                                        double stiffest) {
+  double force = force_scale(s.model, s.layout);
+  const auto stiff = [&](const machine::Reeving& rope) { return rope.stiffness > stiffest * force; };
+  const bool by_force = !c.forces.empty();
+  if (!by_force && std::none_of(s.model.reevings.begin(), s.model.reevings.end(), stiff)) return std::nullopt;
+  Softer soft{.model = {}, .layout = s.layout, .c = c};
+  mechanics::Evaluation e;
+  if (mechanics::evaluate(s, soft.c, e)) return std::nullopt;
+  // ropes may hold more against each other than they carry
+  for (const mechanics::Branch& b : e.branches) force = std::max({force, b.T_from, b.T_to});
+  soft.model = softened(s.model, stiffest * force);
+  soft.c.forces.clear();
+  for (std::size_t k = 0; k < c.branches.size(); ++k) {
+    mechanics::Layout::Branch& laid = soft.layout.branches[k];
+    if (laid.force) soft.layout.size -= mechanics::force_count(s.model.reevings[laid.reeving]);
+    laid.force.reset();
+    if (e.branches[k].slack) continue;
+    const double was = s.model.reevings[laid.reeving].stiffness, is = soft.model.reevings[laid.reeving].stiffness;
+    const Vector3 F = (e.branches[k].pull_from + e.branches[k].pull_to) / 2;
+    machine::BranchState& branch = soft.c.branches[k];
+    branch.force = rope::CatenaryForce{.H = std::hypot(F.x(), F.y()), .V = F.z()};
+    branch.length *= (1 + F.norm() / was) / (1 + F.norm() / is);
+  }
+  return soft;
 }
 
 bool is_rough(const mechanics::System& s, const mechanics::Evaluation& e) {

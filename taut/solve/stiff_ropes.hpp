@@ -1,4 +1,6 @@
 #pragma once
+#include <optional>
+
 #include "taut/calc/outcome.hpp"
 #include "taut/solve/equilibrium.hpp"
 #include "taut/solve/rest/newton.hpp"
@@ -17,6 +19,22 @@ machine::Model softened(machine::Model model, double most);
 
 /// A state of a machine for the same one with other stiffnesses: its branches as long as they stretch to now.
 machine::State with_stiffness(machine::State state, const machine::Model& before, const machine::Model& after);
+
+/// An answer with softer ropes, by their lengths alone: places and tensions are the same.
+struct Softer {
+  machine::Model model;
+  mechanics::Layout layout;
+  mechanics::Configuration c;
+};
+
+/// EA, over the largest force, up to which ropes are found by their lengths.
+inline constexpr double found_by_length = 1e6;
+
+/// The answer with no rope stiffer than `stiffest` times its largest force: whether it is one to stay in
+/// is a question of matrices, in which a rope that hardly stretches leaves rounding alone, and one that does not
+/// stretch no number. Empty where there is no such rope.
+std::optional<Softer> with_softer_ropes(const mechanics::System& system, const mechanics::Configuration& c,
+                                        double stiffest);
 
 /// Whether the balance, or a tension given, is open by more than 1e-9.
 bool is_rough(const mechanics::System& system, const mechanics::Evaluation& e);

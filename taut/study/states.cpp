@@ -105,16 +105,15 @@ void solve_once(EquilibriumRun& run) {
   solve::EquilibriumOptions options = run.motion.options(run.model);
   options.prescribed = run.prescribed;
   options.held = run.held;
-  if (run.given) {
-    auto found = solve::equilibrium_under(run.model, *run.given, options);
-    run.model = std::move(found.model);
-    run.result = std::move(found.result);
-  } else {
-    const bool near = run.near && is_state_of(run.model, *run.near);
-    const auto first = near ? std::optional(moved_to(run.model, *run.near)) : std::nullopt;
-    run.result = solve::equilibrium(run.model, options, first);
-    if (near && !run.result.outcome.ok()) run.result = solve::equilibrium(run.model, options);
-  }
+  const auto from = [&](const std::optional<machine::State>& first) {
+    if (run.given) return solve::equilibrium_under(run.model, *run.given, options, first);
+    return solve::Conditioned{.model = run.model, .result = solve::equilibrium(run.model, options, first)};
+  };
+  const bool near = run.near && is_state_of(run.model, *run.near);
+  solve::Conditioned found = from(near ? std::optional(moved_to(run.model, *run.near)) : std::nullopt);
+  if (near && !found.result.outcome.ok()) found = from(std::nullopt);
+  run.model = std::move(found.model);
+  run.result = std::move(found.result);
 }
 
 }  // namespace

@@ -198,9 +198,8 @@ PartRun run_part(const MachineOfCase& whole, const DeckPart& part, const Machine
     found.open = open_factors(part, beyond, found.r);
     return found;
   }
-  const auto run = [](const MachineDeck& one, RunDepth depth, const std::function<bool(const Progress&)>& ask) {
-    return run_machine(one, std::min(depth, RunDepth::checks), ask);
-  };
+  const auto run = [](const MachineDeck& one, RunDepth depth, const std::function<bool(const Progress&)>& ask,
+                      States& states) { return run_near(one, std::min(depth, RunDepth::checks), ask, states); };
   const auto no_picture = [](const MachineDeck&, Result&) {};
   return {.r = design::run_design(machine_task(std::make_shared<const MachineDeck>(deck), whole.space,
                                                {.run = run, .picture = no_picture}, {}))};

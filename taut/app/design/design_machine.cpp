@@ -381,7 +381,8 @@ void complain_of_exempt(const design::DesignSpace& space, const MachineDeck& dec
 /// What a search keeps from one calculation to the next.
 struct Memory {
   std::map<const design::DesignCase*, std::map<std::size_t, double>>
-      places;  ///< where the last choice that failed was worst
+      places;                                          ///< where the last choice that failed was worst
+  std::map<const design::DesignCase*, States> states;  ///< of the last choice that had an answer
   std::size_t first_case = 0;
 };
 
@@ -491,13 +492,17 @@ design::DesignTask machine_task(std::shared_ptr<const MachineDeck> deck, design:
     const auto one = [&](const design::DesignCase* load_case, design::Depth how) -> design::DesignRun {
       const MachineDeck whole = with_design(*deck, *own, place, load_case);
       auto& places = memory->places[load_case];
+      States alone;
       if (how == design::Depth::quick && !places.empty()) {
-        Result probe = run(at_places(whole, places), RunDepth::checks, ask);
+        Result probe = run(at_places(whole, places), RunDepth::checks, ask, alone);
         design::disregard(deck->design->disregard, probe);
         if (any_fails(probe) || probe.interrupted) return {.result = std::move(probe), .tension = std::nan("")};
       }
       const RunDepth wanted = how == design::Depth::report ? RunDepth::report : RunDepth::checks;
-      design::DesignRun done{.result = run(whole, wanted, ask), .tension = 0};
+      // what is shown does not go by how it was found
+      alone.clear();
+      States& near = depth == design::Depth::report ? alone : memory->states[load_case];
+      design::DesignRun done{.result = run(whole, wanted, ask, near), .tension = 0};
       if (how == design::Depth::report) add_rows(whole, done.result);
       if (depth != design::Depth::report) design::disregard(deck->design->disregard, done.result);
       if (how == design::Depth::quick && !design::trial_of(done.result).passes)

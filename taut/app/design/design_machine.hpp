@@ -18,7 +18,10 @@ MachineDeck with_design(const MachineDeck& deck, const design::DesignSpace& spac
 
 /// What a design needs of the calculation of machines.
 struct DeckDoors {
-  std::function<Result(const MachineDeck& deck, RunDepth depth, const std::function<bool(const Progress&)>& progress)>
+  /// `states`: of the machine with other numbers, from which the equilibria begin (empty: as alone); then its own,
+  /// where it has an answer.
+  std::function<Result(const MachineDeck& deck, RunDepth depth, const std::function<bool(const Progress&)>& progress,
+                       States& states)>
       run;
   /// Adds the picture of a deck without an answer.
   std::function<void(const MachineDeck& deck, Result& r)> picture;

@@ -78,9 +78,8 @@ using Run = std::function<Result(const MachineDeck&, RunDepth)>;
 /// The task of a deck, with `run` in place of the calculation of machines.
 design::DesignTask task_of(
     const ReadMachine& read, const Run& run = [](const MachineDeck&, RunDepth) { return Result{}; }) {
-  const auto door = [run](const MachineDeck& deck, RunDepth depth, const std::function<bool(const Progress&)>&) {
-    return run(deck, depth);
-  };
+  const auto door = [run](const MachineDeck& deck, RunDepth depth, const std::function<bool(const Progress&)>&,
+                          const States&) { return run(deck, depth); };
   return machine_task(read.deck, read.space, {.run = door, .picture = [](const MachineDeck&, Result&) {}}, {});
 }
 

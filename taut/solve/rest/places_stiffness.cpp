@@ -6,6 +6,7 @@
 
 #include "taut/math/index.hpp"
 #include "taut/solve/definite.hpp"
+#include "taut/solve/stiff_ropes.hpp"
 
 namespace taut::solve {
 namespace {
@@ -16,7 +17,6 @@ mechanics::Layout without_beams(const mechanics::Layout& layout, std::optional<i
   mechanics::Layout bare = layout;
   bare.pieces.clear();
   if (!layout.pieces.empty()) bare.size = layout.pieces.front().unknown;
-  for (mechanics::Layout::Branch& laid : bare.branches) laid.force.reset();  // these unknowns stand behind the beams'
   kept.reset();
   if (bare.hold) {
     --bare.size;  // the last one before the beams
@@ -36,10 +36,12 @@ mechanics::Layout without_beams(const mechanics::Layout& layout, std::optional<i
 
 std::optional<PlacesStiffness> places_stiffness(const mechanics::System& s, const mechanics::Configuration& c,
                                                 mechanics::Evaluation& e) {
+  const std::optional<Softer> soft = with_softer_ropes(s, c, found_by_length);
   std::optional<int> kept;
-  const mechanics::Layout bare = without_beams(s.layout, kept);
-  const mechanics::System rest{.model = s.model, .layout = bare, .coordinate = s.coordinate, .losses = s.losses};
-  mechanics::Configuration now = c;
+  const mechanics::Layout bare = without_beams(soft ? soft->layout : s.layout, kept);
+  const mechanics::System rest{
+      .model = soft ? soft->model : s.model, .layout = bare, .coordinate = s.coordinate, .losses = s.losses};
+  mechanics::Configuration now = soft ? soft->c : c;
   if (mechanics::evaluate(rest, now, e)) return std::nullopt;
   Entries J;
   Array<mechanics::BranchColumns> columns;
