@@ -67,6 +67,7 @@ void CheckedParts::take(const machine::Model& model, const solve::EquilibriumRes
                         const std::string& analysis) {
   if (!judged) return;
   seen = true;
+  take_friction(state, words, analysis);
   judge.take(model, state, words);
   ropes.take(model, state, words);
   drives.take(model, state, words);
@@ -85,6 +86,13 @@ void CheckedParts::take(const machine::Model& model, const solve::EquilibriumRes
   }
 }
 
+void CheckedParts::take_friction(const solve::EquilibriumResult& state, const std::string& words,
+                                 const std::string& analysis) {
+  unheld.take(state.unheld, words, analysis);
+  unbounded.take(state.unbounded.empty() ? "" : "friction may hold more than what is judged: " + state.unbounded, words,
+                 analysis);
+}
+
 void CheckedParts::take_values(const machine::Model& model, const solve::EquilibriumResult& state,
                                const std::string& words) {
   if (!judged) return;
@@ -101,6 +109,7 @@ void CheckedParts::take_empty(const machine::Model& model, const solve::Equilibr
   (put_up ? this->put_up : seen) = true;
   ropes.take_empty(model, state, words);
   payloads.take_ropes(model, state, words);
+  take_friction(state, words, analysis);
   const auto take_one = [&](const solve::EquilibriumResult& one, const std::string& which) {
     put_up ? judge.take_put_up(model, one, which) : judge.take_empty(model, one, which);
     show_empty(state_of(model, one, which, analysis), line, put_up);

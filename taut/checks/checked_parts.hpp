@@ -13,6 +13,7 @@
 #include "taut/checks/rope/rope_uses.hpp"
 #include "taut/checks/yarder/carriage_checks.hpp"
 #include "taut/checks/yarder/yarder_checks.hpp"
+#include "taut/study/deck/missing.hpp"
 
 namespace taut::checks {
 
@@ -49,6 +50,8 @@ struct CheckedParts {
   void take(const machine::Model& model, const solve::TransientResult& motion, const std::string& words,
             bool slowly = false);
 
+  /// What friction may do to a state beyond what is judged. `words`, `analysis`: as in `take`.
+  void take_friction(const solve::EquilibriumResult& state, const std::string& words, const std::string& analysis);
   /// Shows a state to the parts that are named in `checks:` or have a rating, to the guys those of rest alone.
   void show(const CheckState& seen);
   /// Shows the state, or a bound of one, to the parts that `take_empty` says.
@@ -62,7 +65,9 @@ struct CheckedParts {
   std::vector<std::string> reevings;        ///< of the machine, by name
   /// By reeving, of the motion that is shown now: the largest tension in its moments, N.
   std::vector<double> T_in_moments;
-  double shown_at = 0;  ///< the last of these moments, s
+  double shown_at = 0;         ///< the last of these moments, s
+  study::Stretches unheld;     ///< states without equilibrium in a direction that friction may act in
+  study::Stretches unbounded;  ///< states that friction may load with more than what is judged
   /// Peaks of motions that no moment has, where a check needed them: why it is not judged.
   std::vector<std::string> unseen;
   bool seen = false;        ///< whether the checks have been shown anything but such moments

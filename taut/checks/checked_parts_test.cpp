@@ -402,6 +402,47 @@ analyses: [{equilibrium: {carriage: car, x: 140 m, motion: )" +
   }
 }
 
+/// The rope lies on the saddle m, or has lifted off it, by the way in which friction acts on it. The answer is one of
+/// them; the other counts all the same, from whichever end the path is written.
+TEST(CheckedParts, whatLiftsOffInOneDirectionOfFrictionCountsBothWays) {
+  const auto run = [](bool turned, const std::string& motion) {
+    const char* path = turned ? "[{anchor: B}, {through: car}, {over: m}, {over: b}, {anchor: A}]"
+                              : "[{anchor: A}, {over: b}, {over: m}, {through: car}, {anchor: B}]";
+    return run_text(std::string(R"(taut: 1
+machine:
+  points: {A: [0 m, 0 m, 0 m], B: [200 m, 0 m, 0 m]}
+  ropes: {sky: {mass: 2 kg/m, stiffness: 30 MN, breaking_force: 350 kN}}
+  supports:
+    b: {at: [20 m, 0 m, 10 m], diameter: 400 mm, friction: 0.3, uplift: lift}
+    m: {at: [100 m, 0 m, 1.9 m], diameter: 400 mm, friction: 0.3, uplift: lift}
+  carriages: {car: {mass: 1 t, rides: sky, hold: rolling}}
+  reevings:
+    - {rope: sky, path: )") +
+                    path + R"(, install: {tension: 40 kN, at: )" + (turned ? "start" : "end") + R"(}}
+checks: {ropes: {sky: {safety_factor: 3}}, anchors: {A: {strength: 200 kN}, B: {strength: 200 kN}}}
+analyses: [{equilibrium: {carriage: car, x: 150 m, held: true, motion: )" +
+                    motion + "}}]\n");
+  };
+  const Result one = run(false, "in"), other = run(true, "in");
+  const Result signs[] = {run(false, "{b: 1, m: 1}"), run(false, "{b: -1, m: -1}")};
+  for (const Result* r : {&one, &other, &signs[0], &signs[1]}) {
+    ASSERT_EQ(r->status, Status::ok) << r->message << to_text(r->errors);
+    EXPECT_TRUE(r->unsafe.empty()) << r->unsafe.front();
+  }
+  const auto lifted = [](const Result& r) {
+    const Table& t = table_of(r, "sheaves");
+    return taut_test::text_cell(t, taut_test::row_of(t, "name", "m"), "state") == "lifted";
+  };
+  EXPECT_NE(lifted(signs[0]), lifted(signs[1])) << "else the machine shows nothing";
+  ASSERT_FALSE(one.checks.empty());
+  for (const Check& check : one.checks) {
+    const double worst =
+        std::max(check_of(signs[0], check.name).utilisation, check_of(signs[1], check.name).utilisation);
+    EXPECT_NEAR(check.utilisation / worst, 1, 1e-7) << check.name;
+    EXPECT_NEAR(check_of(other, check.name).utilisation / worst, 1, 1e-7) << check.name;
+  }
+}
+
 /// 5 t on two ropes: where one breaks, the other takes 3/2 of the weight for a moment, which no state of rest shows.
 TEST(CheckedParts, ABreakWithoutInertiaIsNotJudged) {
   const auto hook = [](const std::string& more) {

@@ -162,6 +162,11 @@ void add_checks(const CheckedDeck& deck, const machine::Model& model, const Chec
     r.warnings.push_back(r.unmade.back());
   }
   for (const std::string& words : seen.ropes.growing()) warn_unsafe(r, words);
+  if (seen.unheld.any()) {
+    r.unmade.push_back(seen.unheld.words_of_first());
+    r.warnings.push_back(seen.unheld.words());
+  }
+  if (seen.unbounded.any()) warn_unsafe(r, seen.unbounded.words());
   r.warnings.insert(r.warnings.end(), seen.unseen.begin(), seen.unseen.end());
   r.unmade.insert(r.unmade.end(), seen.unseen.begin(), seen.unseen.end());
   const std::vector<std::string> parts = parts_of(model);

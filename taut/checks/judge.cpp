@@ -139,9 +139,6 @@ void Judge::take_beams(const solve::EquilibriumResult& e, const std::string& wor
 }
 
 void Judge::take_contacts(const machine::Model& m, const solve::EquilibriumResult& e, const std::string& words) {
-  if (!e.unbounded.empty()) {
-    warn("band", fmt::format("{}: friction may hold more than what is judged: {}", words, e.unbounded), true);
-  }
   if (!e.indifferent.empty()) {
     warn(
         "indifferent",

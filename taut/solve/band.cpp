@@ -19,7 +19,27 @@ void widen(double& low, double& high, double other_low, double other_high) {
   high = std::max(high, other_high);
 }
 
-void widen(EquilibriumResult& result, const EquilibriumResult& other) {
+/// Whether ropes touch the same supports in both.
+bool touch_alike(const EquilibriumResult& a, const EquilibriumResult& b) {
+  return std::equal(a.branches.begin(), a.branches.end(), b.branches.begin(), b.branches.end(),
+                    [](const BranchResult& one, const BranchResult& o) {
+                      return one.reeving == o.reeving && one.from == o.from && one.to == o.to;
+                    });
+}
+
+/// The branch of an answer in which the end of another's branch lies, whatever supports the rope touches in each.
+int branch_with(const EquilibriumResult& result, const BranchResult& branch, bool at_end) {
+  int found = 0;
+  for (std::size_t k = 0; k < result.branches.size(); ++k) {
+    const BranchResult& one = result.branches[k];
+    const bool back_to_start = branch.to <= branch.from;  // the last one of a rope without ends
+    const bool within = at_end && !back_to_start ? one.from < branch.to : one.from <= branch.from;
+    if (one.reeving == branch.reeving && within) found = static_cast<int>(k);
+  }
+  return found;
+}
+
+void widen_columns(EquilibriumResult& result, const EquilibriumResult& other) {
   for (std::size_t k = 0; k < result.branches.size(); ++k) {
     BranchResult& branch = result.branches[k];
     const BranchResult& o = other.branches[k];
@@ -32,12 +52,21 @@ void widen(EquilibriumResult& result, const EquilibriumResult& other) {
     widen(contact.T_in_min, contact.T_in_max, o.T_in_min, o.T_in_max);
     widen(contact.T_out_min, contact.T_out_max, o.T_out_min, o.T_out_max);
   }
+}
+
+void widen(EquilibriumResult& result, const EquilibriumResult& other) {
+  if (touch_alike(result, other)) {
+    widen_columns(result, other);
+  } else {
+    result.band = false;
+  }
   for (std::size_t r = 0; r < result.ropes.size(); ++r) {
     RopeResult& rope = result.ropes[r];
     if (other.ropes[r].T_max <= rope.T_max) continue;
     const double unstretched = rope.unstretched;
     rope = other.ropes[r];
     rope.unstretched = unstretched;
+    rope.branch = branch_with(result, other.branches[rope.branch], rope.at_end);
   }
 }
 
@@ -190,12 +219,11 @@ void add_band(const machine::Model& model, const EquilibriumOptions& options, co
     if (flow == result.flow) continue;  // it is the answer
     moving.flow = std::move(flow);
     EquilibriumResult other = equilibrium(held, moving, result.state);
-    const bool same = other.outcome.ok() && other.branches.size() == result.branches.size() &&
-                      other.contacts.size() == result.contacts.size();
-    if (!same) {
+    if (!other.outcome.ok()) {
       result.band = false;
-      result.unbounded = fmt::format("one direction of the motion has no answer ({})",
-                                     other.outcome.ok() ? "it touches other supports there" : other.outcome.message);
+      if (result.unheld.empty()) {
+        result.unheld = fmt::format("friction may act in a direction that has no answer: {}", other.outcome.message);
+      }
       continue;
     }
     widen(result, other);

@@ -129,7 +129,11 @@ struct EquilibriumResult {
   std::vector<EquilibriumResult> bounds;
   std::string indifferent;  ///< see solve::indifferent: bodies of which the place found is one of many
   std::string unbounded;    ///< what the band that was asked for leaves out, and why; empty: nothing
-  Array<Array<int>> flow;   ///< flow at every node, [reeving][node], for which the tensions hold
+  /// Why it has no equilibrium in a direction that friction may act in, of the band that was asked for; empty: it has
+  /// one in all of them. The answer is one of several directions, of which the order of a path may choose: where this
+  /// is not empty, nothing says that the machine stays where the answer has it.
+  std::string unheld;
+  Array<Array<int>> flow;  ///< flow at every node, [reeving][node], for which the tensions hold
 };
 
 /// The equilibrium of the machine, starting from `start` (default: initial_state). Damped Newton iteration with exact

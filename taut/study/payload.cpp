@@ -38,6 +38,8 @@ class PayloadSearch {
   double margin(double mass) {
     loaded_.bodies[body_].mass = model_.bodies[body_].mass + mass;
     solve::EquilibriumResult r = solve::equilibrium(loaded_, options_, near_);
+    // friction may act in any of its directions: one without equilibrium is too much, whichever of them is the answer
+    if (r.outcome.ok() && !r.unheld.empty()) r.outcome = infeasible(r.unheld);
     LimitState nearest;
     for (const LimitState& one : limits_at(loaded_, body_, limits_, r)) {
       if (one.margin < nearest.margin) nearest = one;

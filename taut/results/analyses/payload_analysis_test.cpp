@@ -4,6 +4,7 @@
 #include <string>
 #include <utility>
 
+#include "taut/calc/verdict.hpp"
 #include "test/support/machine_decks.hpp"
 
 namespace payload_analysis_test {
@@ -347,6 +348,125 @@ TEST(PayloadAnalysis, AShortSpanIsLookedAtInItsMiddleToo) {
   EXPECT_TRUE(std::any_of(near.warnings.begin(), near.warnings.end(), [](const std::string& one) {
     return one.find("load path, at rest: 4 of 32 places are left out") == 0;
   }));
+}
+
+/// A rolling carriage with a mainline to x = 0 on a rope over a jack of friction 0.15, near the jack. `turned`: the
+/// path of the rope written from its other end; nothing else differs.
+std::string beside_jack(bool turned, double main_mass, const std::string& analyses) {
+  return fmt::format(R"(taut: 1
+machine:
+  points:
+    tower: [0 m, 0 m, 60 m]
+    winch: [0 m, 0 m, 58 m]
+    tail: [300 m, 0 m, 10 m]
+  ropes:
+    sky: {{mass: 2 kg/m, stiffness: 20 MN, breaking_force: 350 kN}}
+    main: {{mass: {} kg/m, stiffness: 5 MN, breaking_force: 90 kN}}
+  supports: {{j: {{at: [160 m, 0 m, 45 m], diameter: 300 mm, friction: 0.15}}}}
+  carriages: {{car: {{mass: 400 kg, rides: sky, hold: rolling, mainline: main}}}}
+  reevings:
+    - {{rope: sky, path: {}}}
+    - {{rope: main, path: [{{anchor: winch}}, {{anchor: car}}], length: 100 m}}
+  loads: [{{name: logs, at: car, mass: 500 kg}}]
+analyses:
+  - {}
+)",
+                     main_mass,
+                     turned ? "[{anchor: tail}, {through: car}, {over: j}, {anchor: tower}], install: {tension: 50 kN, "
+                              "at: end}"
+                            : "[{anchor: tower}, {over: j}, {through: car}, {anchor: tail}], install: {tension: 50 kN, "
+                              "at: start}",
+                     analyses);
+}
+
+/// Whether the carriage with so much on it rests at a place with its rope drawn over the jack in one direction: along a
+/// path written from the tower, 1, or against it.
+bool stands(double x, double mass, int sense, double main_mass) {
+  const Result r =
+      run_text(beside_jack(false, main_mass,
+                           fmt::format("equilibrium: {{carriage: car, x: {:.17g} m, motion: {{sky: {}}}}}", x, sense)),
+               {fmt::format("machine.loads[0].mass={:.17g} kg", mass)});
+  return r.status == Status::ok;
+}
+
+/// Beside the jack the carriage runs to the winch of its mainline with more load, which no rope holds; how much that is
+/// depends on which way the rope lies over the jack. Friction may act either way, so the lesser one counts.
+TEST(PayloadAnalysis, FrictionOfEitherDirectionHasToHoldTheCarriage) {
+  constexpr double hung = 500;  // kg
+  for (const double main_mass : {0.0, 0.5}) {
+    SCOPED_TRACE(main_mass);
+    const std::string asked =
+        "payload: {carriage: car, from: 139.25 m, to: 140.25 m, steps: 1, motion: in, limits: {sky: {safety_factor: "
+        "3}}}";
+    const Result one = run_text(beside_jack(false, main_mass, asked));
+    const Result other = run_text(beside_jack(true, main_mass, asked));
+    ASSERT_EQ(one.status, Status::ok) << one.message << to_text(one.errors);
+    ASSERT_EQ(other.status, Status::ok) << other.message << to_text(other.errors);
+    const Table &a = table_of(one, "payload"), &b = table_of(other, "payload");
+    ASSERT_EQ(a.rows.size(), 2U);
+    ASSERT_EQ(b.rows.size(), 2U);
+    for (std::size_t i = 0; i < 2; ++i) {
+      const double x = cell(a, i, "x"), mass = cell(a, i, "payload");
+      EXPECT_NEAR(cell(b, i, "payload") / mass, 1, 1e-6) << x;
+      EXPECT_EQ(text_cell(a, i, "governing"), "no equilibrium with more");
+      if (i == 0) continue;  // one place is witness enough
+      for (const int sense : {1, -1}) EXPECT_TRUE(stands(x, hung + 0.999 * mass, sense, main_mass)) << x;
+      EXPECT_FALSE(stands(x, hung + 1.001 * mass, 1, main_mass)) << x;
+      EXPECT_TRUE(stands(x, hung + 1.1 * mass, -1, main_mass)) << x;
+    }
+  }
+}
+
+/// A weightless mainline pulls to its winch alone. Without it the rope pushes the carriage along the track, by F: the
+/// payload is where F turns towards the winch, in the direction of friction in which it does so first.
+TEST(PayloadAnalysis, IsWhereTheMainlineWouldHaveToPush) {
+  constexpr double x = 140.25;
+  const Result r = run_text(beside_jack(
+      true, 0,
+      "payload: {carriage: car, from: 140.25 m, to: 140.25 m, motion: in, limits: {sky: {safety_factor: 3}}}"));
+  const double mass = value_of(r, "payload_min");
+  const auto push = [&](double load, int sense) {
+    std::string deck = beside_jack(
+        false, 0, fmt::format("equilibrium: {{carriage: car, x: {} m, held: true, motion: {{sky: {}}}}}", x, sense));
+    const auto cut = [&](const std::string& text) {
+      const auto at = deck.find(text);
+      ASSERT_NE(at, std::string::npos) << text;
+      deck.erase(at, text.size());
+    };
+    cut(", mainline: main");
+    cut("    - {rope: main, path: [{anchor: winch}, {anchor: car}], length: 100 m}\n");
+    const Result held = run_text(deck, {fmt::format("machine.loads[0].mass={:.17g} kg", load)});
+    const Table& t = table_of(held, "sheaves");
+    return cell(t, row_of(t, "name", "car"), "Fx");
+  };
+  const double T = value_of(r, "sky.T_max");
+  EXPECT_NEAR(push(500 + mass, 1) / T, 0, 1e-8);
+  EXPECT_GT(push(500 + mass, -1) / T, 1e-4);
+}
+
+/// From 139.8 m to 140.9 m 750 kg stand with the rope drawn one way over the jack, and not with it drawn the other way
+/// (as the payloads there say). Whichever of them is the answer, these states are not judged, and all are told.
+TEST(PayloadAnalysis, AStateThatOneDirectionOfFrictionDoesNotHoldIsNotJudged) {
+  const auto path = [](bool turned) {
+    return run_text(beside_jack(turned, 0.5,
+                                "load_path: {carriage: car, from: 139.5 m, to: 141.5 m, steps: 4, motion: in}\n"
+                                "checks: {ropes: {sky: {safety_factor: 3}, main: {safety_factor: 3}}}"),
+                    {"machine.loads[0].mass=750 kg"});
+  };
+  const Result one = path(false), other = path(true);
+  ASSERT_EQ(one.status, Status::ok) << one.message << to_text(one.errors);
+  ASSERT_EQ(other.status, Status::ok) << other.message << to_text(other.errors);
+  for (const Result* r : {&one, &other}) {
+    EXPECT_EQ(taut::verdict_of(*r)->kind, taut::VerdictKind::not_judged);
+    EXPECT_EQ(taut::verdict_of(*r)->verdict_class, "unmade");
+  }
+  ASSERT_EQ(one.unmade.size(), 1U);
+  EXPECT_EQ(one.unmade[0].find("load path, in, x = 140 m to x = 140.5 m (2 states): friction may act in a direction"),
+            0U)
+      << one.unmade[0];
+  ASSERT_EQ(other.missing.size(), 1U);
+  EXPECT_EQ(other.missing[0].missing, 4);
+  EXPECT_EQ(other.missing[0].first, "x = 140 m");
 }
 
 }  // namespace payload_analysis_test

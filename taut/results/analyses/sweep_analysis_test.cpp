@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "taut/machine/description/machine.hpp"
 #include "taut/study/deck/parameter.hpp"
 #include "test/support/machine_decks.hpp"
@@ -125,9 +127,11 @@ TEST(SweepAnalysis, SaysWhereAndWhyItEnds) {
   ASSERT_EQ(r.status, Status::ok) << r.message << to_text(r.errors);
   const double end = value_of(r, "sweep_end");
   EXPECT_GT(end, 370);
-  ASSERT_FALSE(r.warnings.empty());
-  EXPECT_NE(r.warnings.back().find("the sweep ends at reevings.skyline.length = "), std::string::npos)
-      << r.warnings.back();
+  const auto told = [&](const std::string& text) {
+    return std::any_of(r.warnings.begin(), r.warnings.end(),
+                       [&](const std::string& one) { return one.find(text) != std::string::npos; });
+  };
+  EXPECT_TRUE(told("the sweep ends at reevings.skyline.length = "));
   const auto alone = [&](double length) {
     return run_text(
         skyline_deck("  - equilibrium: {carriage: car, x: 170 m, motion: in}"),

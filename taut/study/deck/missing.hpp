@@ -1,5 +1,6 @@
 #pragma once
 #include <string>
+#include <vector>
 
 #include "taut/calc/outcome.hpp"
 #include "taut/calc/result.hpp"
@@ -24,6 +25,31 @@ class Missing {
   int missing_ = 0, places_ = 0;
   Outcome why_;
   std::string first_;
+};
+
+/// States of which something is to be told, as stretches: each of neighbouring states of one analysis.
+class Stretches {
+ public:
+  /// All states of an analysis, in its order. `why`: what is told of this one; empty: nothing. `words`: which state it
+  /// is, "load path, in, x = 12 m".
+  void take(const std::string& why, const std::string& words, const std::string& analysis);
+  bool any() const { return !all_.empty(); }
+  /// "load path, in, x = 12 m to x = 14 m (3 states); x = 20 m: ...", with the reason of the first.
+  std::string words() const;
+  /// "load path, in, x = 12 m to x = 14 m (3 states) and on 1 more stretch: ...".
+  std::string words_of_first() const;
+
+ private:
+  struct Stretch {
+    std::string from, to;  ///< words of its first and last state
+    int states = 0;
+
+    /// `other`: a state told just before, of which common words are left out.
+    [[nodiscard]] std::string words(const std::string& other) const;
+  };
+  std::vector<Stretch> all_;
+  std::string why_, analysis_;  ///< of the first; of the last state that was taken
+  bool open_ = false;           ///< whether the last state that was taken is in the last stretch
 };
 
 /// Whether a result, one of many cases, is an answer: not where a state is missing of which its deck asks.
