@@ -143,8 +143,8 @@ double set_quantity(const std::optional<std::string>& text, const Unit& unit, co
 }
 
 /// "2 %" of a value, or a difference of its kind. A temperature has no share: it would depend on the zero of its scale.
-double tolerance_of(const std::optional<std::string>& text, double value, const Unit& unit, const io::Node& at,
-                    const char* key, Result& r) {
+double width_of(const std::optional<std::string>& text, double value, const Unit& unit, const io::Node& at,
+                const char* key, Result& r) {
   const bool is_share = text && !text->empty() && text->back() == '%';
   if (is_share && is_temperature(unit)) {
     io::place(at,
@@ -159,6 +159,18 @@ double tolerance_of(const std::optional<std::string>& text, double value, const 
     if (share) return *share * std::abs(value);
   }
   return set_quantity(text, unit, at, key, r, Means::difference);
+}
+
+/// The same, which has no sign: below 0 it would let nothing agree.
+double tolerance_of(const std::optional<std::string>& text, double value, const Unit& unit, const io::Node& at,
+                    const char* key, Result& r) {
+  const double width = width_of(text, value, unit, at, key, r);
+  if (!(width < 0)) return width;
+  const io::Node* node = at.find(key);
+  io::add(r.errors, node != nullptr ? node->spot : at.spot,
+          fmt::format("{}: {} is below 0: nothing would agree; give how far a value may be off, without a sign", key,
+                      *text));
+  return no_value;
 }
 
 struct ComparedRow {

@@ -158,6 +158,20 @@ TEST_F(Compare, ATemperatureMayBeOffByADifferenceInKelvin) {
   expect_mistake(run(row("20 degC", "5 %")), "tolerance: a share of a temperature would depend on the zero");
 }
 
+TEST_F(Compare, AToleranceBelowZeroIsAMistake) {
+  const std::string row = "    - {what: a, deck: hanging.yaml, value: T_max, published: 9.8 kN, ";
+  for (const std::string key : {"tolerance", "reference_tolerance"}) {
+    for (const std::string width : {"-3 %", "-1 kN"}) {
+      const std::string reference = key == "tolerance" ? "" : "reference: 9.8 kN, ";
+      const taut::Result r = run(row + reference + key + ": " + width + "}\n");
+      EXPECT_EQ(exit_code(r), 2) << key;
+      EXPECT_NE(to_text(r.errors).find("error: " + key + ": " + width + " is below 0"), std::string::npos)
+          << to_text(r.errors);
+    }
+  }
+  EXPECT_TRUE(run(row + "tolerance: 0 %}\n").errors.empty());
+}
+
 TEST_F(Compare, MistakesAreToldAtTheirPlace) {
   const auto reported = [&](const std::string& values) { return to_text(run(values).errors); };
   EXPECT_NE(reported("    - {what: a, deck: hung.yaml, value: T_max}\n").find("can't be read: No such file"),

@@ -213,8 +213,9 @@ void add_method_checks(const checks::ChecksRequest& request, const checks::Asked
   for (const rope::RopeUse& use : ropes) {
     const bool judged = std::any_of(r.checks.begin(), r.checks.end(),
                                     [&](const Check& c) { return c.limits && c.name == use.name + ".safety_factor"; });
-    if (judged)
-      std::erase_if(r.unjudged, [&](const auto& part) { return part == use.name || part == use.name + " rope"; });
+    if (!judged) continue;
+    std::erase_if(r.unjudged, [&](const auto& part) { return part == use.name || part == use.name + " rope"; });
+    std::erase(r.unmade, closed_loop::unknown_strength(use.name));
   }
   checks::finish_checks(request, r);
 }

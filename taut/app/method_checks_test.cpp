@@ -113,6 +113,46 @@ TEST(MethodChecks, BothHaulsOfALoopCountWhateverItsRopesAreGivenBy) {
   EXPECT_NEAR(strength / a.value, 800e3 / b.value, 1e-6 * 800e3 / b.value);
 }
 
+/// The deck asks a factor of ropes by their weight: `checks` may give their strength.
+TEST(MethodChecks, AFactorOfALoopNeedsAStrength) {
+  const auto loop_of_weights = [](const std::string& checks) {
+    return run_text(
+        "taut: 1\nmethod: closed_loop\ninput: {span: 200 m, position: 100 m, sag: 10 m, gathering_force: 20 kN, "
+        "gathering_angle: 30 deg, tail_efficiency: 0.9, return_weight: 10 N/m, traction_weight: 15 N/m, "
+        "safety_factor: 3, wire_strength: 1500 MPa}\n" +
+        checks);
+  };
+  const Result open = loop_of_weights("");
+  ASSERT_EQ(open.status, Status::ok) << open.message << to_text(open.errors);
+  EXPECT_EQ(verdict_of(open)->verdict_class, "unmade");
+  EXPECT_EQ(exit_code(open), 4);
+  const std::string strong = "{safety_factor: 3, breaking_force: 800 kN}";
+  const Result half = loop_of_weights("checks: {ropes: {return: " + strong + "}}\n");
+  EXPECT_THAT(half.unmade, testing::ElementsAre(HasSubstr("the safety_factor of the traction rope")));
+  const Result both = loop_of_weights("checks: {ropes: {return: " + strong + ", traction: " + strong + "}}\n");
+  EXPECT_TRUE(both.unmade.empty());
+  EXPECT_EQ(exit_code(both), 0) << verdict_of(both)->reason;
+}
+
+/// 300 kN on a weight strain 6 mm2 of wire by 150 kN/(100 GPa 6 mm2): no steel rope bears that, whatever strength the
+/// deck says it has.
+TEST(MethodChecks, ADriveWhoseRopeNoSteelBearsDoesNotPass) {
+  const auto saw = [](const std::string& rope, const std::string& checks) {
+    return run_text(
+        "taut: 1\nmethod: friction_drive\ninput: {cutting_force: 90 kN, friction: 0.35, wrap: 200 deg, rope_mass: 0.6 "
+        "kg/m, speed: 15 m/s, take_up: {weight: 300 kN}, " +
+        rope + "}\n" + checks);
+  };
+  const std::string limit = "checks: {ropes: {rope: {safety_factor: 2, breaking_force: 900 kN}}}\n";
+  EXPECT_EQ(verdict_of(saw("rope_area: 6 mm^2", ""))->verdict_class, "unasked");
+  const Result wires = saw("rope_area: 6 mm^2", limit);
+  EXPECT_EQ(verdict_of(wires)->kind, VerdictKind::passes_with_warnings) << verdict_of(wires)->reason;
+  EXPECT_THAT(wires.unsafe, testing::Contains(HasSubstr("no steel rope bears that")));
+  // by its stiffness alone it may be of fibre
+  EXPECT_THAT(saw("rope_stiffness: 0.6 MN", limit).unsafe, testing::IsEmpty());
+  EXPECT_THAT(saw("rope_area: 600 mm^2", limit).unsafe, testing::IsEmpty());
+}
+
 // A rope named in words is as much known as one by its id: no value of `checks` goes beside it unheard.
 TEST(MethodChecks, AValueBesideThatOfARopeIsAMistake) {
   const auto with = [](const std::string& ropes, const std::string& value) {

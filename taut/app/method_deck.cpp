@@ -33,7 +33,7 @@ tl::expected<study::Parameter, std::string> MethodDeck::parameter(const std::str
 }
 
 Result MethodDeck::calculate() const {
-  Result r = method->run(input);
+  Result r = method->run(input, display);
   if (r.status == Status::ok) r.answers = method->answers(input, r, display);
   if (!r.figures.empty()) r.key_figure = std::visit([](const auto& one) { return one.name; }, r.figures.front());
   if (blocks.checks) add_method_checks(*blocks.checks, asked, ropes(&r), r);

@@ -85,7 +85,7 @@ const std::vector<MethodEntry>& methods() {
           .tables = boom_ropes::table_words(),
           .example = example_of("boom_ropes"),
           .complaints = on(boom_ropes::complaints),
-          .run = on(boom_ropes::run),
+          .run = on<Result, boom_ropes::Input, const Display&>(boom_ropes::run),
           .answers = on(boom_ropes::answers),
           .ropes = on(ropes_of_boom),
           .design = design_of_boom(),

@@ -40,8 +40,9 @@ struct MethodEntry {
   std::string_view example;            ///< the text of examples/<name>.yaml
   /// Rules between fields and names that the catalogue lacks; paths below `input`.
   std::function<std::vector<Complaint>(const MethodInput&)> complaints;
-  /// The whole calculation, with the engine's values: each input is solved once. For inputs without complaints.
-  std::function<Result(const MethodInput&)> run;
+  /// The whole calculation, with the engine's values: each input is solved once. For inputs without complaints. The
+  /// display is of its messages.
+  std::function<Result(const MethodInput&, const Display&)> run;
   /// The lines of the main answer, of a result that is ok.
   std::function<std::vector<Answer>(const MethodInput&, const Result&, const Display&)> answers;
   /// Its ropes by name for `checks`, with what the deck says of them; with a result also with the largest tensions in

@@ -66,12 +66,13 @@ std::vector<ValueDoubt> doubts_of(const NamedRope& rope, const OwnValues& own) {
   return all;
 }
 
-std::optional<std::string> doubt_of_strain(const std::string& rope, double tension, double stiffness) {
+std::optional<std::string> doubt_of_strain(const std::string& rope, double tension, double stiffness,
+                                           const std::string& key) {
   if (!(tension > most_strain * stiffness)) return std::nullopt;
   return fmt::format(
       "rope '{}': its largest tension, {:.4g} kN, strains it by {:.3g} % at a stiffness of {:.4g} MN: no steel rope "
-      "bears that; look at the unit of its 'stiffness'",
-      rope, tension / 1e3, 100 * tension / stiffness, stiffness / 1e6);
+      "bears that; look at the unit of its '{}'",
+      rope, tension / 1e3, 100 * tension / stiffness, stiffness / 1e6, key);
 }
 
 }  // namespace taut::catalogue

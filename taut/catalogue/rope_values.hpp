@@ -36,7 +36,9 @@ struct ValueDoubt {
 /// breaking force that is far below that of the row is on the safe side.
 std::vector<ValueDoubt> doubts_of(const NamedRope& rope, const OwnValues& own);
 
-/// Where the largest tension (N) strains a rope of a stiffness (N) by more than a steel rope bears.
-std::optional<std::string> doubt_of_strain(const std::string& rope, double tension, double stiffness);
+/// Where the largest tension (N) strains a rope of a stiffness (N) by more than a steel rope bears. `key`: what the
+/// stiffness is from in the deck.
+std::optional<std::string> doubt_of_strain(const std::string& rope, double tension, double stiffness,
+                                           const std::string& key = "stiffness");
 
 }  // namespace taut::catalogue

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "taut/calc/none.hpp"
+#include "taut/catalogue/breaking.hpp"
 #include "taut/catalogue/trust.hpp"
 #include "taut/checks/described.hpp"
 #include "taut/checks/rope/rope_uses.hpp"
@@ -462,13 +463,11 @@ void Judge::add_strength(std::size_t reeving, const RopeWorst& own, Result& r) c
   const bool moves = rope.breaking_force > 0 && own.peak > 0 &&
                      !(at_rest && own.T_of_share * rope.breaking_force >= own.peak * own.breaking_force);
   if (!at_rest && !moves) return;
-  Check c = make_check(fmt::format("{}.T_max", rope.name), moves ? own.peak : own.T_of_share, si::N,
-                       {.sense = Sense::at_most,
-                        .limit = moves ? rope.breaking_force : own.breaking_force,
-                        .rule = "minimum breaking force of the rope",
-                        .trust = strength_trust(reeving)});
-  c.part = rope.name;
-  c.limits = false;
+  Check c = catalogue::breaking_check(fmt::format("{}.T_max", rope.name), rope.name, moves ? own.peak : own.T_of_share,
+                                      {.sense = Sense::at_most,
+                                       .limit = moves ? rope.breaking_force : own.breaking_force,
+                                       .rule = "minimum breaking force of the rope",
+                                       .trust = strength_trust(reeving)});
   c.where = moves ? own.where_of_peak : own.where_of_share;
   r.checks.push_back(std::move(c));
 }

@@ -103,12 +103,16 @@ const closed_loop::Engine& loop_engine() {
   return engine;
 }
 
-Result run_closed_loop(const closed_loop::Input& in) {
-  Result r = closed_loop::run(in, loop_engine());
+Result run_closed_loop(const closed_loop::Input& in, const Display& display) {
+  Result r = closed_loop::run(in, loop_engine(), display);
   const Table* ropes = r.find_table("ropes");
   for (std::size_t k = 0; ropes != nullptr && k < ropes->rows.size(); ++k) {
     const std::string role = text_in(*ropes, k, "role"), row = text_in(*ropes, k, "designation");
-    MethodRope rope{.name = role, .rope = {}, .own = {}, .tension = number_in(*ropes, k, "largest_tension")};
+    MethodRope rope{.name = role,
+                    .rope = {},
+                    .own = {},
+                    .tension = number_in(*ropes, k, "largest_tension"),
+                    .stiffness_key = role + "_stiffness"};
     if (!row.empty()) rope.rope = row;
     const double stiffness = role == "return" ? in.return_stiffness : in.traction_stiffness;
     if (std::isfinite(stiffness)) rope.own.stiffness = stiffness;

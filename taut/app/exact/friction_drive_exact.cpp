@@ -23,30 +23,32 @@ double stiffness_of(const friction_drive::Input& in) {
   return std::numeric_limits<double>::infinity();
 }
 
-std::string take_up_words(const friction_drive::Input& in, const solve::BeltDrive& d) {
-  if (!in.take_up) return fmt::format("a weight that pulls {:.1f} N, as the method says to build", d.pull);
-  if (in.take_up->screw) return fmt::format("a screw set to {:.1f} N at rest", d.pull);
-  return fmt::format("a weight that pulls {:.1f} N", d.pull);
+std::string take_up_words(const friction_drive::Input& in, const solve::BeltDrive& d, const Display& display) {
+  const std::string pull = display.brief(d.pull, si::N);
+  if (!in.take_up) return fmt::format("a weight that pulls {}, as the method says to build", pull);
+  if (in.take_up->screw) return fmt::format("a screw set to {} at rest", pull);
+  return fmt::format("a weight that pulls {}", pull);
 }
 
-void add_words(const friction_drive::Input& in, const solve::BeltDrive& d, const solve::BeltDriveState& s, Result& r) {
+void add_words(const friction_drive::Input& in, const solve::BeltDrive& d, const solve::BeltDriveState& s,
+               const Display& display, Result& r) {
   r.assumptions.push_back(fmt::format(
       "Exact column: {}; T_1 = r T_2 + P_p, {}; the rope creeps on the last part of the working arc only. Branches "
       "are straight.",
-      take_up_words(in, d),
+      take_up_words(in, d, display),
       d.place == solve::LoadPlace::at_idler ? "the idler feels the whole tight tension"
                                             : "the cut lies in the middle of the tight branch"));
   if (std::isinf(d.stiffness)) {
     r.assumptions.emplace_back("No creep is computed: give rope_stiffness, rope_area or rope.");
   } else if (!in.rope_stiffness) {
-    r.assumptions.push_back(
-        fmt::format("EA = {:.4g} MN: 100 GPa on the rope's metallic area; give rope_stiffness.", d.stiffness / 1e6));
+    r.assumptions.push_back(fmt::format("EA = {}: 100 GPa on the rope's metallic area; give rope_stiffness.",
+                                        display.brief(d.stiffness, si::N)));
   }
   if (s.slips) {
     r.warnings.push_back(fmt::format(
-        "with {} the drive slips: it passes on {:.1f} N of the {:.1f} N cutting force; the exact tensions are those at "
+        "with {} the drive slips: it passes on {} of the {} cutting force; the exact tensions are those at "
         "the limit of slip",
-        take_up_words(in, d), s.load, in.cutting_force));
+        take_up_words(in, d, display), display.brief(s.load, si::N), display.brief(in.cutting_force, si::N)));
   }
 }
 
@@ -134,7 +136,12 @@ void check_grip(const friction_drive::Input& in, const solve::BeltDrive& d, cons
 
 /// rope_mass is with the cutters: more than the bare rope has is no slip, less is one.
 void warn_of_values(const friction_drive::Input& in, const solve::BeltDrive& d, double tension, Result& r) {
-  MethodRope rope{.name = "rope", .rope = in.rope, .own = {}, .tension = tension};
+  MethodRope rope{.name = "rope",
+                  .rope = in.rope,
+                  .own = {},
+                  .tension = tension,
+                  .stiffness_key = in.rope_stiffness ? "rope_stiffness" : "rope_area",
+                  .metal = in.rope_area.has_value()};
   const auto row = rope_of(in);
   if (row && in.rope_mass < row->mass_per_length) rope.own.mass = in.rope_mass;
   if (in.rope_stiffness || in.rope_area) rope.own.stiffness = d.stiffness;
@@ -142,7 +149,8 @@ void warn_of_values(const friction_drive::Input& in, const solve::BeltDrive& d, 
 }
 
 /// Adds the exact column to the method's result.
-void complete_friction_drive(const friction_drive::Input& in, const friction_drive::Output& out, Result& r) {
+void complete_friction_drive(const friction_drive::Input& in, const friction_drive::Output& out, const Display& display,
+                             Result& r) {
   const solve::BeltDrive d = belt_drive(in, out);
   solve::BeltDriveState s;
   const Outcome outcome = solve::solve(d, s);
@@ -153,7 +161,7 @@ void complete_friction_drive(const friction_drive::Input& in, const friction_dri
   }
   const FrictionDriveExact e = values_from(in, d, s);
   if (const auto rope = rope_of(in)) friction_drive::take_tension(*rope, e.T_1_exact, r);
-  add_words(in, d, s, r);
+  add_words(in, d, s, display, r);
   warn_of_values(in, d, e.T_1_exact, r);
   add_comparisons(out, e, r);
   if (in.take_up) check_grip(in, d, s, r);
@@ -163,10 +171,10 @@ void complete_friction_drive(const friction_drive::Input& in, const friction_dri
 
 }  // namespace
 
-Result run_friction_drive(const friction_drive::Input& in) {
+Result run_friction_drive(const friction_drive::Input& in, const Display& display) {
   friction_drive::Output out;
-  Result r = friction_drive::run(in, out);
-  if (r.status == Status::ok && out.phi > 0) complete_friction_drive(in, out, r);
+  Result r = friction_drive::run(in, out, display);
+  if (r.status == Status::ok && out.phi > 0) complete_friction_drive(in, out, display, r);
   return r;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 #include "taut/methods/friction_drive/friction_drive.hpp"
 #include "taut/solve/exact/belt_drive.hpp"
+#include "taut/units/display.hpp"
 
 /// The exact column of `friction_drive`: the tensions that the take-up really lets the loop have.
 namespace taut::app {
@@ -25,6 +26,6 @@ solve::BeltDrive belt_drive(const friction_drive::Input& in, const friction_driv
 
 /// The method with the exact values, comparisons and, with a take-up in the deck, the check of its grip. A take-up that
 /// leaves the rope without tension makes the result infeasible.
-Result run_friction_drive(const friction_drive::Input& in);
+Result run_friction_drive(const friction_drive::Input& in, const Display& display = Display());
 
 }  // namespace taut::app

@@ -511,7 +511,8 @@ void take_other_cases(const Input& in, const Solved& method, const Section& sect
 }
 
 /// Adds the exact column to the method's result.
-void complete_mast_section(const Input& in, const Solved& method, EngineMasts& masts, Result& r) {
+void complete_mast_section(const Input& in, const Solved& method, EngineMasts& masts, const Display& display,
+                           Result& r) {
   if (method.section) check_wall(in, method, r);
   const Section section = section_of(in, method);
   MastSectionExact e;
@@ -534,8 +535,8 @@ void complete_mast_section(const Input& in, const Solved& method, EngineMasts& m
   take_other_cases(in, method, section, masts, e, r);
   take_put_up(masts.guys(), e);
   if (r.status == Status::ok && e.N_least_exact < 0) {
-    warn_unsafe(r, fmt::format("the foot of the mast is pulled up with up to {:.4g} kN: it must be anchored to hold it",
-                               -e.N_least_exact / 1e3));
+    warn_unsafe(r, fmt::format("the foot of the mast is pulled up with up to {}: it must be anchored to hold it",
+                               display.brief(-e.N_least_exact, si::N)));
   }
   if (positions.size() > 1) {
     r.tables.push_back(make_table("positions_exact", "Carriage positions, exact", exact_quantities(), positions));
@@ -560,11 +561,11 @@ std::vector<TableWords> mast_section_exact_words() {
 
 SecondOrder second_order_of(const Input& in) { return second_order_of(in, std::make_shared<EngineMasts>(in)); }
 
-Result run_mast_section(const Input& in) {
+Result run_mast_section(const Input& in, const Display& display) {
   const auto masts = std::make_shared<EngineMasts>(in);
   Solved method;
-  Result r = run(in, second_order_of(in, masts), method);
-  if (r.status == Status::ok) complete_mast_section(in, method, *masts, r);
+  Result r = run(in, second_order_of(in, masts), method, display);
+  if (r.status == Status::ok) complete_mast_section(in, method, *masts, display, r);
   return r;
 }
 

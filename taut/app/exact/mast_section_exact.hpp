@@ -2,6 +2,7 @@
 #include "taut/calc/quantity.hpp"
 #include "taut/methods/mast_section/sizing.hpp"
 #include "taut/structure/beam.hpp"
+#include "taut/units/display.hpp"
 
 /// The exact column of `mast_section`: the mast of the deck with its guys, solved by the engine. Without guys it is the
 /// published clamped cantilever, with the second-order moment that the method leaves out.
@@ -44,7 +45,7 @@ mast_section::SecondOrder second_order_of(const mast_section::Input& in);
 /// The method with second order from the engine, and with the exact values, comparisons, tables, checks and figures. A
 /// deck with guys, a lateral force or a hinge that finds no equilibrium makes the result infeasible; a plain cantilever
 /// is warned of.
-Result run_mast_section(const mast_section::Input& in);
+Result run_mast_section(const mast_section::Input& in, const Display& display = Display());
 
 /// The tables `guys` and `positions_exact` as described.
 std::vector<TableWords> mast_section_exact_words();

@@ -17,8 +17,8 @@ void warn_of_rope(const MethodRope& rope, Result& r) {
     for (catalogue::ValueDoubt& one : catalogue::doubts_of(known, rope.own)) tell(std::move(one.words), one.unsafe);
   }
   if (!(rope.own.stiffness > 0)) return;
-  auto strain = catalogue::doubt_of_strain(rope.name, rope.tension, rope.own.stiffness);
-  if (strain) tell(*std::move(strain), row.has_value());
+  auto strain = catalogue::doubt_of_strain(rope.name, rope.tension, rope.own.stiffness, rope.stiffness_key);
+  if (strain) tell(*std::move(strain), row.has_value() || rope.metal);
 }
 
 }  // namespace taut::app

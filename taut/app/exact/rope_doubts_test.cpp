@@ -32,4 +32,14 @@ TEST(RopeDoubts, AStrainThatNoSteelRopeBearsIsUnsafeWithARow) {
   EXPECT_TRUE(told(rope(std::nullopt, soft, 19e3)).warnings.empty());
 }
 
+/// A metallic area is one of wires, whoever gives it.
+TEST(RopeDoubts, ARopeOfAMetallicAreaIsOfSteel) {
+  MethodRope own = rope(std::nullopt, {.stiffness = 1e6}, 50e3);
+  own.metal = true;
+  own.stiffness_key = "rope_area";
+  const Result r = told(own);
+  ASSERT_EQ(r.unsafe.size(), 1U);
+  EXPECT_NE(r.unsafe[0].find("look at the unit of its 'rope_area'"), std::string::npos) << r.unsafe[0];
+}
+
 }  // namespace taut::app::rope_doubts_test

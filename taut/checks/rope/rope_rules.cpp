@@ -1,6 +1,7 @@
 #include "taut/checks/rope/rope_rules.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -118,20 +119,35 @@ class RequestReader {
                       "; taut list rules --name safety");
   }
 
+  /// A use of ropes for which several countries have rules of their own.
+  void no_field_alone(const std::string& name, const std::vector<RuleRow>& below, const std::string& key) {
+    std::vector<std::string> known;
+    for (const RuleRow& row : below) known.push_back(row.id.substr(std::string_view("safety.").size()));
+    complain(key, fmt::format("'{}' has rules by country: give {}", name, fmt::join(known, " or ")));
+  }
+
+  /// One mistake, told once: fields and D/d go by the class.
+  void no_such_class(const std::string& words) {
+    if (!std::exchange(refused_class_, true)) complain("class", words + ": M1 to M8");
+  }
+
   void field(const std::string& given, const std::string& key) {
     const std::string name = given.starts_with("safety.") ? given.substr(7) : given;
     std::string id = "safety." + name;
     if (name == "skyline_elastic_limit") {
       return complain(key, "is a share of the breaking force, not a safety factor: see 'elastic_limit'");
     }
-    if (!catalogue::rules_of(id).empty()) {
+    const std::vector<RuleRow> below = catalogue::rules_of(id);
+    const bool by_class =
+        std::any_of(below.begin(), below.end(), [](const RuleRow& one) { return !one.group.empty(); });
+    if (!below.empty() && !by_class) return no_field_alone(name, below, key);
+    if (by_class) {
       if (!request_.group) return complain(key, fmt::format("'{}' needs a 'class', M1 to M8", name));
       used_group_ = true;
       id += "." + *request_.group;
     }
     const auto row = rule_named(id);
-    if (!row && used_group_)
-      return complain("class", fmt::format("'{}' has no class '{}': M1 to M8", name, *request_.group));
+    if (!row && by_class) return no_such_class(fmt::format("'{}' has no class '{}'", name, *request_.group));
     if (!row) return no_such_field(name, key);
     asked_.fields.push_back(row->id);
     const bool crane = begins(row->id, {"safety.crane_"}), covers = crane || begins(row->id, {"safety.ropeway_"});
@@ -285,7 +301,7 @@ class RequestReader {
     if (row) {
       limits.push_back(limit_of(*row, SafeEnd::high));
     } else if (limits.empty() && std::string_view(which) == "crane_sheave") {
-      complain("class", fmt::format("there is no class '{}': M1 to M8", *request_.group));
+      no_such_class(fmt::format("there is no class '{}'", *request_.group));
     }
   }
 
@@ -306,7 +322,7 @@ class RequestReader {
   const RopeCheckRequest& request_;
   std::string path_;
   std::vector<Complaint>& complaints_;
-  bool used_group_ = false;
+  bool used_group_ = false, refused_class_ = false;
   bool all_cover_bending_ = false, all_cover_ends_ = false;  ///< of the fields; false without any
   AskedRules asked_;
   rope::RopeRules& rules_ = asked_.of_any_rope;

@@ -130,6 +130,19 @@ TEST(RopeRules, ends_are_covered_by_cranes_alone) {
   EXPECT_TRUE(crane.least_termination);
 }
 
+TEST(RopeRules, a_class_that_there_is_not_is_one_mistake) {
+  RopeCheckRequest request;
+  request.group = "M9";
+  for (const auto& fields : std::vector<std::vector<std::string>>{
+           {}, {"crane_running"}, {"crane_stay"}, {"crane_running", "crane_stay"}, {"skyline.ch"}}) {
+    request.field = fields;
+    std::vector<Complaint> complaints;
+    asked_rules(request, "checks.ropes.x", complaints);
+    ASSERT_EQ(complaints.size(), 1U) << fields.size();
+    EXPECT_EQ(complaints[0].path, "checks.ropes.x.class");
+  }
+}
+
 TEST(RopeRules, what_is_no_safety_factor_is_refused) {
   RopeCheckRequest request;
   for (const char* field : {"skyline_elastic_limit", "skyline_extension.us_wa"}) {
@@ -181,6 +194,14 @@ TEST(RopeRules, fields_and_classes) {
   EXPECT_EQ(skyline.safety_factors.size(), 2U);
   EXPECT_EQ(skyline.safety_factors[1].value, 3);
   EXPECT_TRUE(skyline.sheave_ratios.empty());
+  request.field = {"skyline"};  // whose? no class has to do with it
+  EXPECT_EQ(complaint_for(request, six_strand("IWRC")),
+            "checks.ropes.x.field[0]: 'skyline' has rules by country: give skyline.ch or skyline.ru");
+  request.group = "M4";
+  EXPECT_NE(complaint_for(request, six_strand("IWRC")).find("give skyline.ch or skyline.ru"), std::string::npos);
+  request.field = {"tether"};
+  EXPECT_NE(complaint_for(request, six_strand("IWRC")).find("give tether.us_or"), std::string::npos);
+  request.group.reset();
   request.field = {"skylin.ch"};
   EXPECT_NE(complaint_for(request, six_strand("IWRC")).find("skyline.ch"), std::string::npos);
 }

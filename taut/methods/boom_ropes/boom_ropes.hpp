@@ -180,6 +180,8 @@ std::vector<Complaint> complaints(const Input& in);
 template <class T>
 Outcome compute(const Input& in, Sheet<T>& s, Output& out);
 Outcome solve(const Input& in, Output& out);
+/// `display`: the units of its assumptions.
+Result run(const Input& in, const Display& display);
 Result run(const Input& in);
 /// The lines of the main answer, from a result of this input that is ok.
 std::vector<Answer> answers(const Input& in, const Result& r, const Display& display);

@@ -11,6 +11,7 @@
 #include "taut/methods/boom_ropes/sliding.hpp"
 #include "taut/methods/boom_ropes/slip.hpp"
 #include "taut/methods/boom_ropes/tables.hpp"
+#include "taut/units/display.hpp"
 
 namespace taut::boom_ropes {
 namespace {
@@ -60,7 +61,7 @@ std::vector<Comparison> comparisons(const Output& out) {
   return all;
 }
 
-void add_assumptions(const Input& in, const Output& out, Result& r) {
+void add_assumptions(const Input& in, const Output& out, const Display& display, Result& r) {
   r.assumptions.emplace_back("Statics: no inertia, no swinging load. F0 is taken with the boom horizontal.");
   if (!out.F.empty()) {
     r.assumptions.emplace_back(
@@ -79,10 +80,12 @@ void add_assumptions(const Input& in, const Output& out, Result& r) {
         fmt::format("Sliding: falls not given, K = {} as in the paper for this operation.", falls_of(q)));
   }
   if (!q.S10 && !in.S10) {
-    r.assumptions.push_back(fmt::format("Sliding: S10 not given, {:.4g} kN as calibrated.", calibrated_S10 / 1e3));
+    r.assumptions.push_back(
+        fmt::format("Sliding: S10 not given, {} as calibrated.", display.brief(calibrated_S10, si::N)));
   }
   if (!q.S20 && !in.S20) {
-    r.assumptions.push_back(fmt::format("Sliding: S20 not given, {:.4g} kN as calibrated.", calibrated_S20 / 1e3));
+    r.assumptions.push_back(
+        fmt::format("Sliding: S20 not given, {} as calibrated.", display.brief(calibrated_S20, si::N)));
   }
   std::string left;
   for (const Given& g : r.given) {
@@ -164,7 +167,9 @@ std::vector<Complaint> complaints(const Input& in) {
   return all;
 }
 
-Result run(const Input& in) {
+Result run(const Input& in) { return run(in, Display()); }
+
+Result run(const Input& in, const Display& display) {
   const Method& m = about();
   Result r = result_of(m, Input::describe(), &in);
   Sheet<Num> s(m.short_source, Input::describe(), &in);
@@ -179,7 +184,7 @@ Result run(const Input& in) {
   r.figures = figures(in, out);
   if (!outcome.ok()) r.figures.insert(r.figures.begin(), boom_without_answer(in));
   s.move_to(r);
-  add_assumptions(in, out, r);
+  add_assumptions(in, out, display, r);
   const auto lost = [](const SlidingPoint& p) { return !p.ok(); };
   const auto first = std::find_if(out.grid.begin(), out.grid.end(), lost);
   if (outcome.ok() && first != out.grid.end()) {

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "taut/units/display.hpp"
+
 namespace taut::closed_loop {
 namespace {
 
@@ -36,6 +38,11 @@ T efficiency_of(const Input& in, Sheet<T>& s) {
 
 }  // namespace
 
+std::string shown(const Display* display, double x, const Unit& unit) {
+  static const Display of_print;  // asks for its factors once
+  return (display != nullptr ? *display : of_print).brief(x, unit);
+}
+
 template <class T>
 Case<T> make_case(const Input& in, const Setting& at, Sheet<T>& s) {
   using std::cos;
@@ -66,6 +73,7 @@ Case<T> make_case(const Input& in, const Setting& at, Sheet<T>& s) {
   c.W_c = s.given(in.carriage_weight);
   c.has_weight = in.carriage_weight > 0;
   c.roller = in.roller;
+  c.display = at.display;
   c.EA_b = at.EA_b.value_or(in.return_stiffness);
   c.EA_T = at.EA_T.value_or(in.traction_stiffness);
   return c;

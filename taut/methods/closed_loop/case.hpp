@@ -1,6 +1,7 @@
 #pragma once
 #include <limits>
 #include <optional>
+#include <string>
 
 #include "taut/calc/sheet.hpp"
 #include "taut/methods/closed_loop/closed_loop.hpp"
@@ -37,6 +38,7 @@ struct Case {
   bool downhill = true;  ///< alpha_s >= 0
   bool has_weight = false;
   Roller roller = Roller::free;
+  const Display* display = nullptr;  ///< for its messages
 };
 
 struct Engine;
@@ -48,8 +50,12 @@ struct Setting {
   double q_T = 0;
   std::optional<double> EA_b = std::nullopt;  ///< empty: that of the deck
   std::optional<double> EA_T = std::nullopt;
-  const Engine* engine = nullptr;  ///< exact catenaries, where there are some
+  const Engine* engine = nullptr;    ///< exact catenaries, where there are some
+  const Display* display = nullptr;  ///< the units of its messages; null: those of print
 };
+
+/// A quantity in a message, in the units of `display`; null: those of print.
+std::string shown(const Display* display, double x, const Unit& unit);
 
 /// A place counts as midspan within this share of the span.
 inline constexpr double midspan_tolerance = 1e-9;

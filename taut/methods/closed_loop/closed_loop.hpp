@@ -193,10 +193,14 @@ Outcome compute(const Input& in, Sheet<T>& s, Output& out);
 Outcome solve(const Input& in, Output& out);
 
 /// The result for a report: values, tables `positions` and `ropes`, checks, steps, comparisons, figures, warnings. The
-/// engine adds the exact values, finds the sag in every mode but `sag`, and verifies chosen ropes.
+/// engine adds the exact values, finds the sag in every mode but `sag`, and verifies chosen ropes. `display`: the units
+/// of its messages.
+Result run(const Input& in, const Engine& engine, const Display& display);
 Result run(const Input& in, const Engine& engine);
 /// The same without an engine: no exact values.
 Result run(const Input& in);
+/// What a result says of a rope (`role`: return, traction) that the deck asks a safety factor of without its strength.
+std::string unknown_strength(const std::string& role);
 /// The lines of the main answer, from a result of this input that is ok.
 std::vector<Answer> answers(const Input& in, const Result& r, const Display& display);
 

@@ -7,10 +7,10 @@
 namespace taut::closed_loop {
 
 /// The loop to scale with its carriage and forces, for a solved position.
-Drawing loop_drawing(const Input& in, const Output& out);
+Drawing loop_drawing(const Input& in, const Output& out, const Display& display);
 
 /// The loop as its deck describes it, ropes straight, without any tension.
-Drawing loop_without_answer(const Input& in);
+Drawing loop_without_answer(const Input& in, const Display& display);
 
 /// The forces at the carriage as a closed polygon, N.
 Drawing force_polygon(const Input& in, const Output& out);

@@ -6,6 +6,7 @@
 #include <map>
 #include <string>
 
+#include "taut/units/display.hpp"
 #include "test/cases/closed_loop_example.hpp"
 
 namespace taut::closed_loop::drawing_test {
@@ -52,7 +53,7 @@ TEST(ClosedLoopDrawing, RopesEndAtSupportsAndCarriage) {
   Input in = example();
   in.slope = 10 * degree;
   in.branch_distance = 1.5;
-  const Drawing d = loop_drawing(in, solved(in));
+  const Drawing d = loop_drawing(in, solved(in), Display());
   int ropes = 0;
   for (const Polyline& line : shapes_of<Polyline>(d)) {
     if (line.role != Role::second_rope) continue;
@@ -72,7 +73,7 @@ TEST(ClosedLoopDrawing, ArrowsAreTheTensionsOfTheResult) {
   const std::map<std::string, double> wanted = {
       {"T_lA", out.T_lA}, {"T_uA", out.T_uA}, {"T_lB", out.T_lB}, {"T_uB", out.T_uB}, {"N", out.N}};
   std::size_t found = 0;
-  for (const ForceArrow& f : shapes_of<ForceArrow>(loop_drawing(in, out))) {
+  for (const ForceArrow& f : shapes_of<ForceArrow>(loop_drawing(in, out, Display()))) {
     const auto at = wanted.find(f.label);
     if (at == wanted.end()) continue;
     ++found;

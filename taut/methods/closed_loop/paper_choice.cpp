@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "taut/methods/closed_loop/sizing.hpp"
+#include "taut/units/display.hpp"
 
 namespace taut::closed_loop {
 namespace {
@@ -21,20 +22,21 @@ struct PaperRope {
   const Peak& peak;
 };
 
-void warn(const PaperRope& rope, double wanted, std::vector<std::string>& warnings) {
+void warn(const PaperRope& rope, double wanted, const Display& display, std::vector<std::string>& warnings) {
   if (!(rope.factor < wanted * (1 - remarkable))) return;
-  warnings.push_back(fmt::format(
-      "{} is unsafe for the {} rope: its {:.4g} mm^2 are meant to have a safety factor of {:.3g}, but with "
-      "their own weight "
-      "they have {:.3g}, as the rope is pulled with up to {:.4g} kN ({}). Choose by the corrected area, "
-      "and prove the rope "
-      "chosen with its own weight.",
-      rope.equation, rope.name, rope.area * 1e6, wanted, rope.factor, rope.peak.tension / 1e3, rope.peak.where));
+  warnings.push_back(
+      fmt::format("{} is unsafe for the {} rope: its {} are meant to have a safety factor of {:.3g}, but with "
+                  "their own weight "
+                  "they have {:.3g}, as the rope is pulled with up to {} ({}). Choose by the corrected area, "
+                  "and prove the rope "
+                  "chosen with its own weight.",
+                  rope.equation, rope.name, display.brief(rope.area, si::m2), wanted, rope.factor,
+                  display.brief(rope.peak.tension, si::N), rope.peak.where));
 }
 
 }  // namespace
 
-void prove_paper_choice(const Input& in, Output& out, std::vector<std::string>& warnings) {
+void prove_paper_choice(const Input& in, Output& out, const Display& display, std::vector<std::string>& warnings) {
   if (!in.wire_strength || !in.safety_factor || !std::isfinite(out.F_return_paper)) return;
   Input own = in;
   own.position.clear();
@@ -58,13 +60,13 @@ void prove_paper_choice(const Input& in, Output& out, std::vector<std::string>& 
         .area = out.F_return_paper,
         .factor = out.safety_factor_return_paper,
         .peak = peaks.return_rope},
-       *in.safety_factor, warnings);
+       *in.safety_factor, display, warnings);
   warn({.equation = "(10)",
         .name = "traction",
         .area = out.F_traction_paper,
         .factor = out.safety_factor_traction_paper,
         .peak = peaks.traction_rope},
-       *in.safety_factor, warnings);
+       *in.safety_factor, display, warnings);
 }
 
 }  // namespace taut::closed_loop

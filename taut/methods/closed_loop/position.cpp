@@ -61,10 +61,9 @@ void keep_tensions(const Quick<T>& q, Output& out) {
 template <class T>
 Outcome no_vertical_load(const Case<T>& c, const Paper<T>& p) {
   return infeasible(
-      fmt::format("no vertical load: P = {:.3g} kN by (3), the gathering line pulls the carriage up off the chord "
-                  "(slope {:.3g} deg); "
+      fmt::format("no vertical load: P = {} by (3), the gathering line pulls the carriage up off the chord (slope {}); "
                   "steepen the line or add carriage weight",
-                  value(p.P) / 1000, value(c.alpha_s) / degree));
+                  shown(c.display, value(p.P), si::N), shown(c.display, value(c.alpha_s), si::rad)));
 }
 
 template <class T>
@@ -93,8 +92,8 @@ Outcome two_sections(const Input& in, const Case<T>& c, const Case<double>& plai
     out.P_b_printed = printed->P_b;
     out.delta_f_printed = printed->delta_f;
     s.note([&] {
-      return fmt::format("(11)-(16) as printed, unrounded, give P_b = {:.5g} kN and delta_f = {:.5g} m.",
-                         printed->P_b / 1000, printed->delta_f);
+      return fmt::format("(11)-(16) as printed, unrounded, give P_b = {} and delta_f = {}.",
+                         shown(c.display, printed->P_b, si::N), shown(c.display, printed->delta_f, si::m));
     });
   }
   SectionForces<T> f{};
@@ -114,20 +113,20 @@ Outcome two_sections(const Input& in, const Case<T>& c, const Case<double>& plai
   return {};
 }
 
-std::string kN(double force) { return fmt::format("{:.4g} kN", force / 1000); }
-
 /// Where the paper's formulas leave their range, and where they are unsafe.
 template <class T>
 void warn_of_paper(const Case<T>& c, const Output& out, Sheet<T>& s) {
+  const auto force = [&c](double x) { return shown(c.display, x, si::N); };
   const double local = out.f / std::min(value(c.x), value(c.y));
   if (local > local_slope_limit || value(c.alpha) > slope_limit) {
     s.warn([&] {
       const double excess = out.P_b * std::sin(value(c.alpha_s));
       return fmt::format(
           "The paper's formulas (P_b, T_b, T_n, T_up, T_lA_paper) are outside their range (sag/distance to the nearer "
-          "support {:.2g}, limit 0.2; slope {:.3g} deg, limit 10 deg). Taking the roller force as vertical alone makes "
+          "support {:.2g}, limit 0.2; slope {}, limit {}). Taking the roller force as vertical alone makes "
           "T_lA_paper about P_b sin(alpha_s) = {} too {}. Build by {}.",
-          local, value(c.alpha_s) / degree, kN(std::abs(excess)), excess < 0 ? "small, which is unsafe" : "large",
+          local, shown(c.display, value(c.alpha_s), si::rad), shown(c.display, slope_limit, si::rad),
+          force(std::abs(excess)), excess < 0 ? "small, which is unsafe" : "large",
           local > local_slope_limit ? "the values that end in _exact: the closed-form tier is out of its range too"
                                     : "the closed-form tier");
     });
@@ -136,7 +135,7 @@ void warn_of_paper(const Case<T>& c, const Output& out, Sheet<T>& s) {
     s.warn([&] {
       return fmt::format(
           "By (1) the upper branch carries nothing (P_b = {}), by the closed-form tier {}: close to lift-off.",
-          kN(out.P_b), kN(out.P_b_closed));
+          force(out.P_b), force(out.P_b_closed));
     });
   }
   const Peak peak = peaks_of(out).return_rope;
@@ -145,13 +144,13 @@ void warn_of_paper(const Case<T>& c, const Output& out, Sheet<T>& s) {
       return fmt::format(
           "(7) is unsafe for the return rope: it gives {} in the upper branch, but the rope is pulled with up to {} "
           "({}).",
-          kN(out.T_up), kN(peak.tension), peak.where);
+          force(out.T_up), force(peak.tension), peak.where);
     });
   }
   if (out.T_lA_paper < out.T_lA * (1 - remarked)) {
     s.warn([&] {
-      return fmt::format("(9) is unsafe here: it gives T_lA = {}, the closed-form tier {}.", kN(out.T_lA_paper),
-                         kN(out.T_lA));
+      return fmt::format("(9) is unsafe here: it gives T_lA = {}, the closed-form tier {}.", force(out.T_lA_paper),
+                         force(out.T_lA));
     });
   }
 }
@@ -161,12 +160,13 @@ void warn_of_stop(const Case<T>& c, const Output& out, Sheet<T>& s) {
   const double S = value(c.S);
   const double T_lB = std::isfinite(out.T_lB) ? out.T_lB : out.T_lB_exact;
   if (S <= T_lB) return;
+  const auto force = [&c](double x) { return shown(c.display, x, si::N); };
   s.warn([&] {
     return fmt::format(
         "The gathering force S = {} exceeds T_lB = {}: when S acts on the free end of the return rope (variant 2) the "
         "carriage has left its stop; mode free_running finds the sag at which it leaves it.{}",
-        kN(S), kN(T_lB),
-        S > out.T_n ? fmt::format(" It also exceeds T_n = {} (variant 1).", kN(out.T_n)) : std::string());
+        force(S), force(T_lB),
+        S > out.T_n ? fmt::format(" It also exceeds T_n = {} (variant 1).", force(out.T_n)) : std::string());
   });
 }
 
@@ -195,14 +195,15 @@ Outcome add_exact(const Input& in, const Case<double>& plain, const Engine& engi
   }
   if (!o.ok()) return o;
   s.section("Exact catenaries");
+  const auto force = [&plain](double x) { return shown(plain.display, x, si::N); };
   s.note([&] {
     return fmt::format(
         "The same loop with {} catenaries, the roller at its place on the link, solved as a whole: P_b = {}, N = {}, "
-        "T_uA = {}, T_uB = {}, T_lA = {}, T_lB = {}; unstretched loop {:.6g} m. Left unbalanced at a "
+        "T_uA = {}, T_uB = {}, T_lA = {}, T_lB = {}; unstretched loop {}. Left unbalanced at a "
         "node: at most {:.0e} of the tension; left open at a rope's end: at most {:.0e} of the span.",
-        is_elastic(plain) ? "elastic" : "inextensible", kN(out.P_b_exact), kN(out.N_exact), kN(out.T_uA_exact),
-        kN(out.T_uB_exact), kN(out.T_lA_exact), kN(out.T_lB_exact), out.loop_length_exact, out.residual_exact,
-        out.closure_exact);
+        is_elastic(plain) ? "elastic" : "inextensible", force(out.P_b_exact), force(out.N_exact), force(out.T_uA_exact),
+        force(out.T_uB_exact), force(out.T_lA_exact), force(out.T_lB_exact),
+        shown(plain.display, out.loop_length_exact, si::m), out.residual_exact, out.closure_exact);
   });
   return {};
 }
@@ -229,8 +230,10 @@ Outcome areas_at_midspan(const Input& in, const Setting& at, const Case<T>& c, c
   out.f_midspan = found.f;
   Case<T> load_at_midspan = c;
   load_at_midspan.f = s.named("f_m", si::m, found.f);
-  s.note(
-      [&] { return fmt::format("f_m = {:.6g} m: the sag with the carriage at midspan, by the same rule.", found.f); });
+  s.note([&] {
+    return fmt::format("f_m = {}: the sag with the carriage at midspan, by the same rule.",
+                       shown(c.display, found.f, si::m));
+  });
   const Outcome sized = areas(in, load_at_midspan, p, s, out);
   return sized.ok() ? sized : without(sized);
 }
@@ -307,7 +310,8 @@ std::optional<catalogue::RopeStiffness> own_stiffness(const Input& in, double gi
   return catalogue::stiffness_of(*rope);
 }
 
-Setting setting_of(const Input& in, const Ropes& ropes, std::size_t index, const Engine& engine) {
+Setting setting_of(const Input& in, const Ropes& ropes, std::size_t index, const Engine& engine,
+                   const Display* display) {
   const auto EA_of = [](const std::optional<catalogue::RopeStiffness>& own) {
     return own ? std::optional(own->EA) : std::nullopt;
   };
@@ -316,16 +320,17 @@ Setting setting_of(const Input& in, const Ropes& ropes, std::size_t index, const
           .q_T = ropes.q_T,
           .EA_b = EA_of(own_stiffness(in, in.return_stiffness, ropes.return_rope)),
           .EA_T = EA_of(own_stiffness(in, in.traction_stiffness, ropes.traction_rope)),
-          .engine = &engine};
+          .engine = &engine,
+          .display = display};
 }
 
-std::vector<Row> sweep(const Input& in, const Ropes& ropes, const Engine& engine) {
+std::vector<Row> sweep(const Input& in, const Ropes& ropes, const Engine& engine, const Display* display) {
   std::vector<Row> rows(std::max<std::size_t>(1, in.position.size()));
   Sheet<double> silent;
   Input without_areas = in;  // they are the same wherever the carriage stands, and belong to the note
   without_areas.wire_strength.reset();
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    rows[i].outcome = solve_position(without_areas, setting_of(in, ropes, i, engine), silent, rows[i].out);
+    rows[i].outcome = solve_position(without_areas, setting_of(in, ropes, i, engine, display), silent, rows[i].out);
   }
   return rows;
 }
@@ -370,6 +375,7 @@ catalogue::RopeRow known_rope(const std::string& text) {
   return *row;
 }
 
+/// Over the rows that have an answer.
 Peaks peaks_over(const std::vector<Row>& rows) {
   Peaks p;
   for (const Row& row : rows) {
@@ -380,32 +386,42 @@ Peaks peaks_over(const std::vector<Row>& rows) {
 
 }  // namespace
 
-Peaks peaks_of_both_hauls(const Input& in, const Ropes& ropes, const Engine& engine, const std::vector<Row>& rows) {
+Peaks peaks_of_both_hauls(const Input& in, const Ropes& ropes, const Engine& engine, const std::vector<Row>& rows,
+                          const Display* display) {
   Input other = in;
   other.haul = in.haul == Haul::in ? Haul::out : Haul::in;
-  Peaks back = peaks_over(sweep(other, ropes, engine));
+  const std::vector<Row> others = sweep(other, ropes, engine, display);
+  Peaks back = peaks_over(others);
   for (std::string* where : {&back.return_rope.where, &back.traction_rope.where, &back.deepest.where}) {
     *where += other.haul == Haul::out ? ", hauled out" : ", hauled in";
   }
-  return larger(peaks_over(rows), back);
+  Peaks both = larger(peaks_over(rows), back);
+  both.other.haul = other.haul;
+  for (const Row& row : others) {
+    if (row.outcome.ok()) continue;
+    if (both.other.without_answer.empty()) both.other.reason = row.outcome.message;
+    both.other.without_answer.push_back(row.out.x);
+  }
+  return both;
 }
 
 namespace {
 
 /// Positions and the peaks of both hauls; infeasible when no position is feasible as asked.
-Outcome prove(const Input& in, const Engine& engine, Solved& solved) {
-  solved.rows = sweep(in, solved.ropes, engine);
+Outcome prove(const Input& in, const Engine& engine, Solved& solved, const Display* display) {
+  solved.rows = sweep(in, solved.ropes, engine, display);
   const auto& rows = solved.rows;
   const bool any = std::any_of(rows.begin(), rows.end(), [](const Row& row) { return row.outcome.ok(); });
-  if (any) solved.peaks = peaks_of_both_hauls(in, solved.ropes, engine, rows);
+  if (any) solved.peaks = peaks_of_both_hauls(in, solved.ropes, engine, rows, display);
   return any ? Outcome{} : rows.front().outcome;
 }
 
 /// Ropes chosen, with what proved them, or the deck's own.
-Outcome find_ropes(const Input& in, const Engine& engine, Solved& found) {
+Outcome find_ropes(const Input& in, const Engine& engine, Solved& found, const Display* display) {
   if (in.choose_ropes) {
     return choose(
-        *in.choose_ropes, *in.safety_factor, [&](Solved& solved) { return prove(in, engine, solved); }, found);
+        *in.choose_ropes, *in.safety_factor, [&](Solved& solved) { return prove(in, engine, solved, display); }, found,
+        display);
   }
   Ropes& ropes = found.ropes;
   if (in.return_rope) {
@@ -446,22 +462,23 @@ Engine known_answers(const Row& row, const Engine& engine) {
 
 Outcome ropes_of(const Input& in, Ropes& ropes, const Engine& engine) {
   Solved found;
-  Outcome o = find_ropes(in, engine, found);
+  Outcome o = find_ropes(in, engine, found, nullptr);
   ropes = std::move(found.ropes);
   return o;
 }
 
-Outcome solve_deck(const Input& in, const Engine& engine, Sheet<Num>& s, Solved& found, Output& out) {
-  if (Outcome o = find_ropes(in, engine, found); !o.ok()) return o;
+Outcome solve_deck(const Input& in, const Engine& engine, Sheet<Num>& s, Solved& found, Output& out,
+                   const Display* display) {
+  if (Outcome o = find_ropes(in, engine, found, display); !o.ok()) return o;
   if (found.rows.empty() && in.position.size() <= 1) {
-    Outcome o = solve_position(in, setting_of(in, found.ropes, 0, engine), s, out);
+    Outcome o = solve_position(in, setting_of(in, found.ropes, 0, engine, display), s, out);
     found.rows.push_back({o, out});
     return o;
   }
-  if (found.rows.empty()) found.rows = sweep(in, found.ropes, engine);
+  if (found.rows.empty()) found.rows = sweep(in, found.ropes, engine, display);
   const std::size_t at = worst_of(found.rows);
   const Engine known = known_answers(found.rows[at], engine);
-  Outcome o = solve_position(in, setting_of(in, found.ropes, at, known), s, out);
+  Outcome o = solve_position(in, setting_of(in, found.ropes, at, known, display), s, out);
   if (!found.rows[at].outcome.ok() && found.rows.size() > 1) {
     o.message = fmt::format("none of the {} positions is feasible; the first: {}", found.rows.size(), o.message);
   }

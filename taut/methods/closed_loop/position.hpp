@@ -14,15 +14,17 @@ template <class T>
 Outcome solve_position(const Input& in, const Setting& at, Sheet<T>& s, Output& out);
 
 /// The positions of the deck, midspan when it gives none, each computed in double.
-std::vector<Row> sweep(const Input& in, const Ropes& ropes, const Engine& engine = no_engine);
+std::vector<Row> sweep(const Input& in, const Ropes& ropes, const Engine& engine = no_engine,
+                       const Display* display = nullptr);
 
 /// The row with the largest tension at a rope end (exact where known); among equal ones the row with the largest sum of
 /// end tensions; the first row when all are infeasible.
 std::size_t worst_of(const std::vector<Row>& rows);
 
 /// The largest tensions and the deepest sag over all feasible positions, `rows` as asked for and the same deck hauled
-/// the other way.
-Peaks peaks_of_both_hauls(const Input& in, const Ropes& ropes, const Engine& engine, const std::vector<Row>& rows);
+/// the other way; and where that has no answer.
+Peaks peaks_of_both_hauls(const Input& in, const Ropes& ropes, const Engine& engine, const std::vector<Row>& rows,
+                          const Display* display = nullptr);
 
 /// The stiffness by the catalogue of a rope for which the deck has none (`given` is infinite), in the mode whose sag
 /// depends on it: at a given length of the loop. Nothing: the catalogue has none.
@@ -30,13 +32,15 @@ std::optional<catalogue::RopeStiffness> own_stiffness(const Input& in, double gi
                                                       const std::optional<catalogue::RopeRow>& rope);
 
 /// The setting of row `index`.
-Setting setting_of(const Input& in, const Ropes& ropes, std::size_t index, const Engine& engine = no_engine);
+Setting setting_of(const Input& in, const Ropes& ropes, std::size_t index, const Engine& engine = no_engine,
+                   const Display* display = nullptr);
 
 /// Weights from the deck, from ropes it names, or from ropes chosen. Precondition: complaints(in) is empty.
 Outcome ropes_of(const Input& in, Ropes& ropes, const Engine& engine = no_engine);
 
 /// The whole deck: ropes, positions, and the note of the worst position with its values in `out`. Infeasible: no ropes
 /// can be chosen (`found.rows` is empty then), or no position is feasible.
-Outcome solve_deck(const Input& in, const Engine& engine, Sheet<Num>& s, Solved& found, Output& out);
+Outcome solve_deck(const Input& in, const Engine& engine, Sheet<Num>& s, Solved& found, Output& out,
+                   const Display* display = nullptr);
 
 }  // namespace taut::closed_loop

@@ -47,8 +47,6 @@ bool all_taut(const Pass& p) { return p.H_1 > 0 && p.H_2 > 0 && p.H_3 > 0 && p.H
 
 double quick_along(double slope) { return std::sqrt(1 + slope * slope); }
 
-std::string kilonewton(double force) { return fmt::format("{:.3g} kN", force / 1000); }
-
 }  // namespace
 
 Pass settle(const Case<double>& c) {
@@ -133,30 +131,30 @@ void write_ends(const Case<T>& c, Sheet<T>& s, Quick<T>& q) {
 }
 
 Outcome lift_off(const Case<double>& c, double P_v) {
-  const double gamma = std::atan2(c.sin_g, c.cos_g) * 57.29577951308232;
+  const double gamma = std::atan2(c.sin_g, c.cos_g);
   return infeasible(fmt::format(
-      "the roller lifts off the upper branch at x = {:.4g} m (it would need P_v = {}): the gathering line pulls too "
-      "flat "
-      "(gamma = {:.3g} deg from the vertical); steepen it, lessen the sag of {:.3g} m, or add carriage weight",
-      c.x, kilonewton(P_v), gamma, c.f));
+      "the roller lifts off the upper branch at x = {} (it would need P_v = {}): the gathering line pulls too flat "
+      "(gamma = {} from the vertical); steepen it, lessen the sag of {}, or add carriage weight",
+      shown(c.display, c.x, si::m), shown(c.display, P_v, si::N), shown(c.display, gamma, si::rad),
+      shown(c.display, c.f, si::m)));
 }
 
 Outcome slack(const Case<double>& c, const Pass& p) {
   const char* which = p.H_2 <= 0   ? "the lower branch between the carriage and B"
                       : p.H_1 <= 0 ? "the lower branch between A and the carriage"
                                    : "the upper branch";
-  return infeasible(fmt::format(
-      "{} goes slack at x = {:.4g} m, sag {:.3g} m: lessen the sag, or keep the carriage farther from the support",
-      which, c.x, c.f));
+  return infeasible(
+      fmt::format("{} goes slack at x = {}, sag {}: lessen the sag, or keep the carriage farther from the support",
+                  which, shown(c.display, c.x, si::m), shown(c.display, c.f, si::m)));
 }
 
 Outcome judge(const Case<double>& c, const Pass& p) {
   if (p.P_v <= 0) return lift_off(c, p.P_v);
   if (!all_taut(p)) return slack(c, p);
   if (p.converged) return {};
-  return not_converged(fmt::format(
-      "the closed-form tier does not settle at x = {:.4g} m, sag {:.3g} m: the sag is too deep for it; lessen the sag",
-      c.x, c.f));
+  return not_converged(
+      fmt::format("the closed-form tier does not settle at x = {}, sag {}: the sag is too deep for it; lessen the sag",
+                  shown(c.display, c.x, si::m), shown(c.display, c.f, si::m)));
 }
 
 }  // namespace

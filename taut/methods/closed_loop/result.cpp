@@ -4,12 +4,15 @@
 #include <array>
 #include <cmath>
 
+#include "taut/catalogue/breaking.hpp"
+#include "taut/catalogue/lookup.hpp"
 #include "taut/catalogue/trust.hpp"
 #include "taut/methods/closed_loop/closed_loop.hpp"
 #include "taut/methods/closed_loop/drawing.hpp"
 #include "taut/methods/closed_loop/paper_choice.hpp"
 #include "taut/methods/closed_loop/position.hpp"
 #include "taut/methods/closed_loop/tables.hpp"
+#include "taut/units/display.hpp"
 
 namespace taut::closed_loop {
 namespace {
@@ -22,19 +25,36 @@ std::string trust_of(const catalogue::RopeRow& rope) {
   return fmt::format("limit: user; breaking force: {}", catalogue::to_text(rope.trust));
 }
 
-Check rope_check(const char* role, const catalogue::RopeRow& rope, const Peak& peak, double n) {
-  Check c = make_check(
-      fmt::format("safety factor of the {} rope", role), rope.breaking_force / peak.tension, si::one,
-      {.sense = Sense::at_least,
-       .limit = n,
-       .rule = fmt::format("breaking force of {} ({:.4g} kN) / largest tension ({:.4g} kN, {}, carriage at {:.4g} m) "
-                           "at least safety_factor of the deck",
-                           rope.id, rope.breaking_force / 1000, peak.tension / 1000, peak.where, peak.x),
-       .trust = trust_of(rope)});
-  c.part = fmt::format("{} rope", role);
-  c.covers = {c.part};
-  c.where = fmt::format("carriage at {:.4g} m", peak.x);
-  return c;
+std::string carriage_at(double x, const Display& display) {
+  return fmt::format("carriage at {}", display.brief(x, si::m));
+}
+
+/// The strength of one of the ropes, by what the deck gives: a factor on its breaking force, else that force alone.
+void judge_rope(const Input& in, const char* role, const std::optional<catalogue::RopeRow>& rope, const Peak& peak,
+                const Display& display, Result& r) {
+  const std::string part = fmt::format("{} rope", role);
+  if (!rope || !in.safety_factor) {
+    if (in.safety_factor) {
+      r.unmade.push_back(unknown_strength(role));
+    } else {
+      r.unjudged.push_back(part);
+    }
+    if (!rope) return;
+  }
+  Check c = in.safety_factor
+                ? make_check(fmt::format("safety factor of the {}", part), rope->breaking_force / peak.tension, si::one,
+                             {.sense = Sense::at_least,
+                              .limit = *in.safety_factor,
+                              .rule = fmt::format("breaking force of {} ({}) / largest tension ({}, {}) at least "
+                                                  "safety_factor of the deck",
+                                                  rope->id, display.brief(rope->breaking_force, si::N),
+                                                  display.brief(peak.tension, si::N), place_of(peak, display)),
+                              .trust = trust_of(*rope)})
+                : catalogue::breaking_check(part, *rope, peak.tension);
+  c.part = part;
+  if (c.limits) c.covers = {part};
+  c.where = carriage_at(peak.x, display);
+  r.checks.push_back(std::move(c));
 }
 
 /// The deck's ropes by role, with the stiffness that it gives them and that of the catalogue in its place.
@@ -53,14 +73,14 @@ std::array<Stretch, 2> stretch_of(const Input& in, const Ropes& ropes) {
                   .own = own_stiffness(in, in.traction_stiffness, ropes.traction_rope)}};
 }
 
-void check_clearance(const Input& in, const Solved& found, const Deepest& deepest, Result& r) {
+void check_clearance(const Input& in, const Solved& found, const Deepest& deepest, const Display& display, Result& r) {
   if (!(deepest.sag > 0)) return;
   Check c = make_check("sag at the carriage", deepest.sag, si::m,
                        {.sense = Sense::at_most,
                         .limit = *in.clearance,
                         .rule = "sag under the chord at most clearance of the deck, hauled in and out",
                         .trust = "user"});
-  c.where = fmt::format("carriage at {:.4g} m{}", deepest.x, deepest.where);
+  c.where = carriage_at(deepest.x, display) + deepest.where;
   if (in.mode == Mode::loop_length) {
     for (const Stretch& rope : stretch_of(in, found.ropes)) {
       if (rope.own && rope.own->trust == catalogue::Trust::unverified)
@@ -74,21 +94,31 @@ void check_clearance(const Input& in, const Solved& found, const Deepest& deepes
   r.checks.push_back(std::move(c));
 }
 
+/// Tensions and sag are checked hauled in and out. Where the other haul has no answer, they are not.
+void tell_other_haul(const OtherHaul& other, std::size_t positions, const Display& display, Result& r) {
+  if (other.without_answer.empty()) return;
+  std::vector<std::string> places;
+  for (const double x : other.without_answer) places.push_back(display.brief(x, si::m));
+  const bool none = places.size() == positions;
+  r.unmade.push_back(
+      fmt::format("hauled {} the loop has no answer {} (carriage at {}): {}; the checks are of both hauls: {}",
+                  other.haul == Haul::in ? "in" : "out",
+                  none ? "at all" : fmt::format("at {} of {} positions", places.size(), positions),
+                  catalogue::listed(places), other.reason,
+                  none ? "change what the reason names until both have one"
+                       : "change what the reason names, or leave these positions out"));
+  r.warnings.push_back(r.unmade.back());
+}
+
 /// `found`: the positions, with the peaks where a search for ropes has them already.
-void add_checks(const Input& in, const Engine& engine, const Solved& found, Result& r) {
+void add_checks(const Input& in, const Engine& engine, const Solved& found, const Display& display, Result& r) {
   const auto& [ropes, rows, known] = found;
-  const Peaks peaks = known ? *known : peaks_of_both_hauls(in, ropes, engine, rows);
-  const bool any = peaks.return_rope.tension > 0;
-  if (any) r.tables.push_back(ropes_table(ropes, peaks));
-  if (any && in.safety_factor && ropes.return_rope) {
-    r.checks.push_back(rope_check("return", *ropes.return_rope, peaks.return_rope, *in.safety_factor));
-  }
-  if (any && in.safety_factor && ropes.traction_rope) {
-    r.checks.push_back(rope_check("traction", *ropes.traction_rope, peaks.traction_rope, *in.safety_factor));
-  }
-  if (!in.safety_factor || !ropes.return_rope) r.unjudged.emplace_back("return rope");
-  if (!in.safety_factor || !ropes.traction_rope) r.unjudged.emplace_back("traction rope");
-  if (in.clearance) check_clearance(in, found, peaks.deepest, r);
+  const Peaks peaks = known ? *known : peaks_of_both_hauls(in, ropes, engine, rows, &display);
+  r.tables.push_back(ropes_table(ropes, peaks, display));
+  judge_rope(in, "return", ropes.return_rope, peaks.return_rope, display, r);
+  judge_rope(in, "traction", ropes.traction_rope, peaks.traction_rope, display, r);
+  if (in.clearance) check_clearance(in, found, peaks.deepest, display, r);
+  tell_other_haul(peaks.other, rows.size(), display, r);
 }
 
 /// One quantity by each tier of the calculation, SI.
@@ -159,7 +189,7 @@ void add_comparisons(const Input& in, const Output& o, Result& r) {
                   "corrected: (10*), with the roller's push along the slope"));
 }
 
-void add_words(const Input& in, const Solved& found, Result& r) {
+void add_words(const Input& in, const Solved& found, const Display& display, Result& r) {
   const std::vector<Row>& rows = found.rows;
   r.assumptions = {"Statics of one span; both branches hang parallel, with the same sag at the carriage.",
                    "Ropes are parabolas (small sag): the closed-form tier is within 2 % of catenaries for sags up to "
@@ -192,7 +222,7 @@ void add_words(const Input& in, const Solved& found, Result& r) {
   if (failed > 0 && failed < rows.size()) {
     const auto first = std::find_if(rows.begin(), rows.end(), [](const Row& row) { return !row.outcome.ok(); });
     r.missing.push_back({"positions", static_cast<int>(failed), static_cast<int>(rows.size()),
-                         fmt::format("x = {:.4g} m", first->out.x), first->outcome.message});
+                         "x = " + display.brief(first->out.x, si::m), first->outcome.message});
     r.warnings.push_back(fmt::format("{} of {} positions are infeasible; the table `positions` gives the reasons.",
                                      failed, rows.size()));
   }
@@ -208,29 +238,38 @@ void add_words(const Input& in, const Solved& found, Result& r) {
 
 Result run(const Input& in) { return run(in, no_engine); }
 
-Result run(const Input& in, const Engine& engine) {
+Result run(const Input& in, const Engine& engine) { return run(in, engine, Display()); }
+
+std::string unknown_strength(const std::string& role) {
+  return fmt::format(
+      "the safety_factor of the {0} rope is not checked: its breaking force is not known; name it by "
+      "'{0}_rope', or give 'breaking_force' and 'safety_factor' under 'checks: ropes: {0}'",
+      role);
+}
+
+Result run(const Input& in, const Engine& engine, const Display& display) {
   Result r = result_of(about(), Input::describe(), &in);
   Solved found;
   Output out;
   Sheet<Num> s(about().short_source, Input::describe(), &in);
-  const Outcome outcome = solve_deck(in, engine, s, found, out);
+  const Outcome outcome = solve_deck(in, engine, s, found, out, &display);
   const std::vector<Row>& rows = found.rows;
-  if (outcome.ok()) prove_paper_choice(in, out, r.warnings);
+  if (outcome.ok()) prove_paper_choice(in, out, display, r.warnings);
   r.status = outcome.status;
   r.message = outcome.message;
   r.values = values_of(Output::describe(), &out);
   s.move_to(r);
-  if (!outcome.ok()) r.figures = {loop_without_answer(in)};
+  if (!outcome.ok()) r.figures = {loop_without_answer(in, display)};
   if (rows.empty()) return r;
   if (!in.position.empty() && rows.size() > 1) r.tables.push_back(positions_table(rows));
-  add_words(in, found, r);
+  add_words(in, found, display, r);
   if (!outcome.ok()) return r;
-  add_checks(in, engine, found, r);
+  add_checks(in, engine, found, display, r);
   if (in.safety_factor && in.wire_strength && std::isnan(out.F_return)) {
     r.unmade.emplace_back("the ropes can't be sized for the load at midspan: the metallic areas have no answer");
   }
   add_comparisons(in, out, r);
-  if (std::isfinite(out.T_lA)) r.figures = {loop_drawing(in, out), force_polygon(in, out)};
+  if (std::isfinite(out.T_lA)) r.figures = {loop_drawing(in, out, display), force_polygon(in, out)};
   r.figures.emplace_back(tension_plot(in, found.ropes, rows, engine));
   if (in.carriage == Carriage::single && std::isfinite(out.T_lA))
     r.figures.emplace_back(error_plot(in, found.ropes, out));

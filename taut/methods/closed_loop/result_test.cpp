@@ -10,6 +10,7 @@
 #include "taut/calc/verdict.hpp"
 #include "taut/methods/closed_loop/closed_loop.hpp"
 #include "taut/methods/closed_loop/engine.hpp"
+#include "taut/units/display.hpp"
 #include "test/cases/closed_loop_example.hpp"
 
 namespace taut::closed_loop::result_test {
@@ -70,7 +71,7 @@ TEST(ClosedLoopResult, TheExampleIsWhole) {
   const Result r = run(in);
   EXPECT_EQ(r.status, Status::ok);
   EXPECT_EQ(r.method, "closed_loop");
-  EXPECT_EQ(exit_code(r), 0);
+  EXPECT_EQ(exit_code(r), 4) << "a factor is asked of ropes whose breaking force is not known";
   EXPECT_EQ(r.figures.size(), 4U);
   EXPECT_EQ(r.comparisons.size(), 8U);
   EXPECT_TRUE(warns(r, "(7) is unsafe"));
@@ -170,8 +171,28 @@ TEST(ClosedLoopResult, ARopeWithoutALimitIsNotJudged) {
   EXPECT_EQ(run(in).unjudged, (std::vector<std::string>{"return rope", "traction rope"}));
   in.return_weight.reset();
   in.return_rope = "6x36-IWRC 24 mm 1960 MPa";
+  EXPECT_EQ(run(in).unjudged, (std::vector<std::string>{"return rope", "traction rope"}));
+}
+
+/// A limit that the deck gives and nobody can check: by their weight the strength of ropes is not known.
+TEST(ClosedLoopResult, AFactorOfARopeByItsWeightIsNotMade) {
+  Input in = example();
   in.safety_factor = 3.5;
-  EXPECT_EQ(run(in).unjudged, std::vector<std::string>{"traction rope"});
+  Result r = run(in);
+  EXPECT_TRUE(r.unjudged.empty());
+  ASSERT_EQ(r.unmade.size(), 2U);
+  EXPECT_NE(r.unmade[0].find("the safety_factor of the return rope is not checked: its breaking force is not known"),
+            std::string::npos)
+      << r.unmade[0];
+  EXPECT_EQ(verdict_of(r)->verdict_class, "unmade");
+  EXPECT_EQ(exit_code(r), 4);
+  const Table& ropes = *r.find_table("ropes");
+  EXPECT_EQ(std::get<std::string>(ropes.rows[0].back()), "user");
+  in.return_weight.reset();
+  in.return_rope = "6x36-IWRC 24 mm 1960 MPa";
+  r = run(in);
+  EXPECT_EQ(r.unmade, std::vector<std::string>{unknown_strength("traction")});
+  EXPECT_EQ(std::get<std::string>(r.find_table("ropes")->rows[0].back()), "derived");
 }
 
 TEST(ClosedLoopResult, RopesAreJudgedInBothDirections) {
@@ -228,6 +249,90 @@ Input with_ropes(const char* return_rope, const char* traction_rope, double safe
   in.traction_rope = traction_rope;
   in.safety_factor = safety_factor;
   return in;
+}
+
+/// Nobody asks for it. The paper's example pulls the traction rope with 8585 kgf, 84.2 kN, at A: a rope of 10 mm, which
+/// breaks at 69.8 kN, does not hold, one of 12 mm (100.5 kN) does. Hauled out it has less.
+TEST(ClosedLoopResult, ARopeAboveItsBreakingForceFails) {
+  Input in = with_ropes("6x36-IWRC 12 mm 1960 MPa", "6x36-IWRC 10 mm 1960 MPa", 0);
+  in.safety_factor.reset();
+  Result r = run(in);
+  ASSERT_EQ(r.checks.size(), 2U);
+  EXPECT_EQ(r.checks[1].name, "traction rope does not break");
+  // these ropes are lighter, on the lower branch by 0.75 kgf/m: by 0.75 200^2/(8 10) = 375 kgf, 3.7 kN, at most
+  EXPECT_LT(r.checks[1].value, 84.2e3);
+  EXPECT_GT(r.checks[1].value, 84.2e3 - 3.7e3);
+  EXPECT_NEAR(r.checks[1].limit, 69.8e3, 50);
+  EXPECT_EQ(r.checks[1].where, "carriage at 100 m");
+  EXPECT_TRUE(r.checks[0].passes);
+  EXPECT_EQ(verdict_of(r)->kind, VerdictKind::fails);
+  EXPECT_EQ(exit_code(r), 4);
+  in.traction_rope = "6x36-IWRC 12 mm 1960 MPa";
+  r = run(in);
+  EXPECT_TRUE(r.checks[1].passes);
+  EXPECT_EQ(r.unjudged, (std::vector<std::string>{"return rope", "traction rope"}))
+      << "breaking is no limit to pass by";
+  EXPECT_EQ(verdict_of(r)->verdict_class, "unasked");
+}
+
+/// Uphill at 30 deg, 3 m of sag, 20 m from A: tan of the line to A is t = -0.577 - 3/20 = -0.727, the load along it
+/// Q = S (cos 54 + t sin 54) = 20 kN (0.5878 - 0.727 0.8090) = -12 N. The roller carries rho (Q + W_l) - W_u with
+/// w = q/cos(30 deg), w_b = 10.27/0.866 = 11.86, w_T = 13.0/0.866 = 15.0 N/m, W_u = 11.86 75 = 889 N, W_l = (15.0 20 +
+/// 11.86 130)/2 = 921 N, and rho about 0.9 hauled in, 1/0.9 out: 818 - 889 < 0, it lifts off; 1010 - 889 > 0.
+Input held_hauled_out_only() {
+  Input in = with_ropes("6x36-IWRC 16 mm 1960 MPa", "6x36-IWRC 18 mm 1960 MPa", 3);
+  in.span = 150;
+  in.slope = -30 * degree;
+  in.gathering_force = 20e3;
+  in.gathering_angle = 54 * degree;
+  in.position = {20};
+  in.sag = 3;
+  in.haul = Haul::out;
+  return in;
+}
+
+TEST(ClosedLoopResult, AHaulWithoutAnAnswerIsNotJudged) {
+  Input in = held_hauled_out_only();
+  const Result r = run(in);
+  ASSERT_EQ(r.status, Status::ok) << r.message;
+  for (const Check& c : r.checks) EXPECT_TRUE(c.passes) << c.name;
+  ASSERT_EQ(r.unmade.size(), 1U);
+  EXPECT_NE(r.unmade[0].find("hauled in the loop has no answer at all (carriage at 20 m): the roller lifts off"),
+            std::string::npos)
+      << r.unmade[0];
+  EXPECT_TRUE(warns(r, "hauled in the loop has no answer"));
+  EXPECT_EQ(verdict_of(r)->kind, VerdictKind::not_judged);
+  EXPECT_EQ(exit_code(r), 4);
+  in.haul = Haul::in;
+  EXPECT_EQ(run(in).status, Status::infeasible);
+  in.gathering_angle = 40 * degree;  // Q = 20 kN (0.766 - 0.727 0.643) = 6 kN: it carries both ways
+  EXPECT_TRUE(run(in).unmade.empty());
+}
+
+TEST(ClosedLoopResult, PositionsWithoutAnAnswerInTheOtherHaulAreNamed) {
+  Input in = held_hauled_out_only();
+  in.position = {20, 75};
+  const Result r = run(in);
+  ASSERT_EQ(r.unmade.size(), 1U);
+  EXPECT_TRUE(r.missing.empty()) << "hauled as the deck says it has an answer at both";
+  EXPECT_NE(r.unmade[0].find("hauled in the loop has no answer at 1 of 2 positions (carriage at 20 m)"),
+            std::string::npos)
+      << r.unmade[0];
+}
+
+/// One result is in one system of units: 100 m are 328.08 ft.
+TEST(ClosedLoopResult, TheMessagesAreInTheUnitsOfTheDeck) {
+  Input in = with_ropes("6x36-IWRC 24 mm 1960 MPa", "6x36-IWRC 24 mm 1960 MPa", 3.5);
+  in.wire_strength = 140 * kgf_per_mm2;
+  in.slope = 15 * degree;  // out of the paper's range
+  const Result r = run(in, no_engine, Display({{"force", "kgf"}, {"length", "ft"}}));
+  ASSERT_EQ(r.status, Status::ok) << r.message;
+  EXPECT_EQ(r.checks.at(0).where, "carriage at 328.08 ft");
+  EXPECT_NE(r.checks[0].rule.find("kgf"), std::string::npos) << r.checks[0].rule;
+  const Table& ropes = *r.find_table("ropes");
+  EXPECT_TRUE(std::get<std::string>(ropes.rows[0][7]).ends_with("carriage at 328.08 ft"));
+  EXPECT_TRUE(warns(r, "kgf"));
+  EXPECT_FALSE(warns(r, " kN"));
 }
 
 TEST(ClosedLoopResult, AnUnverifiedBreakingForceIsOneInItsChecks) {

@@ -23,15 +23,15 @@ double target_of(const Input& in) { return in.mode == Mode::winch_pull ? pull_at
 Outcome out_of_reach(const Input& in, const Case<double>& c, double least, double most) {
   const char* what = in.mode == Mode::winch_pull ? "a tension at A of" : "a return rope tension at the carriage of";
   if (!(least <= most)) {
-    return infeasible(fmt::format(
-        "no sag is feasible at x = {:.4g} m: the roller lifts off or a rope goes slack at each; steepen the "
-        "gathering line or add carriage weight",
-        c.x));
+    return infeasible(
+        fmt::format("no sag is feasible at x = {}: the roller lifts off or a rope goes slack at each; steepen the "
+                    "gathering line or add carriage weight",
+                    shown(c.display, c.x, si::m)));
   }
   return infeasible(
-      fmt::format("{} {:.4g} kN is not possible at x = {:.4g} m: it lies between {:.4g} kN and {:.4g} kN "
-                  "over all feasible sags; change {}",
-                  what, target_of(in) / 1000, c.x, least / 1000, most / 1000,
+      fmt::format("{} {} is not possible at x = {}: it lies between {} and {} over all feasible sags; change {}", what,
+                  shown(c.display, target_of(in), si::N), shown(c.display, c.x, si::m), shown(c.display, least, si::N),
+                  shown(c.display, most, si::N),
                   in.mode == Mode::winch_pull ? "the winch pull" : "the gathering force or its angle"));
 }
 
@@ -75,10 +75,11 @@ Outcome find_sag(const Input& in, const Case<double>& c, FoundSag& found) {
 namespace {
 
 template <class T>
-void warn_of_second(double second, Sheet<T>& s) {
+void warn_of_second(double second, const Display* display, Sheet<T>& s) {
   if (!std::isfinite(second)) return;
   s.warn([&] {
-    return fmt::format("The same is also reached at the deeper sag of {:.4g} m; the smaller sag is used.", second);
+    return fmt::format("The same is also reached at the deeper sag of {}; the smaller sag is used.",
+                       shown(display, second, si::m));
   });
 }
 
@@ -119,13 +120,14 @@ Outcome set_exact_sag(const Input& in, const Case<double>& plain, const Engine& 
   }
   if (in.mode == Mode::loop_length) s.given(*in.loop_length);
   s.note([&] {
-    return fmt::format("f = {:.6g} m: the smallest sag at which {}, by exact catenaries.", found.sag, condition_of(in));
+    return fmt::format("f = {}: the smallest sag at which {}, by exact catenaries.",
+                       shown(plain.display, found.sag, si::m), condition_of(in));
   });
   if (in.mode == Mode::loop_length) warn_of_no_stretch(std::isinf(plain.EA_b), std::isinf(plain.EA_T), s);
   c.f = s.named("f", si::m, found.sag);
   out.f = found.sag;
   out.f_second = found.second;
-  warn_of_second(found.second, s);
+  warn_of_second(found.second, plain.display, s);
   return {};
 }
 
@@ -164,14 +166,13 @@ Outcome set_sag(const Input& in, const Case<double>& plain, const Engine& engine
   };
   const auto f = s.root("", "f", si::m, gap, found.low, found.high);
   if (!f) {
-    return not_converged(
-        fmt::format("the sag is not found between {:.4g} m and {:.4g} m: the case is barely feasible there", found.low,
-                    found.high));
+    return not_converged(fmt::format("the sag is not found between {} and {}: the case is barely feasible there",
+                                     shown(c.display, found.low, si::m), shown(c.display, found.high, si::m)));
   }
   c.f = *f;
   out.f = value(c.f);
   out.f_second = found.second;
-  warn_of_second(found.second, s);
+  warn_of_second(found.second, plain.display, s);
   return {};
 }
 

@@ -8,6 +8,7 @@
 #include <iterator>
 
 #include "taut/catalogue/rope_search.hpp"
+#include "taut/units/display.hpp"
 
 namespace taut::closed_loop {
 namespace {
@@ -21,9 +22,9 @@ constexpr Unit moment_by_length{.dimension = dimension(1, 3, -2),
 
 Outcome too_shallow(const Case<double>& c, double n) {
   return infeasible(fmt::format(
-      "sag too small: with a sag of {:.3g} m at midspan no rope carries even its own weight with a safety factor of "
+      "sag too small: with a sag of {} at midspan no rope carries even its own weight with a safety factor of "
       "{:.3g}; deepen the sag, shorten the span, or use stronger wire",
-      c.f, n));
+      shown(c.display, c.f, si::m), n));
 }
 
 Outcome nothing_to_carry() {
@@ -37,6 +38,7 @@ template <class T>
 Case<double> words_of(const Case<T>& c) {
   Case<double> d;
   d.f = value(c.f);
+  d.display = c.display;
   return d;
 }
 
@@ -100,11 +102,16 @@ void raise(Peak& peak, double tension, double x, const char* where) {
 
 }  // namespace
 
+std::string place_of(const Peak& peak, const Display& display) {
+  return fmt::format("{}, carriage at {}", peak.where, display.brief(peak.x, si::m));
+}
+
 Peaks larger(const Peaks& a, const Peaks& b) {
   constexpr double alike = 1e-9;  // a sag that is given is that of both hauls
   return {.return_rope = higher(a.return_rope, b.return_rope),
           .traction_rope = higher(a.traction_rope, b.traction_rope),
-          .deepest = b.deepest.sag > a.deepest.sag * (1 + alike) ? b.deepest : a.deepest};
+          .deepest = b.deepest.sag > a.deepest.sag * (1 + alike) ? b.deepest : a.deepest,
+          .other = {}};
 }
 
 namespace {
@@ -197,14 +204,14 @@ Trial try_pair(const catalogue::RopeRow& b, const catalogue::RopeRow& t, double 
   return trial;
 }
 
-Outcome none_strong_enough(const char* role, double n, const Candidates& all) {
+Outcome none_strong_enough(const char* role, double n, const Candidates& all, const Display* display) {
   const auto strongest = std::max_element(
       all.begin(), all.end(), [](const auto& a, const auto& b) { return a.breaking_force < b.breaking_force; });
   return infeasible(
       fmt::format("no rope of the catalogue that fits the filter is strong enough as the {} rope with a safety factor "
-                  "of {:.3g} (the strongest, {}, breaks at {:.4g} kN); widen the filter, deepen the sag, or lessen the "
+                  "of {:.3g} (the strongest, {}, breaks at {}); widen the filter, deepen the sag, or lessen the "
                   "gathering force",
-                  role, n, strongest->id, strongest->breaking_force / 1000));
+                  role, n, strongest->id, shown(display, strongest->breaking_force, si::N)));
 }
 
 /// Peaks with both ropes as light as the lightest candidate: no pair has smaller ones.
@@ -219,15 +226,15 @@ Outcome least_peaks(const Candidates& all, const Verify& verify, Peaks& least) {
 
 }  // namespace
 
-Outcome choose(const RopeFilter& filter, double n, const Verify& verify, Solved& chosen) {
+Outcome choose(const RopeFilter& filter, double n, const Verify& verify, Solved& chosen, const Display* display) {
   const Candidates all = candidates_of(filter);
   if (all.empty()) return infeasible("no rope of the catalogue fits choose_ropes: drop construction, core or grade");
   Peaks least;
   if (Outcome o = least_peaks(all, verify, least); !o.ok()) return o;
   const Candidates returns = stronger_than(n * least.return_rope.tension, all);
   const Candidates tractions = stronger_than(n * least.traction_rope.tension, all);
-  if (returns.empty()) return none_strong_enough("return", n, all);
-  if (tractions.empty()) return none_strong_enough("traction", n, all);
+  if (returns.empty()) return none_strong_enough("return", n, all, display);
+  if (tractions.empty()) return none_strong_enough("traction", n, all, display);
   std::size_t b = 0;
   std::size_t t = 0;
   for (;;) {
@@ -237,8 +244,8 @@ Outcome choose(const RopeFilter& filter, double n, const Verify& verify, Solved&
       chosen = std::move(trial.solved);
       break;
     }
-    if (!trial.return_passes && ++b == returns.size()) return none_strong_enough("return", n, all);
-    if (!trial.traction_passes && ++t == tractions.size()) return none_strong_enough("traction", n, all);
+    if (!trial.return_passes && ++b == returns.size()) return none_strong_enough("return", n, all, display);
+    if (!trial.traction_passes && ++t == tractions.size()) return none_strong_enough("traction", n, all, display);
   }
   // A row further up is not always heavier (fibre core, other standard): look back for a smaller one beside the
   // partner.

@@ -29,19 +29,28 @@ struct Peak {
   double x = 0;        ///< position of the carriage, m
   std::string where;   ///< "lower branch at B"
 };
+/// "lower branch at B, carriage at 60 m".
+std::string place_of(const Peak& peak, const Display& display);
 /// The deepest sag at the carriage, of each section where it has two; 0: none is known.
 struct Deepest {
   double sag = 0;     ///< m
   double x = 0;       ///< position of the carriage, m
   std::string where;  ///< ", hauled out"; empty: as the deck has it
 };
+/// Positions of the carriage (m) that have no answer while the loop is hauled the other way than its deck says.
+struct OtherHaul {
+  Haul haul = Haul::out;
+  std::vector<double> without_answer;
+  std::string reason;  ///< of the first of them
+};
 struct Peaks {
   Peak return_rope;
   Peak traction_rope;
   Deepest deepest;
+  OtherHaul other;
 };
 
-/// The larger peaks of the two, each rope by itself, and the deeper sag.
+/// The larger peaks of the two, each rope by itself, and the deeper sag; nothing of the other haul.
 Peaks larger(const Peaks& a, const Peaks& b);
 
 /// The largest tensions of one solved position: exact where known, else by the closed-form tier.
@@ -66,6 +75,7 @@ struct Solved {
 /// weights at every position. `verify` computes positions and peaks for the ropes in it. The search steps each rope up
 /// until both pass, because each rope's weight raises both tensions. Infeasible: the filter or the catalogue has no
 /// such rope, or the deck itself is infeasible.
-Outcome choose(const RopeFilter& filter, double n, const std::function<Outcome(Solved&)>& verify, Solved& chosen);
+Outcome choose(const RopeFilter& filter, double n, const std::function<Outcome(Solved&)>& verify, Solved& chosen,
+               const Display* display = nullptr);
 
 }  // namespace taut::closed_loop

@@ -11,7 +11,7 @@ namespace taut::closed_loop {
 bool has_exact(const std::vector<Row>& rows);
 
 Table positions_table(const std::vector<Row>& rows);
-Table ropes_table(const Ropes& ropes, const Peaks& peaks);
+Table ropes_table(const Ropes& ropes, const Peaks& peaks, const Display& display);
 
 /// These tables as described.
 std::vector<TableWords> table_words();

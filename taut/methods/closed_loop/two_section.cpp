@@ -88,18 +88,17 @@ double excess(const Case<double>& c, const TwoSection& t) {
 Outcome no_equilibrium(const Case<double>& c) {
   return infeasible(fmt::format(
       "the two-section carriage has no equilibrium with section 2 hanging below the line from section 1 to B "
-      "(delta_f > 0) at x = {:.4g} m, sag {:.3g} m: steepen the gathering line, or shorten the section distance",
-      c.x, c.f));
+      "(delta_f > 0) at x = {}, sag {}: steepen the gathering line, or shorten the section distance",
+      shown(c.display, c.x, si::m), shown(c.display, c.f, si::m)));
 }
 
 namespace {
 
 Outcome no_load(const Case<double>& c, double P_b) {
-  return infeasible(
-      fmt::format("the upper branch would have to push (P_b = {:.3g} kN) at x = {:.4g} m, sag {:.3g} m: lessen the "
-                  "sag, steepen the "
-                  "gathering line, or add carriage weight",
-                  P_b / 1000, c.x, c.f));
+  return infeasible(fmt::format(
+      "the upper branch would have to push (P_b = {}) at x = {}, sag {}: lessen the sag, steepen the gathering "
+      "line, or add carriage weight",
+      shown(c.display, P_b, si::N), shown(c.display, c.x, si::m), shown(c.display, c.f, si::m)));
 }
 
 /// The places of the sections as quantities of the note.
@@ -208,8 +207,8 @@ Outcome corrected_system(const Case<T>& c, const Case<double>& plain, const Sect
   if (!found) return no_equilibrium(plain);
   s.section("Two-section carriage, corrected system (11)-(16)");
   s.note([&] {
-    return fmt::format("delta_f = {:.6g} m solves the lines below together; (12*) and (13*) then give the same force.",
-                       found->delta_f);
+    return fmt::format("delta_f = {} solves the lines below together; (12*) and (13*) then give the same force.",
+                       shown(c.display, found->delta_f, si::m));
   });
   delta_f = s.named("delta_f", si::m, found->delta_f);
   const Places<T> w = write_places(c, found->at, rule, s, delta_f);

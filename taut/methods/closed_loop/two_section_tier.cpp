@@ -92,19 +92,19 @@ std::optional<State> settle_two(const Case<double>& c, const SectionRule& rule) 
 
 Outcome judge(const Case<double>& c, const State& t) {
   if (t.p.P_v <= 0) {
-    return infeasible(
-        fmt::format("the roller of section 1 lifts off the upper branch at x = {:.4g} m (it would need P_v = {:.3g} "
-                    "kN): steepen the "
-                    "gathering line, lessen the sag of {:.3g} m, or add carriage weight",
-                    c.x, t.p.P_v / 1000, c.f));
+    return infeasible(fmt::format(
+        "the roller of section 1 lifts off the upper branch at x = {} (it would need P_v = {}): steepen the "
+        "gathering line, lessen the sag of {}, or add carriage weight",
+        shown(c.display, c.x, si::m), shown(c.display, t.p.P_v, si::N), shown(c.display, c.f, si::m)));
   }
   if (t.p.H_1 <= 0 || t.p.H_2 <= 0 || t.p.H_3 <= 0 || t.p.H_4 <= 0) {
-    return infeasible(fmt::format("a rope goes slack at x = {:.4g} m, sag {:.3g} m: lessen the sag", c.x, c.f));
+    return infeasible(fmt::format("a rope goes slack at x = {}, sag {}: lessen the sag", shown(c.display, c.x, si::m),
+                                  shown(c.display, c.f, si::m)));
   }
   if (t.p.converged) return {};
-  return not_converged(fmt::format(
-      "the closed-form tier does not settle for the two-section carriage at x = {:.4g} m: lessen the sag of {:.3g} m",
-      c.x, c.f));
+  return not_converged(
+      fmt::format("the closed-form tier does not settle for the two-section carriage at x = {}: lessen the sag of {}",
+                  shown(c.display, c.x, si::m), shown(c.display, c.f, si::m)));
 }
 
 template <class T>
@@ -179,9 +179,9 @@ Outcome two_section_tensions(const Case<T>& c, const Case<double>& plain, const 
   s.section("Closed-form tier: the roller presses normal to the rope");
   s.note([&] {
     return fmt::format(
-        "delta_f = {:.6g} m, m_x = {:.6g} and rho = {:.6g} (the ratio H_4/H_2 over the sheave) are found together ({} "
+        "delta_f = {}, m_x = {:.6g} and rho = {:.6g} (the ratio H_4/H_2 over the sheave) are found together ({} "
         "passes); the lines below follow from them.",
-        t->delta_f, t->p.m_x, t->p.rho, t->p.passes);
+        shown(c.display, t->delta_f, si::m), t->p.m_x, t->p.rho, t->p.passes);
   });
   const Named<T> w(*t, s);
   out.at = t->at;

@@ -115,8 +115,8 @@ Outcome solve(const Input& in, Output& out);
 
 /// The result for a report: values, steps, checks, comparisons, tables, figures, and the strength of the rope.
 Result run(const Input& in);
-/// The same, with its values for whoever goes on from there.
-Result run(const Input& in, Output& out);
+/// The same, with its values for whoever goes on from there. `display`: the units of its messages.
+Result run(const Input& in, Output& out, const Display& display);
 /// The lines of the main answer, from a result of this input that is ok.
 std::vector<Answer> answers(const Input& in, const Result& r, const Display& display);
 

@@ -5,9 +5,11 @@
 #include <algorithm>
 
 #include "taut/base/expects.hpp"
+#include "taut/catalogue/breaking.hpp"
 #include "taut/catalogue/construction.hpp"
 #include "taut/catalogue/rope_words.hpp"
 #include "taut/catalogue/trust.hpp"
+#include "taut/units/display.hpp"
 
 namespace taut::friction_drive {
 namespace {
@@ -44,28 +46,10 @@ std::optional<catalogue::RopeRow> rope_of(const Input& in) {
   return *rope;
 }
 
-namespace {
-
-Check breaking_check(const catalogue::RopeRow& rope, double largest) {
-  Check breaks =
-      make_check("rope does not break", largest, si::N,
-                 {.sense = Sense::at_most,
-                  .limit = rope.breaking_force,
-                  .rule = fmt::format("largest tension below the minimum breaking force of {}; the safety that is "
-                                      "wanted on top is the designer's",
-                                      rope.id),
-                  .trust = catalogue::trust_words(rope)});
-  breaks.part = "rope";
-  breaks.limits = false;
-  return breaks;
-}
-
-}  // namespace
-
 void take_tension(const catalogue::RopeRow& rope, double tension, Result& r) {
   for (Check& c : r.checks) {
     if (c.name != "rope does not break" || !(tension > c.value)) continue;
-    c = breaking_check(rope, tension);
+    c = catalogue::breaking_check("rope", rope, tension);
     c.where = "tight branch with the take-up, exact";
     for (Value& v : r.values) {
       if (v.name == "safety_factor") v.value = rope.breaking_force / tension;
@@ -73,7 +57,7 @@ void take_tension(const catalogue::RopeRow& rope, double tension, Result& r) {
   }
 }
 
-void check_rope(const Input& in, const catalogue::RopeRow& rope, Output& out, Result& r) {
+void check_rope(const Input& in, const catalogue::RopeRow& rope, const Display& display, Output& out, Result& r) {
   const double largest = std::max({out.P_tight, out.T_1, out.T_1_no_slip});
   out.safety_factor = rope.breaking_force / largest;
   if (rope.trust == catalogue::Trust::unverified) {
@@ -81,12 +65,11 @@ void check_rope(const Input& in, const catalogue::RopeRow& rope, Output& out, Re
         fmt::format("the breaking force of {} is unverified ({}): compare it with the maker's certificate", rope.id,
                     rope.trust_text));
   }
-  r.checks.push_back(breaking_check(rope, largest));
+  r.checks.push_back(catalogue::breaking_check("rope", rope, largest));
   if (in.rope_mass < rope.mass_per_length) {
-    r.warnings.push_back(
-        fmt::format("rope_mass {:.3g} kg/m is less than that of the bare rope {}, {:.3g} kg/m: the cutters come on "
-                    "top of it",
-                    in.rope_mass, rope.id, rope.mass_per_length));
+    r.warnings.push_back(fmt::format(
+        "rope_mass {} is less than that of the bare rope {}, {}: the cutters come on top of it",
+        display.brief(in.rope_mass, si::kg_per_m), rope.id, display.brief(rope.mass_per_length, si::kg_per_m)));
   }
   if (!in.sheave_radius) return;
   out.diameter_ratio = 2 * *in.sheave_radius / rope.diameter;

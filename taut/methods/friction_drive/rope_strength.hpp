@@ -14,7 +14,7 @@ std::optional<catalogue::RuleRow> diameter_rule(const catalogue::RopeRow& rope);
 std::optional<catalogue::RopeRow> rope_of(const Input& in);
 
 /// Safety factor, D/d and their checks and warnings, into `out` and `r`.
-void check_rope(const Input& in, const catalogue::RopeRow& rope, Output& out, Result& r);
+void check_rope(const Input& in, const catalogue::RopeRow& rope, const Display& display, Output& out, Result& r);
 
 /// Where the take-up of the deck pulls the tight branch with more, `tension` (N): the check that the rope does not
 /// break and the safety factor of `r` are those of that tension.

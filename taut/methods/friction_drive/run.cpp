@@ -9,6 +9,7 @@
 #include "taut/methods/friction_drive/grip.hpp"
 #include "taut/methods/friction_drive/rope_strength.hpp"
 #include "taut/methods/friction_drive/tables.hpp"
+#include "taut/units/display.hpp"
 
 namespace taut::friction_drive {
 namespace {
@@ -28,29 +29,32 @@ void add_comparisons(const Output& o, Result& r) {
       "without slip; (15), (16) contain the idler loss and put the reserve on the centrifugal tension too");
 }
 
-std::string build_by(const Input& in, const Output& o) {
+/// A pull that is to be built is rounded up.
+std::string build_by(const Input& in, const Output& o, const Display& display) {
+  const auto at_least = [&](double pull) { return display.brief(pull, si::N, Rounding::up); };
   const std::string with_loss =
       std::isfinite(o.takeup_with_idler_loss)
-          ? fmt::format("with the idler loss {:.3g} on the slack branch it is {:.0f} N", in.idler_loss,
-                        std::ceil(o.takeup_with_idler_loss))
+          ? fmt::format("with the idler loss {:.3g} on the slack branch it is {}", in.idler_loss,
+                        at_least(o.takeup_with_idler_loss))
           : fmt::format("with the idler loss {:.3g} and this reserve no pull is enough: raise friction, wrap or fill",
                         in.idler_loss);
   return fmt::format(
-      "build by the pull without slip: the take-up has to hold at least {:.0f} N; that leaves out the "
+      "build by the pull without slip: the take-up has to hold at least {}; that leaves out the "
       "idler loss, {}",
-      std::ceil(o.takeup_no_slip), with_loss);
+      at_least(o.takeup_no_slip), with_loss);
 }
 
-void add_warnings(const Input& in, const Output& o, Result& r) {
+void add_warnings(const Input& in, const Output& o, const Display& display, Result& r) {
   auto& w = r.warnings;
+  const auto force = [&](double x) { return display.brief(x, si::N); };
   if (!(o.slip_ratio <= o.e)) {
     w.push_back(fmt::format(
-        "the paper's initial tension is not safe: with P_M = {:.1f} N of (18) ({:.1f} N as printed) the branches "
+        "the paper's initial tension is not safe: with P_M = {} of (18) ({} as printed) the branches "
         "stand as (T_1 - c)/(T_2 - c) = {:.4g}, the grip holds e = {:.4g} at most, so the rope slips; a take-up "
-        "that holds P_M passes on {:.1f} N of the {:.1f} N cutting force",
-        o.P_M, o.P_M_printed, o.slip_ratio, o.e, o.cutting_force_at_P_M, in.cutting_force));
+        "that holds P_M passes on {} of the {} cutting force",
+        force(o.P_M), force(o.P_M_printed), o.slip_ratio, o.e, force(o.cutting_force_at_P_M), force(in.cutting_force)));
   }
-  w.push_back(build_by(in, o));
+  w.push_back(build_by(in, o, display));
   if (in.friction > 0.4) {
     w.push_back(fmt::format(
         "friction {:.3g} is far above what mine hoists (0.20 to 0.25) and ropeways (0.22 to 0.30) are designed "
@@ -59,10 +63,10 @@ void add_warnings(const Input& in, const Output& o, Result& r) {
   }
   if (in.rope_mass * square(in.speed) > 0.25 * o.T_1_no_slip) {
     w.push_back(fmt::format(
-        "the centrifugal tension c = {:.1f} N is more than a quarter of the tight branch: between fixed sheaves "
+        "the centrifugal tension c = {} is more than a quarter of the tight branch: between fixed sheaves "
         "(screw take-up) it has to be added to the tension at rest; set at rest to takeup_no_slip, the grip "
-        "is gone at {:.1f} m/s",
-        o.c, o.speed_of_lost_grip));
+        "is gone at {}",
+        force(o.c), display.brief(o.speed_of_lost_grip, si::m_per_s)));
   }
 }
 
@@ -79,10 +83,10 @@ void add_assumptions(Result& r) {
 
 Result run(const Input& in) {
   Output out;
-  return run(in, out);
+  return run(in, out, Display());
 }
 
-Result run(const Input& in, Output& out) {
+Result run(const Input& in, Output& out, const Display& display) {
   const Method& m = about();
   Result r = result_of(m, Input::describe(), &in);
   const auto rope = rope_of(in);
@@ -96,12 +100,10 @@ Result run(const Input& in, Output& out) {
   add_assumptions(r);
   if (in.section_factor > 0 || outcome.ok()) r.tables.push_back(readings_table(in, out));
   if (outcome.ok()) {
-    add_warnings(in, out, r);
+    add_warnings(in, out, display, r);
     add_comparisons(out, r);
-    if (rope) {
-      check_rope(in, *rope, out, r);
-      r.unjudged.emplace_back("rope");  // breaking is no limit: checks gives one
-    }
+    if (rope) check_rope(in, *rope, display, out, r);
+    r.unjudged.emplace_back("rope");  // breaking is no limit: checks gives one
     r.figures = {drive_drawing(in, out), arc_plot(in, out), friction_plot(in, out), pull_plot(in, out),
                  speed_plot(in, out)};
   } else {

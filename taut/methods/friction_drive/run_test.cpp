@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <string>
 
 #include "taut/methods/friction_drive/friction_drive.hpp"
+#include "taut/units/display.hpp"
 
 namespace taut::friction_drive::run_test {
 
@@ -46,9 +49,26 @@ TEST(FrictionDriveRun, HasAllAReportNeeds) {
 TEST(FrictionDriveRun, SaysWhichToBuildBy) {
   const Result r = run(saw());
   EXPECT_TRUE(warns(r, "is not safe"));
-  EXPECT_TRUE(warns(r, "at least 4679 N"));
+  EXPECT_TRUE(warns(r, "at least 4.679 kN"));
   EXPECT_TRUE(warns(r, "leaves out the idler loss"));
   EXPECT_TRUE(warns(r, "friction 0.8 is far above"));
+}
+
+/// It carries tension, whether the deck names it or not; the grip of the drive is no limit of its strength.
+TEST(FrictionDriveRun, ARopeWithoutALimitIsNotJudged) {
+  Input in = saw();
+  EXPECT_EQ(run(in).unjudged, std::vector<std::string>{"rope"});
+  in.rope_area.reset();
+  EXPECT_EQ(run(in).unjudged, std::vector<std::string>{"rope"});
+  in.rope = "6x36-IWRC 12 mm 1960 MPa";
+  EXPECT_EQ(run(in).unjudged, std::vector<std::string>{"rope"});
+}
+
+TEST(FrictionDriveRun, TheWarningsAreInTheUnitsOfTheDeck) {
+  Output out;
+  const Result r = run(saw(), out, Display(std::map<std::string, std::string>{{"force", "kgf"}}));
+  EXPECT_TRUE(warns(r, "at least 477.1 kgf"));  // 4678.4 N over 9.80665, rounded up
+  EXPECT_FALSE(warns(r, " N "));
 }
 
 TEST(FrictionDriveRun, NoWarningOfFrictionUpTo04) {

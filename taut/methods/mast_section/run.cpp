@@ -12,6 +12,7 @@
 #include "taut/math/degree.hpp"
 #include "taut/methods/mast_section/figures.hpp"
 #include "taut/methods/mast_section/tables.hpp"
+#include "taut/units/display.hpp"
 
 namespace taut::mast_section {
 namespace {
@@ -105,14 +106,15 @@ void check_section(const Input& in, const Assessment& a, const std::vector<Clamp
 }
 
 /// "160.2 MPa", or that it buckles.
-std::string stress_words(const Assessment& a) {
-  std::string text = a.only_second_order ? std::string() : fmt::format("{:.1f} MPa", a.stress / 1e6);
+std::string stress_words(const Assessment& a, const Display& display) {
+  const auto stress = [&](double x) { return display.brief(x, si::Pa); };
+  std::string text = a.only_second_order ? std::string() : stress(a.stress);
   const bool first_fails = !a.only_second_order && a.stress > a.allowable;
   if (a.second_order && !first_fails) {
     if (!text.empty()) text += ", by second order ";
-    text += std::isnan(*a.second_order) ? "no equilibrium" : fmt::format("{:.1f} MPa", *a.second_order / 1e6);
+    text += std::isnan(*a.second_order) ? "no equilibrium" : stress(*a.second_order);
   }
-  text += fmt::format(" against {:.1f} MPa", a.allowable / 1e6);
+  text += " against " + stress(a.allowable);
   if (a.buckling < a.least_buckling) {
     text += fmt::format(", and buckles at {:.3g} times its axial force against {:.3g}", a.buckling, a.least_buckling);
   }
@@ -120,7 +122,7 @@ std::string stress_words(const Assessment& a) {
 }
 
 std::string none_passes(const Input& in, catalogue::SectionShape shape, const std::vector<ClampForces>& forces,
-                        const SecondOrder& second) {
+                        const SecondOrder& second, const Display& display) {
   const auto best = strongest(in, shape, forces, second);
   const std::string kind(to_text(shape));
   if (!best)
@@ -129,13 +131,13 @@ std::string none_passes(const Input& in, catalogue::SectionShape shape, const st
         "and steel that are asked for",
         kind);
   return fmt::format("no {} of the catalogue carries the mast: the nearest, {}, has {}", kind, best->section.name,
-                     stress_words(*best));
+                     stress_words(*best, display));
 }
 
 /// Fills the table `sections`; gives the section to be checked: the one given, or else the lightest that passes, or
 /// else the one that comes nearest to passing, which fails its check. Nothing: none may be chosen.
 std::optional<Assessment> find_sections(const Input& in, const std::vector<ClampForces>& forces,
-                                        const SecondOrder& second, Result& r) {
+                                        const SecondOrder& second, const Display& display, Result& r) {
   std::vector<SectionLine> lines;
   const auto add = [&](const Assessment& a, std::string use) {
     lines.push_back({.of = a, .height = height_of(in), .use = std::move(use)});
@@ -150,7 +152,7 @@ std::optional<Assessment> find_sections(const Input& in, const std::vector<Clamp
     if (const auto a = lightest(in, shape, forces, second)) {
       add(*a, fmt::format("lightest {} that passes", to_text(shape)));
     } else {
-      r.warnings.push_back(none_passes(in, shape, forces, second));
+      r.warnings.push_back(none_passes(in, shape, forces, second, display));
     }
   }
   if (chosen && !in.section && !chosen->passes()) {
@@ -172,9 +174,14 @@ double tube_under(double N, double M, const Output& out, const Input& in) {
       .value_or(not_computed);
 }
 
+/// Whether a brake gives way before a rope has its full force.
+bool brake_slips(const Input& in) {
+  return in.paid_out_force && *in.paid_out_force < std::max(in.skyline_force, in.mainline_force);
+}
+
 const char* payout_words(const Input& in) {
-  return in.paid_out_force ? "the larger: ropes are paid out until their brakes slip"
-                           : "the larger: ropes are paid out under their full force";
+  return brake_slips(in) ? "the larger: ropes are paid out until their brakes slip"
+                         : "the larger: ropes are paid out under their full force";
 }
 
 void add_comparisons(const Input& in, const Output& out, Result& r) {
@@ -211,30 +218,32 @@ void add_comparisons(const Input& in, const Output& out, Result& r) {
 }
 
 /// `alone`: the mast with its guys is solved besides, and that decides.
-void add_warnings(const Input& in, const Output& out, bool alone, Result& r) {
+void add_warnings(const Input& in, const Output& out, bool alone, const Display& display, Result& r) {
   auto& w = r.warnings;
+  const auto length = [&](double x) { return display.brief(x, si::m.in("mm")); };
+  const auto moment = [&](double x) { return display.brief(x, si::N_m); };
   if (!alone) {
     w.emplace_back(
         "guylines and buckling are not in this method: their forces add to N, and a slender mast fails by buckling "
         "first; check both, and local buckling of thin walls, before building");
   }
   w.push_back(
-      fmt::format("the tube by the printed coefficients 1.27 and 10 ({:.1f} mm) is {:.1f} % too small: build by D_tube "
-                  "{:.1f} mm",
-                  out.D_tube_printed * 1e3, (1 - out.D_tube_printed / out.D_tube) * 100, out.D_tube * 1e3));
+      fmt::format("the tube by the printed coefficients 1.27 and 10 ({}) is {:.1f} % too small: build by D_tube {}",
+                  length(out.D_tube_printed), (1 - out.D_tube_printed / out.D_tube) * 100, length(out.D_tube)));
   if (out.D_tube_payout > out.D_tube) {
     w.push_back(fmt::format(
-        "a rope paid out under {} bends the mast more: M {:.1f} kN m instead of {:.1f} kN m, tube {:.1f} mm instead of "
-        "{:.1f} mm; the section is chosen and checked for both{}",
-        in.paid_out_force ? "the force at which its brake slips" : "its full force", out.M_payout / 1e3, out.M / 1e3,
-        out.D_tube_payout * 1e3, out.D_tube * 1e3,
-        in.paid_out_force ? "" : "; paid_out_force states a brake that slips before"));
+        "a rope paid out under {} bends the mast more: M {} instead of {}, tube {} instead of {}; the section is "
+        "chosen and checked for both{}",
+        brake_slips(in) ? "the force at which its brake slips" : "its full force", moment(out.M_payout), moment(out.M),
+        length(out.D_tube_payout), length(out.D_tube),
+        brake_slips(in)     ? ""
+        : in.paid_out_force ? "; no brake slips, as paid_out_force is no less than the ropes' forces"
+                            : "; paid_out_force states a brake that slips before"));
   }
   if (in.wrap == Wrap::paper && out.alpha < 30 * degree) {
     w.push_back(fmt::format(
-        "the paper's wrap of 120 deg belongs to alpha = 30 deg; at {:.1f} deg it understates the forces: take "
-        "wrap: geometric",
-        out.alpha / degree));
+        "the paper's wrap of {} belongs to alpha = {}; at {} it understates the forces: take wrap: geometric",
+        display.brief(120 * degree, si::rad), display.brief(30 * degree, si::rad), display.brief(out.alpha, si::rad)));
   }
   if (in.block_friction < 0.10 || in.block_friction > 0.16) {
     w.push_back(fmt::format("block friction {:.3g} lies outside the paper's 0.10 to 0.16", in.block_friction));
@@ -242,13 +251,13 @@ void add_warnings(const Input& in, const Output& out, bool alone, Result& r) {
   if (!in.steel) return;
   const auto at_wall = allowable_stress(limit_of(in), out.t_tube);
   if (!at_wall) {
-    w.push_back(fmt::format("the wall of the ideal tube, {:.1f} mm, is thicker than the table of {} reaches",
-                            out.t_tube * 1e3, *in.steel));
+    w.push_back(fmt::format("the wall of the ideal tube, {}, is thicker than the table of {} reaches",
+                            length(out.t_tube), *in.steel));
   } else if (*at_wall < out.sigma_allow) {
     w.push_back(fmt::format(
-        "[sigma] = {:.1f} MPa is that of the thinnest range of {}; at the ideal tube's wall of {:.1f} mm it is "
-        "{:.1f} MPa: go by the catalogue sections, which are taken at their own wall",
-        out.sigma_allow / 1e6, *in.steel, out.t_tube * 1e3, *at_wall / 1e6));
+        "[sigma] = {} is that of the thinnest range of {}; at the ideal tube's wall of {} it is {}: go by the "
+        "catalogue sections, which are taken at their own wall",
+        display.brief(out.sigma_allow, si::Pa), *in.steel, length(out.t_tube), display.brief(*at_wall, si::Pa)));
   }
 }
 
@@ -300,7 +309,7 @@ Result run(const Input& in) {
   return run(in, SecondOrder{}, found);
 }
 
-Result run(const Input& in, const SecondOrder& second, Solved& found) {
+Result run(const Input& in, const SecondOrder& second, Solved& found, const Display& display) {
   const Method& m = about();
   Result r = result_of(m, Input::describe(), &in);
   Output out;
@@ -320,12 +329,12 @@ Result run(const Input& in, const SecondOrder& second, Solved& found) {
       const auto first =
           std::find_if(positions.begin(), positions.end(), [](const auto& p) { return !p.outcome.ok(); });
       r.missing.push_back({"carriage positions", static_cast<int>(lost), static_cast<int>(positions.size()),
-                           fmt::format("x = {:.4g} m", first->out.x), first->outcome.message});
+                           "x = " + display.brief(first->out.x, si::m), first->outcome.message});
     }
     found.forces = clamp_forces(in, positions);
-    add_warnings(in, out, second.decides_alone, r);
+    add_warnings(in, out, second.decides_alone, display, r);
     r.tables.push_back(load_cases_table(in, found.forces));
-    const auto& section = found.section = find_sections(in, found.forces, second, r);
+    const auto& section = found.section = find_sections(in, found.forces, second, display, r);
     if (section) check_section(in, *section, found.forces, s, r, out);
     if (!section) r.unjudged.emplace_back("mast");
     add_comparisons(in, out, r);

@@ -4,6 +4,7 @@
 
 #include "taut/methods/mast_section/position.hpp"
 #include "taut/methods/mast_section/sizing.hpp"
+#include "taut/units/display.hpp"
 
 namespace taut::mast_section {
 
@@ -16,7 +17,7 @@ struct Solved {
 };
 
 /// The calculation note, as run(in), by second order where `second` is not empty. Each carriage position is computed
-/// once; of several the governing ones are then written out.
-Result run(const Input& in, const SecondOrder& second, Solved& found);
+/// once; of several the governing ones are then written out. `display`: the units of its warnings.
+Result run(const Input& in, const SecondOrder& second, Solved& found, const Display& display = Display());
 
 }  // namespace taut::mast_section

@@ -31,6 +31,22 @@ bool warns(const Result& r, std::string_view words) {
                      [&](const std::string& w) { return w.find(words) != std::string::npos; });
 }
 
+/// A brake that holds more than the ropes ever have does not slip: they are paid out under their full force.
+TEST(MastSectionRun, ABrakeThatNeverSlipsIsNotSaidToSlip) {
+  const std::string slips = "under the force at which its brake slips", full = "under its full force";
+  Input in = yarder();
+  EXPECT_TRUE(warns(run(in), full));
+  in.paid_out_force = 99e3;  // the skyline has 100 kN
+  EXPECT_TRUE(warns(run(in), slips));
+  in.paid_out_force = 120e3;
+  const Result r = run(in);
+  EXPECT_TRUE(warns(r, full));
+  EXPECT_TRUE(warns(r, "no brake slips"));
+  EXPECT_FALSE(warns(r, slips));
+  in.paid_out_force.reset();
+  EXPECT_EQ(r.find_value("M_payout")->value, run(in).find_value("M_payout")->value);
+}
+
 TEST(MastSectionRun, HasAllAReportNeeds) {
   const Result r = run(yarder());
   EXPECT_EQ(r.status, Status::ok);

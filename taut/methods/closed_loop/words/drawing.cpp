@@ -9,6 +9,7 @@
 #include <numeric>
 
 #include "taut/math/degree.hpp"
+#include "taut/units/display.hpp"
 
 namespace taut::closed_loop {
 namespace {
@@ -126,7 +127,8 @@ void add_forces(Drawing& d, const View& v, const Frame& k, const Output& o) {
   pull(k.B_l, o.H_2, end_slope(k.L2, k.B_l, v.w_b, o.H_2, +1), +1, "T_lB", Role::force);
 }
 
-void add_measures(Drawing& d, const View& v, const Frame& k, double stretch, const Output& o) {
+void add_measures(Drawing& d, const View& v, const Frame& k, const Output& o, const Display& display) {
+  const double stretch = d.vertical_scale;
   // Under the lower end of the ground, so that nothing crosses.
   const double row = 0.045 * v.l / stretch;
   const double ground = std::min(0.0, v.l * v.m) - ground_depth * std::max(v.f1, v.f2);
@@ -134,14 +136,14 @@ void add_measures(Drawing& d, const View& v, const Frame& k, double stretch, con
   d.shapes.emplace_back(DimensionLine{.from = {.x = 0, .y = ground - row},
                                       .to = {.x = x, .y = ground - row},
                                       .offset = 0,
-                                      .text = fmt::format("x = {:.4g} m", x)});
+                                      .text = "x = " + display.brief(x, si::m)});
   d.shapes.emplace_back(DimensionLine{.from = {.x = 0, .y = ground - 2 * row},
                                       .to = {.x = v.l, .y = ground - 2 * row},
                                       .offset = 0,
-                                      .text = fmt::format("l = {:.4g} m", v.l)});
+                                      .text = "l = " + display.brief(v.l, si::m)});
   const Point at = std::abs(x - v.x1) <= std::abs(x - v.x2) ? k.L1 : k.L2;
   d.shapes.emplace_back(
-      DimensionLine{.from = at, .to = {.x = x, .y = v.m * x}, .offset = 0, .text = fmt::format("f = {:.3g} m", o.f)});
+      DimensionLine{.from = at, .to = {.x = x, .y = v.m * x}, .offset = 0, .text = "f = " + display.brief(o.f, si::m)});
   d.shapes.emplace_back(Label{.at = {.x = -0.03 * v.l, .y = k.A_l.y - 0.02 * v.l / stretch}, .text = "A"});
   d.shapes.emplace_back(Label{.at = {.x = 1.03 * v.l, .y = k.B_l.y - 0.02 * v.l / stretch}, .text = "B"});
 }
@@ -187,13 +189,13 @@ Frame draw_loop(const Input& in, const View& v, const Output& out, Drawing& d) {
 
 }  // namespace
 
-Drawing loop_drawing(const Input& in, const Output& out) {
+Drawing loop_drawing(const Input& in, const Output& out, const Display& display) {
   const View v = view_of(in, out);
   Drawing d;
   d.title = "The loop in its span";
   const Frame k = draw_loop(in, v, out, d);
   add_forces(d, v, k, out);
-  add_measures(d, v, k, d.vertical_scale, out);
+  add_measures(d, v, k, out, display);
   d.caption = fmt::format(
       "Return rope (upper branch and back to the carriage) and traction rope (carriage to A) as parabolas of the "
       "closed-form tier.{}",
@@ -201,7 +203,7 @@ Drawing loop_drawing(const Input& in, const Output& out) {
   return d;
 }
 
-Drawing loop_without_answer(const Input& in) {
+Drawing loop_without_answer(const Input& in, const Display& display) {
   constexpr double drawn_sag = 0.05;  // of the span, where the deck gives none
   Output at;
   at.x = at.x_1 = at.x_2 = in.position.empty() ? in.span / 2 : in.position.front();
@@ -217,7 +219,7 @@ Drawing loop_without_answer(const Input& in) {
   d.title = "Loop as described; no answer was found";
   const Frame k = draw_loop(in, v, at, d);
   add_loads(d, v, k);
-  add_measures(d, v, k, d.vertical_scale, at);
+  add_measures(d, v, k, at, display);
   d.caption =
       fmt::format("This is not an answer: no tension is known, and the ropes are drawn straight.{}{}",
                   in.sag ? "" : " The deck gives no sag: f is a twentieth of the span here.", distance_words(in));

@@ -7,6 +7,7 @@
 
 #include "taut/base/gravity.hpp"
 #include "taut/catalogue/trust.hpp"
+#include "taut/units/display.hpp"
 
 namespace taut::closed_loop {
 namespace {
@@ -63,6 +64,8 @@ struct RopeRow {
   const char* role;
   const catalogue::RopeRow& rope;
   const Peak& peak;
+  std::string where;
+  bool named = false;  ///< else the deck has its weight alone
 };
 
 /// 0: not known.
@@ -81,12 +84,11 @@ const Quantities<RopeRow>& rope_quantities() {
        [](const R& r) { return known(r.rope.breaking_force); }},
       {"largest_tension", "T_max", si::N, "largest tension of the rope over all positions and both hauls",
        [](const R& r) { return r.peak.tension; }},
-      {"where", "", si::one, "branch, support and carriage position of that tension",
-       [](const R& r) { return fmt::format("{}, carriage at {:.4g} m", r.peak.where, r.peak.x); }},
+      {"where", "", si::one, "branch, support and carriage position of that tension", &R::where},
       {"safety_factor", "n", si::one, "minimum breaking force over that tension",
        [](const R& r) { return known(r.rope.breaking_force) / r.peak.tension; }},
       {"trust", "", si::one, "trust in its row of the catalogue",
-       [](const R& r) { return std::string(catalogue::to_text(r.rope.trust)); }}};
+       [](const R& r) { return std::string(r.named ? catalogue::to_text(r.rope.trust) : "user"); }}};
   return all;
 }
 
@@ -104,18 +106,25 @@ Table positions_table(const std::vector<Row>& rows) {
       position_quantities(exact), rows);
 }
 
-Table ropes_table(const Ropes& ropes, const Peaks& peaks) {
+Table ropes_table(const Ropes& ropes, const Peaks& peaks, const Display& display) {
   const auto row_of = [](const std::optional<catalogue::RopeRow>& rope, double weight) {
     if (rope) return *rope;
     catalogue::RopeRow row;
     row.id = "by its weight";
     row.mass_per_length = weight / standard_gravity;
-    row.trust = catalogue::Trust::verified;  // the deck's own
     return row;
   };
   const catalogue::RopeRow back = row_of(ropes.return_rope, ropes.q_b), pull = row_of(ropes.traction_rope, ropes.q_T);
-  const std::vector<RopeRow> rows = {{.role = "return", .rope = back, .peak = peaks.return_rope},
-                                     {.role = "traction", .rope = pull, .peak = peaks.traction_rope}};
+  const std::vector<RopeRow> rows = {{.role = "return",
+                                      .rope = back,
+                                      .peak = peaks.return_rope,
+                                      .where = place_of(peaks.return_rope, display),
+                                      .named = ropes.return_rope.has_value()},
+                                     {.role = "traction",
+                                      .rope = pull,
+                                      .peak = peaks.traction_rope,
+                                      .where = place_of(peaks.traction_rope, display),
+                                      .named = ropes.traction_rope.has_value()}};
   return make_table("ropes", "Ropes with their own weight, and their largest tensions", rope_quantities(), rows);
 }
 
