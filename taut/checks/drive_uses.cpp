@@ -212,6 +212,13 @@ void DriveUses::take_grips(const machine::Model& m) {
 /// The turns on a drum take the tension from the rope's fastening by their friction.
 void DriveUses::keep_turns(const machine::Model& m, const solve::DrumResult& d, const std::string& words) {
   if (!d.length) return;
+  if (m.drums[d.drum].core_radius == 0) {  // half of a rope's thickness is no radius to count turns by
+    const std::string& name = m.drums[d.drum].name;
+    unmade_.try_emplace(name + ".turns", fmt::format("{}: how many turns are left on it is not checked: give its "
+                                                     "'core_diameter'",
+                                                     name));
+    return;
+  }
   const double left = d.wraps.value_or(std::max(*d.length, 0.0) / (2 * std::numbers::pi * d.radius));
   const auto [at, is_new] = turns_.try_emplace(m.drums[d.drum].name, Turns{.left = left, .words = words});
   if (!is_new && left < at->second.left) at->second = {.left = left, .words = words};
@@ -400,17 +407,19 @@ void DriveUses::take_moment(const machine::Model& m, const solve::TransientFrame
 void DriveUses::take_slips(const machine::Model& m, const solve::TransientFrame& frame, double time,
                            const std::string& words) {
   if (slides_.size() != frame.contacts.size() || !(time > 0)) {  // a motion begins
-    slides_.assign(frame.contacts.size(), 0);
+    slides_.assign(frame.contacts.size(), {});
+    for (std::size_t c = 0; c < slides_.size(); ++c) slides_[c].speed = std::abs(frame.contacts[c].slip);
     return;
   }
   for (std::size_t c = 0; c < frame.contacts.size(); ++c) {
     const solve::TransientFrame::Contact& is = frame.contacts[c];
     const machine::Node& node = m.reevings[is.reeving].nodes[is.node];
-    const double slip = std::abs(is.slip);
+    const double slip = std::abs(is.slip), mean = (slip + slides_[c].speed) / 2;
+    slides_[c].speed = slip;
     if (!node.motor || slip < least_slip * std::abs(is.spin) * node.radius) continue;
     if (is_broken(frame, is.reeving)) continue;
-    slides_[c] += slip * time;
-    keep_slip(node, slides_[c], least_slide * node.radius, "", words);
+    slides_[c].way += mean * time;
+    keep_slip(node, slides_[c].way, least_slide * node.radius, "", words);
   }
 }
 

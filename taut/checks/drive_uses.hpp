@@ -59,8 +59,11 @@ class DriveUses {
     double slipped = 0, limit = 0;  ///< m
     std::string words, where = {};
   };
-  std::map<std::string, Slip> slips_;                   // the largest of each sheave
-  std::vector<double> slides_;                          // m, by contact, so far in the motion that is shown now
+  std::map<std::string, Slip> slips_;  // the largest of each sheave
+  struct Slide {
+    double way = 0, speed = 0;  ///< m, so far in the motion that is shown now; m/s, at its last moment
+  };
+  std::vector<Slide> slides_;                           // by contact
   Dragged dragged_;                                     // what gives way to its load in it
   double last_moment_ = 0;                              // s, of that motion
   std::map<std::string, std::string> unbraked_;         // drums whose brake does not hold; drives that give way

@@ -185,6 +185,29 @@ checks: {{ropes: {{pull: {{safety_factor: 2}}, back: {{safety_factor: 2}}}}}}
   EXPECT_TRUE(told_as_dragged(runs));
 }
 
+// 100 and 80 kg over a sheave that holds e = exp(0.1 pi) = 1.369 at most: the rope stands (1.25) until the rim is
+// driven, from 1 s on, to 2 m/s in 1 s. With 100 (g + a) = e 80 (g - a) the masses get a = 0.4543 m/s2, the rim 2 m/s2:
+// the rope slips by 1.5457 m/s2 t, 0.773 m in the second.
+TEST(DriveSlips, TheWayOfASlipThatGrowsIsItsIntegral) {
+  const Result r = run_text(R"(taut: 1
+machine:
+  gravity: 10 m/s^2
+  ropes: {r: {mass: 0 kg/m, stiffness: 10 MN, breaking_force: 100 kN, diameter: 10 mm, damping_ratio: 0.5}}
+  bodies:
+    a: {mass: 100 kg, at: [-0.5 m, 0 m, -10 m], free: [z]}
+    b: {mass: 80 kg, at: [0.5 m, 0 m, -10 m], free: [z]}
+  sheaves: {s: {at: [0 m, 0 m, 0 m], diameter: 1 m, inertia: 10 kg m^2, friction: 0.1, motor: {torque: 100 N m}}}
+  signals: {v: {sequence: [{at: 1 s, to: 2 m/s, over: 1 s}]}}
+  events: [{at: 0 s, drive: s, speed: v}]
+  reevings: [{rope: r, path: [{anchor: a}, {over: s}, {anchor: b}], length: 21.57 m}]
+analyses: [{transient: {duration: 2 s, output_step: 0.1 s, start: assembled}}]
+checks: {ropes: {r: {dynamic_safety_factor: 5}}}
+)");
+  const double grip = std::exp(0.1 * M_PI);
+  const double a = 10 * (80 * grip - 100) / (80 * grip + 100);
+  EXPECT_NEAR(taut_test::check_of(r, "s.slipped").value, (2 - a) / 2, 2e-3);
+}
+
 // The rated pull is one that lasts; 2.4 m/s in 0.7 s makes a peak of more.
 TEST(DriveSlips, APeakAboveTheRatedPullIsUnsafe) {
   const auto lift = [](const std::string& rated) {

@@ -41,6 +41,8 @@ class Checker {
     need(drum_.drag == 0 || drum_.inertia > 0, "a drum with a 'drag' needs its 'inertia'");
     const bool turned = drum_.drive && drum_.drive->torque;
     need(!turned || drum_.core_diameter > 0, "a drum with a torque needs a 'core_diameter'");
+    need(!drum_.brake_torque || drum_.core_diameter > 0,
+         "a 'brake_torque' holds the rope at the radius of the drum: it needs a 'core_diameter'");
   }
 
  private:

@@ -154,6 +154,26 @@ TEST(Drums, OfAMachine) {
   EXPECT_NEAR(pulled->reevings[0].value, 4e3 / 0.19, 1e-9);
 }
 
+// Half of the rope's thickness is no lever: 10 kN at 5 mm would pass as 0.05 kN m.
+TEST(Drums, ABrakeTorqueNeedsACore) {
+  for (const bool known : {false, true}) {
+    Machine m = lift();
+    if (!known) m.ropes[0].diameter.reset();
+    description::Drum& drum = m.drums[0];
+    drum = {};
+    drum.name = "winch";
+    EXPECT_TRUE(compile(m, ModelFor::rest)) << "it only winds: " << complaints_of(m);
+    drum.brake_torque = 1500;
+    const auto refused = compile(m, ModelFor::rest);
+    ASSERT_FALSE(refused);
+    ASSERT_EQ(refused.error().size(), 1U);
+    EXPECT_EQ(refused.error()[0].path, "drums.winch");
+    EXPECT_THAT(refused.error()[0].message, HasSubstr("it needs a 'core_diameter'"));
+    drum.core_diameter = 0.4;
+    EXPECT_TRUE(compile(m, ModelFor::rest)) << complaints_of(m);
+  }
+}
+
 TEST(Drums, TellsEachMistakeAtItsPlace) {
   const std::vector<std::pair<std::function<void(Machine&)>, std::string>> cases = {
       {[](Machine& m) { m.drums[0].length_on_drum.reset(); }, "drums.winch: 'layers: auto' needs the 'length_on_drum'"},

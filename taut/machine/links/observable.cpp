@@ -43,13 +43,15 @@ const ObservableNames of_rope = {
     {.name = "length",
      .quantity = Observed::length,
      .unit = si::m,
-     .words = "unstretched length, what is on drums left out"}};
-const ObservableNames of_branch = {
-    {.name = "T",
-     .quantity = Observed::branch_T,
-     .unit = si::N,
-     .words = "largest tension of branch N, from 1 along the path"},
-    {.name = "length", .quantity = Observed::branch_length, .unit = si::m, .words = "its unstretched length"}};
+     .words = "unstretched length at its temperature, what is on drums left out"}};
+const ObservableNames of_branch = {{.name = "T",
+                                    .quantity = Observed::branch_T,
+                                    .unit = si::N,
+                                    .words = "largest tension of branch N, from 1 along the path"},
+                                   {.name = "length",
+                                    .quantity = Observed::branch_length,
+                                    .unit = si::m,
+                                    .words = "its unstretched length at its temperature"}};
 const ObservableNames of_sheave = {
     {.name = "T_in", .quantity = Observed::T_in, .unit = si::N, .words = "tension before it along the path"},
     {.name = "T_out", .quantity = Observed::T_out, .unit = si::N, .words = "tension behind it"},

@@ -45,6 +45,12 @@ void add_events(const study::TransientRun& run, Result& r) {
   r.tables.push_back(make_table("events" + run.ending, "Events", study::event_quantities(), run.result.events));
 }
 
+/// An observable by its name; a length says what statics gives otherwise, at the reference temperature.
+std::string told_of(const machine::Observable& o) {
+  const bool length = o.quantity == machine::Observed::length || o.quantity == machine::Observed::branch_length;
+  return length ? o.name + ", unstretched at its temperature" : o.name;
+}
+
 /// What a measure is in one number, under its own name.
 void add_measure(const study::TransientRun& run, const machine::Observable& o, const solve::Extreme& e, Result& r) {
   using machine::description::Taken;
@@ -74,7 +80,7 @@ void add_envelope(const study::TransientRun& run, Result& r) {
       const ValueKind& kind = named(value_kinds(), name);  // a detail: the table of the envelope has them in one line
       r.values.push_back(
           make_value(kind, o.name, run.ending, x,
-                     fmt::format("{}, {} {:.6g} s, of {} ({})", kind.about.words, when, t, o.name, words_of(run))));
+                     fmt::format("{}, {} {:.6g} s, of {} ({})", kind.about.words, when, t, told_of(o), words_of(run))));
       r.values.back().unit = o.unit;
     };
     value("OBSERVED_min", e.min, "at t =", e.t_min);

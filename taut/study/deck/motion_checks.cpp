@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 
 namespace taut::study {
 namespace {
@@ -104,30 +105,76 @@ bool turns_it(const machine::Drive& drive) {
   return drive.kind != machine::DriveKind::held && drive.kind != machine::DriveKind::pull;
 }
 
-/// Drums and driven sheaves that turn, from the start or after an event, and are points.
-void check_radii(const machine::Machine& machine, const machine::Model& model, std::vector<Complaint>& complaints) {
-  const auto turned_later = [&](int index, bool of_motor) {
-    return std::any_of(model.events.begin(), model.events.end(), [&](const machine::Event& event) {
-      if (event.index != index || event.of_motor != of_motor) return false;
-      if (event.kind == machine::EventKind::brake) return !event.brake_set;
-      return event.kind == machine::EventKind::drive && turns_it(event.drive);
-    });
-  };
-  const auto is_point = [&](std::optional<int> machine::Node::*of, int index) {
-    return std::any_of(model.reevings.begin(), model.reevings.end(), [&](const machine::Reeving& rope) {
-      return std::any_of(rope.nodes.begin(), rope.nodes.end(),
-                         [&](const machine::Node& node) { return node.*of == index && node.radius == 0; });
-    });
-  };
-  for (int i = 0; i < static_cast<int>(model.drums.size()); ++i) {
+/// Whether an event that a drum or a driven sheave has yet to meet sees to `what` it is.
+template <class What>
+bool event_comes(const machine::Model& model, int index, bool of_motor, const What& what) {
+  return std::any_of(model.events.begin(), model.events.end(), [&](const machine::Event& event) {
+    return event.index == index && event.of_motor == of_motor && what(event);
+  });
+}
+
+bool turned_later(const machine::Model& model, int index, bool of_motor) {
+  return event_comes(model, index, of_motor, [](const machine::Event& event) {
+    if (event.kind == machine::EventKind::brake) return !event.brake_set;
+    return event.kind == machine::EventKind::drive && turns_it(event.drive);
+  });
+}
+
+bool by_torque_later(const machine::Model& model, int drum) {
+  return event_comes(model, drum, false, [](const machine::Event& event) {
+    return event.kind == machine::EventKind::drive && event.drive.kind == machine::DriveKind::torque;
+  });
+}
+
+bool is_point(const machine::Model& model, std::optional<int> machine::Node::*of, int index) {
+  return std::any_of(model.reevings.begin(), model.reevings.end(), [&](const machine::Reeving& rope) {
+    return std::any_of(rope.nodes.begin(), rope.nodes.end(),
+                       [&](const machine::Node& node) { return node.*of == index && node.radius == 0; });
+  });
+}
+
+/// Drums that turn, from the start or after an event, and have no core. A rope of some thickness is wound all the same,
+/// at a radius of half of it: that is no lever of a torque, nor does an inertia turn by it.
+void check_cores(const machine::Machine& machine, const machine::Model& model, std::vector<Complaint>& complaints) {
+  for (std::size_t i = 0; i < model.drums.size(); ++i) {
     const machine::Drum& drum = model.drums[i];
-    if (!is_point(&machine::Node::drum, i) || !(turns_it(drum.drive) || turned_later(i, false))) continue;
-    complaints.push_back({"machine.drums." + drum.name, "turns: a motion needs its 'core_diameter'"});
+    if (drum.core_radius > 0) continue;
+    const int index = static_cast<int>(i);
+    const bool turns = turns_it(drum.drive) || turned_later(model, index, false);
+    const std::string place = "machine.drums." + drum.name;
+    if (by_torque_later(model, index)) {
+      complaints.push_back({place, "an event gives it a torque: a motion needs its 'core_diameter'"});
+    } else if (turns && drum.inertia > 0) {
+      complaints.push_back({place, "turns with its 'inertia': a motion needs its 'core_diameter'"});
+    } else if (turns && is_point(model, &machine::Node::drum, index)) {
+      complaints.push_back({place, "turns: a motion needs its 'core_diameter'"});
+    }
   }
-  for (int i = 0; i < static_cast<int>(model.motors.size()); ++i) {
+  for (const auto& what : machine.observe) {
+    for (const machine::Drum& drum : model.drums) {
+      if (drum.core_radius > 0 || what != drum.name + ".torque") continue;
+      complaints.push_back({"machine.drums." + drum.name, fmt::format("'{}' needs its 'core_diameter'", what)});
+    }
+  }
+}
+
+/// Sheaves that turn, by a motor or with their inertia, and are points.
+void check_radii(const machine::Machine& machine, const machine::Model& model, std::vector<Complaint>& complaints) {
+  for (std::size_t i = 0; i < model.motors.size(); ++i) {
     const machine::Motor& motor = model.motors[i];
-    if (!is_point(&machine::Node::motor, i) || !(turns_it(motor.drive) || turned_later(i, true))) continue;
+    const int index = static_cast<int>(i);
+    if (!is_point(model, &machine::Node::motor, index)) continue;
+    if (!turns_it(motor.drive) && !turned_later(model, index, true)) continue;
     complaints.push_back({place_of_sheave(machine, motor.name), "is driven: a motion needs its 'diameter'"});
+  }
+  std::set<std::string> told;
+  for (const machine::Reeving& rope : model.reevings) {
+    for (const machine::Node& node : rope.nodes) {
+      const bool turns = node.kind == machine::NodeKind::contact || node.kind == machine::NodeKind::drive;
+      if (!turns || node.motor || node.radius > 0 || node.inertia == 0 || !told.insert(node.name).second) continue;
+      complaints.push_back({place_of_sheave(machine, node.name) + ".inertia",
+                            "turns by its rope at its rim, and the sheave is a point: a motion needs its 'diameter'"});
+    }
   }
 }
 
@@ -181,6 +228,7 @@ void check_masses(const machine::Machine& machine, const machine::Model& model, 
   check_ropes(machine, model, rope_mass, complaints);
   check_motors(machine, model, complaints);
   check_wheels(machine, model, moves.slowly, complaints);
+  check_cores(machine, model, complaints);
   check_radii(machine, model, complaints);
 }
 

@@ -323,12 +323,12 @@ double taken_by_couples(const Mechanism& m, const Values& before, const Values& 
   return taken;
 }
 
-double power_of_couples(const Mechanism& m, int body, const Values& v) {
+double power_of_couples(const Mechanism& m, int body, const Values& v, const Vector3& along, const Vector3& about) {
   const Motion3& is = v.bodies[body];
   double power = 0;
   const auto add = [&](const Couple& couple, std::size_t side, const Vector3& place, const Vector3& force) {
     if (couple.body[side] != body) return;
-    power += (side == 0 ? 1 : -1) * force.dot(is.driven_v + is.driven_w.cross(place - is.x));
+    power += (side == 0 ? 1 : -1) * force.dot(along + about.cross(place - is.x));
   };
   for (std::size_t side = 0; side < 2; ++side) {
     for (std::size_t i = 0; i < v.faces.size(); ++i) {

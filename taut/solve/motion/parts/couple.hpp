@@ -42,8 +42,8 @@ CoupleWork work_of_couples(const Mechanism& m, const Values& before, const Value
 double taken_by_couples(const Mechanism& m, const Values& before, const Values& now);
 /// Elastic energy of contacts and their bristles, J.
 double energy_of_faces(const Mechanism& m, const Values& v);
-/// What they do on the driven part of a body's motion, W.
-double power_of_couples(const Mechanism& m, int body, const Values& v);
+/// What they give a body that moves so: velocities of its origin and about it, W, or ways, J.
+double power_of_couples(const Mechanism& m, int body, const Values& v, const Vector3& along, const Vector3& about);
 
 double observe_couple(const Mechanism& m, const Values& v, const machine::Observable& what);
 TransientFrame::FaceContact face_frame(const Mechanism& m, const Values& v, std::size_t i);

@@ -32,6 +32,21 @@ double error_by_turning(const Run& run, std::size_t i) {
   return largest > 0 ? stiffness_at(run.m, run.m.contacts[i], run.now) * too_far / largest : 0;
 }
 
+/// How far bodies that signals move are beside a straight way in the middle of the step, as a share of the machine's
+/// size: so goes what is observed between two steps. It is known without a step before.
+double error_by_signals(const Run& run) {
+  double error = 0;
+  for (const machine::Body& body : run.model.bodies) {
+    for (const machine::DrivenWay& way : body.driven) {
+      const auto value = [&](double t) { return machine::at(way.signal, t).value; };
+      const double from = run.before.t, to = run.now.t;
+      const double off = value((from + to) / 2) - (value(from) + value(to)) / 2;
+      error = std::max(error, std::abs(off) / (way.about == Vector3::Zero() ? run.m.size_of_machine : 1));
+    }
+  }
+  return error;
+}
+
 }  // namespace
 
 double impatience(const Run& run) {
@@ -89,7 +104,8 @@ double largest_tension(const Run& run) {
 }
 
 double error_of(const Run& run, bool kink) {
-  if (run.known < 2) return 0;
+  const double by_signals = error_by_signals(run) / run.options.tolerance;
+  if (run.known < 2) return by_signals;
   const double h = run.scheme.h;
   double error = 0;
   for (const Body& body : run.m.bodies) {
@@ -122,7 +138,7 @@ double error_of(const Run& run, bool kink) {
     const double off = std::abs(run.now.lines[i].T - predicted) - rounding * (1 + h / h1) * (1 + h / h2);
     if (largest > 0) error = std::max(error, third * off / largest);
   }
-  return error / (run.options.tolerance * allowed_share(run, kink));
+  return std::max(by_signals, error / (run.options.tolerance * allowed_share(run, kink)));
 }
 
 double allowed_share(const Run& run, bool kink) {

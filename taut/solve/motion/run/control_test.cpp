@@ -244,4 +244,35 @@ TEST(TransientControl, WhatIsKeptIsTheStepBefore) {
   EXPECT_EQ(of.run.known, 4);
 }
 
+/// 100 kg that a signal moves to and fro: nothing else would limit the steps, and x runs straight between them. The
+/// books close: what moves it is known. So does a rope that it pulls taut, 0.5 m of slack in a pulse of 1 m.
+TEST(TransientControl, BodiesThatSignalsMoveLimitTheStepsAndCloseTheBooks) {
+  machine::Model m;
+  m.gravity = 10;
+  m.bodies.push_back(taut_test::body("b", Vector3::Zero(), 100, ""));
+  m.reevings.push_back(
+      taut_test::reeve("r", {taut_test::anchor("p", {-10, 0, 0}), taut_test::anchor_on("b", 0)}, 10.5, 0, 1e6));
+  for (const bool pulse : {false, true}) {
+    machine::Signal x;
+    if (pulse) {
+      x.law = machine::Moves{.from = 0,
+                             .moves = {{.at = 5, .to = 1, .over = 0.03, .change = machine::Change::smooth},
+                                       {.at = 5.03, .to = 0, .over = 0.03, .change = machine::Change::smooth}}};
+    } else {
+      x.law = machine::Sine{.mean = 0, .amplitude = 0.2, .omega = M_PI, .phase = 0.5};
+    }
+    m.bodies[0].driven = {{Vector3::UnitX(), Vector3::Zero(), x}};
+    m.bodies[0].driven.push_back({Vector3::UnitZ(), Vector3::Zero(), taut_test::smooth_move(0, 0.1, 1, 2)});
+    const TransientOptions options = taut_test::lasting(10, 1e-6, 10);
+    const TransientResult r = taut_test::run_to_end(m, options);
+    EXPECT_LT(r.open, 1e-5) << pulse;
+    if (!pulse) {  // at its tops h^2/8 0.2 pi^2 m/s2 is at most 1e-6 of 10 m: 6 ms
+      EXPECT_LT(r.largest_step, 0.05);
+      continue;
+    }
+    // the rope is 10.5 m, the pulse takes its end to 11 m: 1 MN * 0.5/10.5, and 0.1 m of height beside it
+    EXPECT_NEAR(r.ropes[0].T.max, 1e6 * (std::hypot(11, 0.1) / 10.5 - 1), 1);
+  }
+}
+
 }  // namespace taut::solve::dynamics::transient_control_test

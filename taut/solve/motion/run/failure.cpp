@@ -124,6 +124,12 @@ Outcome failure(Run& run, StepEnd end, double t) {
                     "end the motion by an event before",
                     t));
   }
+  if (end == StepEnd::to_and_fro) {
+    return not_converged(
+        fmt::format("at t = {:.6g} s what slips, sticks or goes slack changes to and fro without end: the reference "
+                    "does not get past it; take 'method: implicit'",
+                    t));
+  }
   // bodies have masses: what has no answer now is a fault of the search, not of the machine
   const std::string steps = run.h > 0 ? fmt::format(", down to steps of {:.3g} s", run.h) : std::string();
   return not_converged(fmt::format("at t = {:.6g} s no common answer of all ropes and contacts was found{}", t, steps));

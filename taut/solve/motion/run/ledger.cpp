@@ -132,28 +132,60 @@ double torn(const Mechanism& m, std::size_t i, const Values& values_before, cons
   return line.copies * line.stiffness * (before.gone - now.gone) * mean / 2;
 }
 
-/// A body that signals move: its drive gives what inertia and weights ask and the ropes do not.
-void add_driven(const Mechanism& m, const Values& v, Powers& p) {
-  for (std::size_t b = 0; b < m.bodies.size(); ++b) {
-    const Motion3& body = v.bodies[b];
-    if (m.bodies[b].model < 0 || m.model->bodies[m.bodies[b].model].driven.empty()) continue;
-    p.supplied += inertia_power(m, static_cast<int>(b), v, body.driven_v, body.driven_w);
-    for (std::size_t i = 0; i < m.lines.size(); ++i) {
-      const Line& line = m.lines[i];
-      const LineValues& is = v.lines[i];
-      for (std::size_t end = 0; end < 2; ++end) {
-        if (line.body[end] != static_cast<int>(b)) continue;
-        const Vector3 moves = body.driven_v + body.driven_w.cross(is.touch[end] - body.x);
-        const Vector3 force =
-            sags(line, is) ? sagging_force(line, is, v.sags[line.sag], end)
-            : line.part
-                ? part_force(line, is, end)
-                : Vector3((end == 0 ? 1 : -1) * body_pull(is, end) * is.t - line.weight * free_rope(is) / 2 * up());
-        p.supplied -= line.copies * (force + force_along(m, i, end, v)).dot(moves);
-      }
+/// Velocities of a body's origin and about it, or its ways in a step, m, rad.
+struct Moves {
+  Vector3 along, about;
+};
+
+bool is_driven(const Mechanism& m, std::size_t b) {
+  return m.bodies[b].model >= 0 && !m.model->bodies[m.bodies[b].model].driven.empty();
+}
+
+/// What ropes and couples give a body that goes so, W, or J over ways. `share_of`: of a line, in which it pulls.
+template <class Share>
+double given_to_body(const Mechanism& m, std::size_t b, const Values& v, const Moves& by, const Share& share_of) {
+  const Motion3& body = v.bodies[b];
+  double given = power_of_couples(m, static_cast<int>(b), v, by.along, by.about);
+  for (std::size_t i = 0; i < m.lines.size(); ++i) {
+    const Line& line = m.lines[i];
+    const LineValues& is = v.lines[i];
+    for (std::size_t end = 0; end < 2; ++end) {
+      if (line.body[end] != static_cast<int>(b)) continue;
+      const Vector3 moves = by.along + by.about.cross(is.touch[end] - body.x);
+      const Vector3 force = sags(line, is) ? sagging_force(line, is, v.sags[line.sag], end)
+                            : line.part    ? part_force(line, is, end)
+                                           : Vector3((end == 0 ? 1 : -1) * share_of(i) * body_pull(is, end) * is.t -
+                                                     line.weight * free_rope(is) / 2 * up());
+      given += line.copies * (force + force_along(m, i, end, v)).dot(moves);
     }
-    p.supplied -= power_of_couples(m, static_cast<int>(b), v);
   }
+  return given;
+}
+
+/// Bodies that signals move: their drives give what inertia and weights ask and ropes and couples do not.
+double power_of_driven(const Mechanism& m, const Values& v) {
+  double power = 0;
+  for (std::size_t b = 0; b < m.bodies.size(); ++b) {
+    if (!is_driven(m, b)) continue;
+    const Motion3& body = v.bodies[b];
+    power += inertia_power(m, static_cast<int>(b), v, body.driven_v, body.driven_w) -
+             given_to_body(m, b, v, {body.driven_v, body.driven_w}, [](std::size_t) { return 1.0; });
+  }
+  return power;
+}
+
+/// The way of a body in a step that signals move it.
+Moves driven_way(const Mechanism& m, std::size_t b, const Values& before, const Values& now) {
+  const Body& shape = m.bodies[b];
+  const Motion3 &was = before.bodies[b], &is = now.bodies[b];
+  const Eigen::AngleAxisd turned(Matrix3(is.R * was.R.transpose()));
+  Moves way{is.x - was.x, turned.angle() * turned.axis()};
+  for (std::size_t f = 0; f < as_size(shape.count); ++f) {  // what its freedoms do is none of the drive's
+    const double by = now.q[as_size(shape.first) + f] - before.q[as_size(shape.first) + f];
+    way.along -= by * shape.along[f];
+    way.about -= by * shape.about[f];
+  }
+  return way;
 }
 
 /// Rope that runs over a bend moving with v leaves it with more kinetic energy than it came with: G (t_out - t_in).v.
@@ -208,30 +240,66 @@ Powers powers(const Mechanism& m, const Values& v) {
     const auto [line, end] = m.tensioner[k];
     p.supplied -= m.lines[line].copies * per_metre_let_in(m, v, line, as_size(end)) * v.tension_rate[k];
   }
-  add_driven(m, v, p);
   p.running = power_of_running(m, v) + power_along(m, v);
   return p;
 }
 
+namespace {
+
+/// The kinetic energy of a body, and what its weight and its dead loads hold.
+Stored stored_in_body(const Mechanism& m, std::size_t b, const Values& v) {
+  Stored s;
+  const Body& shape = m.bodies[b];
+  const Motion3& is = v.bodies[b];
+  if (shape.mass > 0) {
+    const Vector3 velocity = is.v + is.w.cross(is.R * shape.centre);
+    s.kinetic += shape.mass * velocity.squaredNorm() / 2;
+  }
+  if (shape.turns || is.w != Vector3::Zero()) {
+    const Vector3 w = is.R.transpose() * is.w;
+    s.kinetic += w.dot(shape.inertia * w) / 2;
+  }
+  if (shape.own_mass > 0) s.potential += shape.own_mass * m.model->gravity * (is.x + is.R * shape.own_centre).z();
+  if (shape.model < 0) return s;
+  for (const machine::Load& load : m.model->loads) {
+    if (load.at.body != shape.model || load.over_time) continue;
+    s.potential -= load.force.dot(is.x + is.R * load.at.at);
+  }
+  return s;
+}
+
+/// What the drives of bodies that signals move give in a step: over their ways, as the strain of the ropes grows by
+/// them; where nothing but the drive moves a body, its inertia and its weight ask what it holds more.
+double work_of_driven(const Mechanism& m, const Values& before, const Values& now) {
+  const auto share_taut = [&](std::size_t i) {
+    const double was = before.lines[i].e, is = now.lines[i].e;
+    return (was > 0) == (is > 0) ? 1.0 : std::max(was, is) / std::abs(is - was);
+  };
+  double work = 0;
+  for (std::size_t b = 0; b < m.bodies.size(); ++b) {
+    if (!is_driven(m, b)) continue;
+    const Moves way = driven_way(m, b, before, now);
+    for (const Values* v : {&before, &now}) {
+      work -= given_to_body(m, b, *v, way, share_taut) / 2;
+      const Motion3& body = v->bodies[b];
+      if (m.bodies[b].count > 0)
+        work += (now.t - before.t) / 2 * inertia_power(m, static_cast<int>(b), *v, body.driven_v, body.driven_w);
+    }
+    if (m.bodies[b].count > 0) continue;
+    const Stored was = stored_in_body(m, b, before), is = stored_in_body(m, b, now);
+    work += is.kinetic + is.potential - was.kinetic - was.potential;
+  }
+  return work;
+}
+
+}  // namespace
+
 Stored stored_in_bodies(const Mechanism& m, const Values& v) {
   Stored s;
   for (std::size_t b = 0; b < m.bodies.size(); ++b) {
-    const Body& shape = m.bodies[b];
-    const Motion3& is = v.bodies[b];
-    if (shape.mass > 0) {
-      const Vector3 velocity = is.v + is.w.cross(is.R * shape.centre);
-      s.kinetic += shape.mass * velocity.squaredNorm() / 2;
-    }
-    if (shape.turns || is.w != Vector3::Zero()) {
-      const Vector3 w = is.R.transpose() * is.w;
-      s.kinetic += w.dot(shape.inertia * w) / 2;
-    }
-    if (shape.own_mass > 0) s.potential += shape.own_mass * m.model->gravity * (is.x + is.R * shape.own_centre).z();
-  }
-  for (const machine::Load& load : m.model->loads) {
-    if (load.at.body < 0 || load.over_time) continue;
-    const Motion3& is = v.bodies[load.at.body];
-    s.potential -= load.force.dot(is.x + is.R * load.at.at);
+    const Stored one = stored_in_body(m, b, v);
+    s.kinetic += one.kinetic;
+    s.potential += one.potential;
   }
   for (std::size_t i = 0; i < m.spins.size(); ++i) {
     const Spin& spin = m.spins[i];
@@ -296,19 +364,12 @@ void add_ways(const Mechanism& m, const Values& before, const Values& now, Ledge
 void move_in_a_second(const Mechanism& m, const Values& before, const Values& now, Values& v) {
   std::fill(v.rate.begin(), v.rate.end(), 0.0);
   for (std::size_t b = 0; b < m.bodies.size(); ++b) {
-    const Body& shape = m.bodies[b];
-    const Motion3 &was = before.bodies[b], &is = now.bodies[b];
     Motion3& moves = v.bodies[b];
     moves.w = moves.driven_a = moves.driven_b = moves.driven_v = moves.driven_w = Vector3::Zero();
-    if (!shape.driven) continue;
-    const Eigen::AngleAxisd turned(Matrix3(is.R * was.R.transpose()));
-    moves.driven_v = is.x - was.x;
-    moves.driven_w = turned.angle() * turned.axis();
-    for (std::size_t f = 0; f < as_size(shape.count); ++f) {  // what its freedoms do is none of the drive's
-      const double way = now.q[as_size(shape.first) + f] - before.q[as_size(shape.first) + f];
-      moves.driven_v -= way * shape.along[f];
-      moves.driven_w -= way * shape.about[f];
-    }
+    if (!m.bodies[b].driven) continue;
+    const Moves way = driven_way(m, b, before, now);
+    moves.driven_v = way.along;
+    moves.driven_w = way.about;
   }
   for (std::size_t i = 0; i < m.spins.size(); ++i) {
     v.spins[i].omega = now.spins[i].angle - before.spins[i].angle;
@@ -334,6 +395,7 @@ void add_step(const Mechanism& m, const Values& before, const Values& now, Ledge
   ledger.bearings += add(&Powers::bearings);
   ledger.supplied += add(&Powers::supplied);
   ledger.running += add(&Powers::running);
+  ledger.supplied += at_end ? 2 * half * power_of_driven(m, now) : work_of_driven(m, before, now);
   for (std::size_t i = 0; i < m.lines.size(); ++i) {
     if (m.lines[i].damping > 0) ledger.damped += damped(m, i, before, now, at_end);
     if (before.lines[i].gone != now.lines[i].gone) ledger.broken += torn(m, i, before, now, at_end);
@@ -349,7 +411,7 @@ void add_slow_step(const Mechanism& m, const Values& before, const Values& now, 
   Values first = before, last = now;
   move_in_a_second(m, before, now, first);
   move_in_a_second(m, before, now, last);
-  ledger.supplied += (powers(m, first).supplied + powers(m, last).supplied) / 2;
+  for (const Values* v : {&first, &last}) ledger.supplied += (powers(m, *v).supplied + power_of_driven(m, *v)) / 2;
   for (std::size_t i = 0; i < m.spins.size(); ++i) {
     ledger.bearings += last.spins[i].omega * (bearing_moment(m, i, first) + bearing_moment(m, i, last)) / 2;
   }

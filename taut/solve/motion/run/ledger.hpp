@@ -6,7 +6,7 @@
 
 namespace taut::solve::dynamics {
 
-/// What the bearings of spins take and drives give at one time, W.
+/// What the bearings of spins take and drives of spins and tensioners give at one time, W.
 struct Powers {
   double bearings = 0, supplied = 0;
   double running = 0;  ///< given to rope that runs over bends which move: thrust

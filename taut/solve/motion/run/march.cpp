@@ -224,6 +224,13 @@ double size_of_step(const Run& run, double limit) {
   return !fixed && h > left / 2 ? left / 2 : h;
 }
 
+/// Asks now and then, by the tries of steps.
+bool is_interrupted(Run& run) {
+  if (!run.options.progress || ++run.since_asked < steps_between_asking) return false;
+  run.since_asked = 0;
+  return !run.options.progress(run.before.t);
+}
+
 /// One accepted step, at most to `limit`. Steps that fail or err are tried again, shorter.
 StepEnd advance(Run& run, double limit) {
   Tries tries;
@@ -232,10 +239,7 @@ StepEnd advance(Run& run, double limit) {
   const bool given = run.options.step > 0;
   const double shortest = given ? at_once_of_step * run.options.step : at_once * run.options.duration;
   for (;;) {
-    if (run.options.progress && ++run.since_asked >= steps_between_asking) {
-      run.since_asked = 0;
-      if (!run.options.progress(run.before.t)) return StepEnd::interrupted;
-    }
+    if (is_interrupted(run)) return StepEnd::interrupted;
     const double h = size_of_step(run, limit);
     const bool last = h == limit - run.before.t;
     const StepEnd end = try_step(run, h, last ? limit : run.before.t + h, tries);
@@ -320,6 +324,7 @@ StepEnd begin(Run& run) {
 
 /// One step of the reference; where a law changes, everything begins anew.
 StepEnd advance_reference(Run& run, Reference& reference, double limit) {
+  if (is_interrupted(run)) return StepEnd::interrupted;
   if (run.known == 0 || !reference.begun()) {
     const StepEnd end = reference.begin(run);
     if (end != StepEnd::ok) return end;

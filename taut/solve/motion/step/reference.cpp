@@ -257,6 +257,16 @@ bool law_ends(ReferenceState& of, Values& now) {
   return ends;
 }
 
+/// A spin that turned in its friction and is about to turn back stands at that moment. What is left of its rate by the
+/// search would count as turning back, and its friction would send it round again, and so on without end.
+void stop_spins(const ReferenceState& of, Values& now) {
+  const Mechanism& m = of.run->m;
+  for (std::size_t i = 0; i < m.spins.size(); ++i) {
+    if (of.base.spins[i].turns * now.spins[i].omega >= 0) continue;
+    now.spins[i].omega = now.nu[as_size(m.spins[i].column)] = 0;
+  }
+}
+
 /// The unknowns of a state, and which of them have a rate.
 void fill(ReferenceState& of, double tolerance) {
   const Run& run = *of.run;
@@ -384,10 +394,13 @@ StepEnd Reference::step(Run& run, double limit, bool& changed) {
   }
   if (changed && !look(after)) return StepEnd::no_place;
   if (changed) {
-    // a law that changes and changes back without end
-    changes_ = after - last_change_ <= one_moment ? changes_ + 1 : 0;
-    last_change_ = after;
-    if (changes_ > most_again) return StepEnd::not_converged;
+    stop_spins(of, run.now);
+    // laws that change and change back without end, in a time in which nothing else moves
+    if (after - first_change_ > std::max(one_moment, floor_of(run))) {
+      changes_ = 0;
+      first_change_ = after;
+    }
+    if (++changes_ > most_again) return StepEnd::to_and_fro;
   }
   for (ContactValues& contact : run.now.contacts) contact.winding = contact.lambda;
   run.scheme.h = after - run.before.t;

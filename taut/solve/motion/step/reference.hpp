@@ -28,8 +28,8 @@ class Reference {
 
  private:
   std::unique_ptr<ReferenceState> state_;
-  double last_change_ = -std::numeric_limits<double>::infinity();  ///< of a law, s
-  int changes_ = 0;                                                ///< at that time
+  double first_change_ = -std::numeric_limits<double>::infinity();  ///< of laws that change in quick succession, s
+  int changes_ = 0;                                                 ///< of laws since then
 };
 
 /// What the reference can't do with a machine.

@@ -14,6 +14,7 @@ enum class StepEnd {
   no_place,       ///< a line has no place: rounds inside each other, or a branch without rope
   singular,       ///< something is not held by anything
   not_converged,  ///< the laws of contacts found no common answer
+  to_and_fro,     ///< laws change and change back without end
   interrupted
 };
 

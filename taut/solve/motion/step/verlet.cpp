@@ -69,12 +69,32 @@ void accelerate_points(const Mechanism& m, const Values& before, Values& now, Wo
   }
 }
 
+/// Whether friction holds a spin that stands: what its ropes and its drive ask of it is within its capacity.
+bool held_at_rest(const Mechanism& m, const Spin& spin, const SpinValues& is, const Values& v) {
+  if (is.capacity <= 0 || prescribed(m, spin, v, v.when)) return false;
+  SpinValues stands = is;
+  stands.alpha = 0;
+  return std::abs(held_moment(m, spin, stands, v, v)) <= is.capacity;
+}
+
+/// Dry friction brings a spin to rest and no further. One that would turn back between two kicks, and that friction
+/// holds where it stands, comes to rest in that time.
+bool comes_to_rest(const Mechanism& m, std::size_t i, const Values& v, double was, double would) {
+  return was * would < 0 && held_at_rest(m, m.spins[i], v.spins[i], v);
+}
+
 }  // namespace
 
 StepEnd verlet_step(Mechanism& m, const Scheme& s, Values& before, double t, Values& now, Work& w, Newton& newton) {
   for (std::size_t c = 0; c < as_size(m.size); ++c) {
     w.nu_star[c] = before.nu[c] + s.h / 2 * before.rate[c];
     w.q_star[c] = before.q[c] + s.h * w.nu_star[c];
+  }
+  for (std::size_t i = 0; i < m.spins.size(); ++i) {
+    const auto c = as_size(m.spins[i].column);
+    if (!comes_to_rest(m, i, before, before.nu[c], w.nu_star[c])) continue;
+    w.nu_star[c] = 0;
+    w.q_star[c] = before.q[c];
   }
   for (std::size_t i = 0; i < m.contacts.size(); ++i) {
     const Contact& contact = m.contacts[i];
@@ -113,8 +133,14 @@ StepEnd verlet_step(Mechanism& m, const Scheme& s, Values& before, double t, Val
     }
   }
   for (std::size_t i = 0; i < m.spins.size(); ++i) {
+    const auto c = as_size(m.spins[i].column);
     if (!prescribed(m, m.spins[i], before, now.when)) kick(m.spins[i].column, 1);
-    now.spins[i].omega = now.nu[m.spins[i].column];
+    if (comes_to_rest(m, i, now, w.nu_star[c], now.nu[c])) {
+      now.nu[c] = now.rate[c] = 0;
+      now.spins[i].alpha = 0;
+      now.spins[i].turns = 0;
+    }
+    now.spins[i].omega = now.nu[c];
   }
   return StepEnd::ok;
 }
