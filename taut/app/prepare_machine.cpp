@@ -252,11 +252,12 @@ void warn_of_machine(const MachineDeck& deck, const results::MachineRun& run, co
   for (std::string& text : results::fixed_guy_warnings(run.model, deck.machine.reevings.size()))
     warn_unsafe(r, std::move(text));
   for (std::string& text : results::rope_beside_beam_warnings(run.model)) warn_unsafe(r, std::move(text));
-  if (!run.judges || !run.tells) return;
+  if (!run.judges) return;
   if (states.stands_on_guys) {
     results::note_fallen(run.model, deck.machine.reevings.size(), *states.stands_on_guys, r);
     if (auto text = results::unbalanced_guys(deck.machine, *states.stands_on_guys)) r.warnings.push_back(*text);
   }
+  if (!run.tells) return;
   add_pulls(deck, r);
   add_screws(deck.machine, r);
 }
@@ -344,6 +345,12 @@ Result at_value(const MachineDeck& deck, study::EquilibriumRun state) {
   return compute(deck, std::move(*model), std::move(asked), RunDepth::values, {}, run);
 }
 
+bool is_part(const machine::Model& model, const std::string& name) {
+  const auto named = [&](const auto& one) { return one.name == name; };
+  return std::any_of(model.reevings.begin(), model.reevings.end(), named) ||
+         std::any_of(model.beams.begin(), model.beams.end(), named);
+}
+
 /// Checks that read the machine itself see it at each value of a sweep.
 SweptVerdict judge_apart(const MachineDeck& deck, const results::MachineRun& run, Result& r) {
   SweptVerdict verdict;
@@ -364,7 +371,10 @@ SweptVerdict judge_apart(const MachineDeck& deck, const results::MachineRun& run
       std::vector<Complaint> complaints;
       auto model = machine::compile(there.machine, machine::ModelFor::rest);
       if (model) there.asked = checks::resolve(there, *model, complaints);
-      verdict.take(complaints.empty() ? at_value(there, std::move(state)) : refused(complaints), words);
+      Result at = complaints.empty() ? at_value(there, std::move(state)) : refused(complaints);
+      // whether a part has a limit at all is a question to the deck with all its analyses
+      std::erase_if(at.unjudged, [&](const std::string& one) { return is_part(run.model, one); });
+      verdict.take(std::move(at), words);
     }
     watch.note(r);
   }

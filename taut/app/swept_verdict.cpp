@@ -55,6 +55,9 @@ void SweptVerdict::take(Result at, const std::string& words) {
   for (std::string& one : at.unmade) {
     if (is_new("unmade " + one)) all_.unmade.push_back(std::move(one));
   }
+  for (std::string& one : at.unjudged) {
+    if (is_new("unjudged " + one)) all_.unjudged.push_back(std::move(one));
+  }
 }
 
 void SweptVerdict::put_into(Result& r) { results::append(all_, r); }

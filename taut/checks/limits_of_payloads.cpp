@@ -47,6 +47,7 @@ void LimitsOfPayloads::add(const study::PayloadRun& run, const machine::Model& m
     RopeSeen& rope = one.ropes.emplace_back();
     rope.name = model.reevings[i].name;
     rope.limit = run.limits.tension[i];
+    rope.strength = model.reevings[i].breaking_force;
     for (const study::PayloadRule& rule : run.rules) {
       if (as_size(rule.reeving) != i) continue;
       rope.row = rule.row;
@@ -74,6 +75,19 @@ void LimitsOfPayloads::take_tension(const std::string& rope, double T, const std
         seen.own = std::max(seen.own, T);
       } else if (!itself && T > seen.elsewhere.T) {
         seen.elsewhere = {.T = T, .where = words};
+      }
+    }
+  }
+}
+
+void LimitsOfPayloads::take_strength(const machine::Reeving& rope, const std::string& words) {
+  for (Payload& one : payloads_) {
+    for (RopeSeen& seen : one.ropes) {
+      const bool weaker = seen.name == rope.name && rope.breaking_force < seen.strength * (1 - rounding);
+      if (weaker && seen.weaker.empty()) {
+        seen.weaker =
+            fmt::format("its breaking force is {:.4g} kN in '{}', and the payload's limit is that of {:.4g} kN",
+                        rope.breaking_force / 1e3, words, seen.strength / 1e3);
       }
     }
   }
@@ -112,7 +126,10 @@ void LimitsOfPayloads::take(const machine::Model& m, const solve::EquilibriumRes
 
 void LimitsOfPayloads::take_ropes(const machine::Model& m, const solve::EquilibriumResult& e,
                                   const std::string& words) {
-  for (std::size_t i = 0; i < m.reevings.size(); ++i) take_tension(m.reevings[i].name, e.ropes[i].T_max, words);
+  for (std::size_t i = 0; i < m.reevings.size(); ++i) {
+    take_tension(m.reevings[i].name, e.ropes[i].T_max, words);
+    take_strength(m.reevings[i], words);
+  }
 }
 
 void LimitsOfPayloads::take(const machine::Model& m, const solve::TransientResult& motion, const std::string& words,
@@ -134,6 +151,11 @@ void LimitsOfPayloads::add_checks(Result& r) const {
   for (const Payload& one : payloads_) {
     for (const RopeSeen& rope : one.ropes) {
       if (!rope.seen || !std::isfinite(rope.limit)) continue;
+      if (!rope.weaker.empty()) {
+        r.unmade.push_back(fmt::format("{}: {}: judge the rope by 'checks: {{ropes: {{{}: ...}}}}'", rope.name,
+                                       rope.weaker, rope.name));
+        r.warnings.push_back(r.unmade.back());
+      }
       const double T = std::max(rope.own, rope.elsewhere.T);
       const auto add = [&](double limit, std::string words, std::string trust) {
         Check c =

@@ -44,11 +44,13 @@ class LimitsOfPayloads {
     std::string name;
     double limit = std::numeric_limits<double>::infinity();  ///< of the payload, N
     double by_rule = std::numeric_limits<double>::infinity();
+    double strength = 0;  ///< breaking force by which these limits may be, N
     const catalogue::RuleRow* row = nullptr;
     double factor = 1;  ///< of the rule
     bool seen = false;
     double own = 0;  ///< largest tension with the payload, N
     Largest elsewhere, moving;
+    std::string weaker;  ///< the first state in which it breaks at less
   };
   struct Exceeded {
     double margin = 0;
@@ -66,6 +68,7 @@ class LimitsOfPayloads {
   bool runs(const Payload& one) const { return running_ != nullptr && *running_ == one.ending; }
   bool limits_itself(const std::string& rope) const;
   void take_tension(const std::string& rope, double T, const std::string& words);
+  void take_strength(const machine::Reeving& rope, const std::string& words);
   void take_others(const machine::Model& model, const solve::EquilibriumResult& state, const std::string& words,
                    Payload& one) const;
 

@@ -138,6 +138,7 @@ WinchWork work_of(const machine::Model& m, const CycleRun& run, std::size_t winc
       if (way > 0 && !std::isnan(speed)) {
         const double power = energy / way * speed;
         if (std::isnan(work.power_max) || std::abs(power) > std::abs(work.power_max)) work.power_max = power;
+        if (std::isnan(work.power_given) || power > work.power_given) work.power_given = power;
       }
     }
     before = &p;
@@ -316,7 +317,7 @@ const Quantities<WinchRow>& winch_quantities() {
       {"rope_taken_in", "", si::m, "rope taken in; let out: negative", [](const Row& r) { return r.work.taken; }},
       {"energy", "W", si::J, "energy that the winch gives; braked: negative",
        [](const Row& r) { return r.work.energy; }},
-      {"power_max", "P_max", si::W, "largest power", [](const Row& r) { return r.work.power_max; }},
+      {"power_max", "P_max", si::W, "largest power, given or braked", [](const Row& r) { return r.work.power_max; }},
       {"duration", "t", si::s, "time of the phase", [](const Row& r) { return r.time; }}};
   return all;
 }

@@ -70,7 +70,8 @@ struct WinchWork {
   double at = none;                    ///< x of the carriage at the largest pull
   double taken = 0;                    ///< rope taken in (out: negative), m
   double energy = 0;                   ///< done by the winch, J; negative: braked
-  double power_max = none;             ///< W
+  double power_max = none;             ///< the largest of either sign, W
+  double power_given = none;           ///< the largest that it gives, W; negative: it only brakes
 };
 
 struct PhaseAnswer {

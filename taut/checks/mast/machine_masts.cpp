@@ -226,7 +226,11 @@ class MachineMast {
     add_cases();
     const auto& cases = report_.loaded.cases;
     report_.unseen = cases.empty() && report_.refused.empty();
-    if (report_.unseen) report_.refused = "it is not checked: no analysis found an equilibrium";
+    if (report_.unseen) {
+      report_.refused = report_.left_out.empty()
+                            ? "it is not checked: no analysis found an equilibrium"
+                            : "it is not checked: its combinations name no analysis with an answer";
+    }
     tell(std::none_of(cases.begin(), cases.end(), [](const structure::MastCase& c) { return c.members; }));
     if (mast_.beams.size() == 1) report_.in_section = other_section();
     return std::move(report_);

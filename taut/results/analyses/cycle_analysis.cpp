@@ -58,13 +58,15 @@ void add_values(const study::CycleRun& run, const Display& display, Result& r) {
   double energy = 0, time = 0;
   std::vector<std::string> parts;
   for (std::size_t w = 0; w < run.winches.size(); ++w) {
-    double most = 0, own = 0, power = none;
+    double most = 0, own = 0, power = none, braked = none;
     for (const study::PhaseAnswer& answer : run.answers) {
       const study::WinchWork& work = answer.works[w];
       if (std::abs(work.pull_max) > std::abs(most)) most = work.pull_max;
       own += work.energy;
-      if (!std::isnan(work.power_max) && (std::isnan(power) || work.power_max > power)) power = work.power_max;
+      if (!std::isnan(work.power_given) && (std::isnan(power) || work.power_given > power)) power = work.power_given;
+      if (!std::isnan(work.power_max) && (std::isnan(braked) || work.power_max > braked)) braked = work.power_max;
     }
+    if (power < 0) power = braked;  // a winch that only brakes
     const std::string& name = run.winches[w].name;
     add("WINCH.pull_max", name, most, fmt::format("largest pull of {} over the cycle", name));
     add("WINCH.energy", name, own, fmt::format("energy that {} gives in the cycle", name));

@@ -254,4 +254,59 @@ analyses: [{cycle: {carriage: car, )" +
   }
 }
 
+/// A skyline under a tension held by its winch gives where the carriage takes rope, and brakes where it lets rope go:
+/// by P = -T d(chords)/ds v. The largest power given is not lost behind a larger one that is braked.
+TEST(CycleAnalysis, TheLargestPowerGivenStandsBesideALargerOneBraked) {
+  const Result r = run_text(R"(taut: 1
+machine:
+  points: {a: [0 m, 0 m, 30 m], c: [0 m, 0 m, 29 m], b: [200 m, 0 m, 30 m]}
+  ropes: {sky: {mass: 0 kg/m, stiffness: .inf}, main: {mass: 0 kg/m, stiffness: .inf}, hb: {mass: 0 kg/m, stiffness: .inf}}
+  carriages: {car: {mass: 500 kg, rides: sky, hold: rolling, mainline: main, haulback: hb}}
+  reevings:
+    - {rope: sky, path: [{anchor: a}, {through: car}, {anchor: b}], tension_at_start: 60 kN}
+    - {rope: main, path: [{anchor: b}, {anchor: car}], length: 100 m}
+    - {rope: hb, path: [{anchor: c}, {anchor: car}], tension_at_start: 5 kN}
+analyses:
+  - cycle: {carriage: car, from: 180 m, to: 40 m, steps: 100, phases: [{name: fast, motion: at_rest, speed: 5 m/s, load: 1000 kg},
+      {name: slow, motion: at_rest, speed: 0.5 m/s, load: 1000 kg}]}
+)");
+  ASSERT_EQ(r.status, Status::ok) << r.message << to_text(r.errors);
+  const Table& steps = table_of(r, "cycle");
+  double given = 0, braked = 0;
+  for (std::size_t i = 1; i < steps.rows.size(); ++i) {
+    if (text_cell(steps, i, "phase") != "fast" || text_cell(steps, i - 1, "phase") != "fast") continue;
+    const auto chords = [&](std::size_t k) {
+      const double x = cell(steps, k, "x"), down = 30 - cell(steps, k, "z");
+      return std::hypot(x, down) + std::hypot(200 - x, down);
+    };
+    const double way = cell(steps, i, "way") - cell(steps, i - 1, "way");
+    const double power = -60e3 * (chords(i) - chords(i - 1)) / way * 5;
+    given = std::max(given, power);
+    braked = std::min(braked, power);
+  }
+  EXPECT_GT(given, 4e3);
+  EXPECT_LT(braked, -given);
+  EXPECT_NEAR(value_of(r, "a.power_max"), given, 1e-6 * given);
+}
+
+/// Two ropes that end in one place are two winches: each has its own pull, energy and power.
+TEST(CycleAnalysis, TwoRopesAtOnePlaceAreTwoWinches) {
+  const Result r = run_text(R"(taut: 1
+machine:
+  points: {a: [0 m, 0 m, 30 m], b: [200 m, 0 m, 30 m]}
+  ropes: {sky: {mass: 0 kg/m, stiffness: 20 MN}, main: {mass: 0 kg/m, stiffness: 8 MN}}
+  carriages: {car: {mass: 500 kg, rides: sky, hold: rolling, mainline: main}}
+  reevings:
+    - {rope: sky, path: [{anchor: a}, {through: car}, {anchor: b}], tension_at_start: 60 kN}
+    - {rope: main, path: [{anchor: a}, {anchor: car}], length: 100 m}
+analyses:
+  - cycle: {carriage: car, from: 20 m, to: 90 m, steps: 7, speed: 2 m/s, phases: [{name: out, motion: at_rest}]}
+)");
+  ASSERT_EQ(r.status, Status::ok) << r.message << to_text(r.errors);
+  EXPECT_NEAR(value_of(r, "a.sky.pull_max"), 60e3, 1);
+  EXPECT_LT(value_of(r, "a.main.pull_max"), 20e3);
+  EXPECT_NEAR(value_of(r, "a.sky.energy") + value_of(r, "a.main.energy"), value_of(r, "cycle_energy"), 1e-6);
+  EXPECT_LT(cell(table_of(r, "cycle"), 1, "a.main.pull"), 20e3);
+}
+
 }  // namespace cycle_analysis_test

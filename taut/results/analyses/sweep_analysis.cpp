@@ -182,8 +182,13 @@ void add_results(MachineRun& machine, const study::SweepRun& run, const solve::S
   };
   for (const auto& point : s.points) {
     const std::string at = words_at(point.value);
-    run.judged_apart ? machine.checked->take_values(point.model, point.at, at)
-                     : machine.checked->take(point.model, point.at, at, checks::analysis_name(run.ending, "sweep"));
+    if (!run.judged_apart) {
+      machine.checked->take(point.model, point.at, at, checks::analysis_name(run.ending, "sweep"));
+      continue;
+    }
+    machine.checked->take_values(point.model, point.at, at);
+    // what is judged apart has no payload beside it
+    if (machine.checked->judged) machine.checked->payloads.take(point.model, point.at, at);
   }
   if (run.judged_apart && machine.checked->judged) machine.judged_apart.push_back(run);
   const solve::SweepPoint& hardest = *std::max_element(

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <map>
 #include <numeric>
 #include <set>
 
@@ -73,6 +74,12 @@ std::vector<Winch> winches_of(const machine::Model& m, const machine::Machine& m
     if (end || (mainline && !start && !rides(rope.nodes.back()))) {
       all.push_back({rope.nodes.back().name, index, true, false});
     }
+  }
+  // two ropes that end in one place
+  std::map<std::string, int> ropes_at;
+  for (const Winch& w : all) ++ropes_at[w.name];
+  for (Winch& w : all) {
+    if (ropes_at[w.name] > 1) w.name += "." + m.reevings[w.reeving].name;
   }
   return all;
 }
