@@ -64,7 +64,7 @@ void add_values(const study::CycleRun& run, const Display& display, Result& r) {
       if (std::abs(work.pull_max) > std::abs(most)) most = work.pull_max;
       own += work.energy;
       if (!std::isnan(work.power_given) && (std::isnan(power) || work.power_given > power)) power = work.power_given;
-      if (!std::isnan(work.power_max) && (std::isnan(braked) || work.power_max > braked)) braked = work.power_max;
+      if (!std::isnan(work.power_max) && (std::isnan(braked) || work.power_max < braked)) braked = work.power_max;
     }
     if (power < 0) power = braked;  // a winch that only brakes
     const std::string& name = run.winches[w].name;
