@@ -246,7 +246,7 @@ Powers powers(const Mechanism& m, const Values& v) {
 
 namespace {
 
-/// The kinetic energy of a body, and what its weight and its dead loads hold.
+/// The kinetic energy of a body, and what its weight holds.
 Stored stored_in_body(const Mechanism& m, std::size_t b, const Values& v) {
   Stored s;
   const Body& shape = m.bodies[b];
@@ -260,12 +260,19 @@ Stored stored_in_body(const Mechanism& m, std::size_t b, const Values& v) {
     s.kinetic += w.dot(shape.inertia * w) / 2;
   }
   if (shape.own_mass > 0) s.potential += shape.own_mass * m.model->gravity * (is.x + is.R * shape.own_centre).z();
-  if (shape.model < 0) return s;
-  for (const machine::Load& load : m.model->loads) {
-    if (load.at.body != shape.model || load.over_time) continue;
-    s.potential -= load.force.dot(is.x + is.R * load.at.at);
-  }
   return s;
+}
+
+/// What the dead loads of the bodies that `counts` says hold, J.
+template <class Counts>
+double held_by_loads(const Mechanism& m, const Values& v, const Counts& counts) {
+  double held = 0;
+  for (const machine::Load& load : m.model->loads) {
+    if (load.at.body < 0 || load.over_time || !counts(load.at.body)) continue;
+    const Motion3& is = v.bodies[load.at.body];
+    held -= load.force.dot(is.x + is.R * load.at.at);
+  }
+  return held;
 }
 
 /// What the drives of bodies that signals move give in a step: over their ways, as the strain of the ropes grows by
@@ -286,8 +293,10 @@ double work_of_driven(const Mechanism& m, const Values& before, const Values& no
         work += (now.t - before.t) / 2 * inertia_power(m, static_cast<int>(b), *v, body.driven_v, body.driven_w);
     }
     if (m.bodies[b].count > 0) continue;
+    const auto of_it = [&](int body) { return body == static_cast<int>(b); };
     const Stored was = stored_in_body(m, b, before), is = stored_in_body(m, b, now);
     work += is.kinetic + is.potential - was.kinetic - was.potential;
+    work += held_by_loads(m, now, of_it) - held_by_loads(m, before, of_it);
   }
   return work;
 }
@@ -301,6 +310,7 @@ Stored stored_in_bodies(const Mechanism& m, const Values& v) {
     s.kinetic += one.kinetic;
     s.potential += one.potential;
   }
+  s.potential += held_by_loads(m, v, [](int) { return true; });
   for (std::size_t i = 0; i < m.spins.size(); ++i) {
     const Spin& spin = m.spins[i];
     double omega = v.spins[i].omega;
