@@ -147,15 +147,18 @@ void LimitsOfPayloads::take(const machine::Model& m, const solve::TransientResul
   }
 }
 
+void LimitsOfPayloads::tell_of_weaker(const RopeSeen& rope, Result& r) {
+  if (rope.weaker.empty()) return;
+  r.unmade.push_back(
+      fmt::format("{0}: {1}: judge the rope by 'checks: {{ropes: {{{0}: ...}}}}'", rope.name, rope.weaker));
+  r.warnings.push_back(r.unmade.back());
+}
+
 void LimitsOfPayloads::add_checks(Result& r) const {
   for (const Payload& one : payloads_) {
     for (const RopeSeen& rope : one.ropes) {
       if (!rope.seen || !std::isfinite(rope.limit)) continue;
-      if (!rope.weaker.empty()) {
-        r.unmade.push_back(fmt::format("{}: {}: judge the rope by 'checks: {{ropes: {{{}: ...}}}}'", rope.name,
-                                       rope.weaker, rope.name));
-        r.warnings.push_back(r.unmade.back());
-      }
+      tell_of_weaker(rope, r);
       const double T = std::max(rope.own, rope.elsewhere.T);
       const auto add = [&](double limit, std::string words, std::string trust) {
         Check c =

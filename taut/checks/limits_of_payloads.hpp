@@ -69,6 +69,7 @@ class LimitsOfPayloads {
   bool limits_itself(const std::string& rope) const;
   void take_tension(const std::string& rope, double T, const std::string& words);
   void take_strength(const machine::Reeving& rope, const std::string& words);
+  static void tell_of_weaker(const RopeSeen& rope, Result& r);
   void take_others(const machine::Model& model, const solve::EquilibriumResult& state, const std::string& words,
                    Payload& one) const;
 

@@ -174,6 +174,23 @@ std::optional<std::pair<double, double>> bracket(ConditionSearch& search, const 
   return std::nullopt;
 }
 
+/// At the length that the rope has in a state near by, else as it is given.
+Tried beginning(ConditionSearch& search, const std::optional<machine::State>& near) {
+  const double u = near ? search.change_to(*near) : 0;
+  const double open = search(u);
+  return u != 0 && std::isnan(open) ? Tried{.u = 0, .open = search(0)} : Tried{.u = u, .open = open};
+}
+
+/// First the way in which the condition should be met, then the other one; but not away from an equilibrium that came
+/// nearer to it, behind which there is none.
+std::optional<std::pair<double, double>> bracket_both(ConditionSearch& search, const Tried& from, double way,
+                                                      Kind kind) {
+  if (from.open == 0) return std::pair(from.u, from.u);
+  if (auto found = bracket(search, from, way)) return found;
+  const bool nearer = search.best_misfit < std::abs(from.open);
+  return nearer && kind != Kind::free_running ? std::nullopt : bracket(search, from, -way);
+}
+
 std::string_view words(Kind kind) {
   switch (kind) {
     case Kind::free_running:
@@ -237,10 +254,7 @@ Conditioned equilibrium_under(const machine::Model& model, const Condition& cond
   plain.tolerance = std::min(options.tolerance, search_tolerance);
   ConditionSearch search(model, condition, plain, start);
   const std::string& name = model.reevings[condition.reeving].name;
-  Tried first;
-  if (start) first.u = search.change_to(*start);
-  first.open = search(first.u);
-  if (first.u != 0 && std::isnan(first.open)) first = {.u = 0, .open = search(0)};
+  const Tried first = beginning(search, start);
   if (std::isnan(first.open)) {
     search.best.result.outcome = search.failure();
     return search.best;
@@ -249,10 +263,7 @@ Conditioned equilibrium_under(const machine::Model& model, const Condition& cond
   // more sag, or rope in a loop: more length, less tension
   const bool more = (first.open < 0) != (condition.kind == Kind::tension_of);
   const double way = more == by_length ? 1 : -1;
-  auto between = first.open == 0 ? std::optional(std::pair(first.u, first.u)) : bracket(search, first, way);
-  // where the nearest one has none behind it, the other way leads away
-  const bool ends = search.best_misfit < std::abs(first.open) && condition.kind != Kind::free_running;
-  if (!between && !ends) between = bracket(search, first, -way);
+  const auto between = bracket_both(search, first, way, condition.kind);
   if (!between) {
     const Outcome failed = search.failure();
     search.best.result.outcome = infeasible(

@@ -108,6 +108,11 @@ void add_positions(const CycleRun& run, const Phase& phase, const std::vector<St
   }
 }
 
+void take_power(double power, WinchWork& work) {
+  if (std::isnan(work.power_max) || std::abs(power) > std::abs(work.power_max)) work.power_max = power;
+  if (std::isnan(work.power_given) || power > work.power_given) work.power_given = power;
+}
+
 /// Trapezoids from position to position: dW = T (1 + T/EA) dL for a drum, T dL for a drive. `turn`: the last position
 /// of the phase before, where this one begins with the same load. Between them the winches change the pulls until
 /// friction acts the other way, the carriage at rest; without that work the winches of a closed cycle do not end with
@@ -135,11 +140,7 @@ WinchWork work_of(const machine::Model& m, const CycleRun& run, std::size_t winc
       work.taken -= (stretch(T0) + stretch(T)) / 2 * paid;
       work.energy += energy;
       mean += (T0 + T) / 2 * way;
-      if (way > 0 && !std::isnan(speed)) {
-        const double power = energy / way * speed;
-        if (std::isnan(work.power_max) || std::abs(power) > std::abs(work.power_max)) work.power_max = power;
-        if (std::isnan(work.power_given) || power > work.power_given) work.power_given = power;
-      }
+      if (way > 0 && !std::isnan(speed)) take_power(energy / way * speed, work);
     }
     before = &p;
   }

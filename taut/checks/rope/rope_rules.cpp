@@ -122,6 +122,7 @@ class RequestReader {
   /// A use of ropes for which several countries have rules of their own.
   void no_field_alone(const std::string& name, const std::vector<RuleRow>& below, const std::string& key) {
     std::vector<std::string> known;
+    known.reserve(below.size());
     for (const RuleRow& row : below) known.push_back(row.id.substr(std::string_view("safety.").size()));
     complain(key, fmt::format("'{}' has rules by country: give {}", name, fmt::join(known, " or ")));
   }

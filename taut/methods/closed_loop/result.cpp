@@ -98,7 +98,8 @@ void check_clearance(const Input& in, const Solved& found, const Deepest& deepes
 void tell_other_haul(const OtherHaul& other, std::size_t positions, const Display& display, Result& r) {
   if (other.without_answer.empty()) return;
   std::vector<std::string> places;
-  for (const double x : other.without_answer) places.push_back(display.brief(x, si::m));
+  places.reserve(other.without_answer.size());
+  for (const double place : other.without_answer) places.push_back(display.brief(place, si::m));
   const bool none = places.size() == positions;
   r.unmade.push_back(
       fmt::format("hauled {} the loop has no answer {} (carriage at {}): {}; the checks are of both hauls: {}",
