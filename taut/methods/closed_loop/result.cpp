@@ -100,14 +100,14 @@ void tell_other_haul(const OtherHaul& other, std::size_t positions, const Displa
   std::vector<std::string> places;
   places.reserve(other.without_answer.size());
   for (const double place : other.without_answer) places.push_back(display.brief(place, si::m));
-  const bool none = places.size() == positions;
+  const bool at_all = places.size() == positions;
   r.unmade.push_back(
       fmt::format("hauled {} the loop has no answer {} (carriage at {}): {}; the checks are of both hauls: {}",
                   other.haul == Haul::in ? "in" : "out",
-                  none ? "at all" : fmt::format("at {} of {} positions", places.size(), positions),
+                  at_all ? "at all" : fmt::format("at {} of {} positions", places.size(), positions),
                   catalogue::listed(places), other.reason,
-                  none ? "change what the reason names until both have one"
-                       : "change what the reason names, or leave these positions out"));
+                  at_all ? "change what the reason names until both have one"
+                         : "change what the reason names, or leave these positions out"));
   r.warnings.push_back(r.unmade.back());
 }
 
