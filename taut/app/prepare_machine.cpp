@@ -345,6 +345,7 @@ Result at_value(const MachineDeck& deck, study::EquilibriumRun state) {
   return compute(deck, std::move(*model), std::move(asked), RunDepth::values, {}, run);
 }
 
+/// Whether what a result leaves unjudged is a part that has no limit, by its name.
 bool is_part(const machine::Model& model, const std::string& name) {
   const auto named = [&](const auto& one) { return one.name == name; };
   return std::any_of(model.reevings.begin(), model.reevings.end(), named) ||

@@ -3,9 +3,11 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <utility>
 
 #include "taut/catalogue/modulus.hpp"
 #include "taut/catalogue/rule.hpp"
+#include "taut/catalogue/trust.hpp"
 
 namespace taut::catalogue {
 namespace {
@@ -73,6 +75,23 @@ std::optional<std::string> doubt_of_strain(const std::string& rope, double tensi
       "rope '{}': its largest tension, {:.4g} kN, strains it by {:.3g} % at a stiffness of {:.4g} MN: no steel rope "
       "bears that; look at the unit of its '{}'",
       rope, tension / 1e3, 100 * tension / stiffness, stiffness / 1e6, key);
+}
+
+Check breaking_check(std::string name, std::string part, double tension, Bound strength) {
+  Check c = make_check(std::move(name), tension, si::N, std::move(strength));
+  c.part = std::move(part);
+  c.limits = false;
+  return c;
+}
+
+Check breaking_check(const std::string& part, const RopeRow& rope, double tension) {
+  return breaking_check(fmt::format("{} does not break", part), part, tension,
+                        {.sense = Sense::at_most,
+                         .limit = rope.breaking_force,
+                         .rule = fmt::format("largest tension below the minimum breaking force of {}; the safety that "
+                                             "is wanted on top is the designer's",
+                                             rope.id),
+                         .trust = trust_words(rope)});
 }
 
 }  // namespace taut::catalogue

@@ -3,9 +3,11 @@
 #include <string>
 #include <vector>
 
+#include "taut/calc/result.hpp"
 #include "taut/catalogue/rope.hpp"
 
-/// Values of a deck that contradict the row of the catalogue that it names: a slip of a unit (kN, MN).
+/// Values of a deck that contradict the row of the catalogue that it names: a slip of a unit (kN, MN). What no rope
+/// bears, whatever the deck asks.
 namespace taut::catalogue {
 
 /// A rope of a deck that is one of the catalogue.
@@ -40,5 +42,12 @@ std::vector<ValueDoubt> doubts_of(const NamedRope& rope, const OwnValues& own);
 /// stiffness is from in the deck.
 std::optional<std::string> doubt_of_strain(const std::string& rope, double tension, double stiffness,
                                            const std::string& key = "stiffness");
+
+/// A rope's largest tension (N) against its breaking force, by name, rule and trust of `strength`. It may fail without
+/// being asked; it is no limit by which the rope `part` passes.
+Check breaking_check(std::string name, std::string part, double tension, Bound strength);
+
+/// The same of a rope of the catalogue that a published method calls `part`: "return rope does not break".
+Check breaking_check(const std::string& part, const RopeRow& rope, double tension);
 
 }  // namespace taut::catalogue

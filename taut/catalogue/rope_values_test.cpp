@@ -5,7 +5,9 @@
 #include <limits>
 #include <string>
 
+#include "taut/calc/verdict.hpp"
 #include "taut/catalogue/rope_search.hpp"
+#include "taut/catalogue/rope_words.hpp"
 
 namespace taut::catalogue::rope_values_test {
 
@@ -46,6 +48,22 @@ TEST(RopeValues, NoSteelRopeIsStrainedByMoreThanTwoPercent) {
   EXPECT_FALSE(doubt_of_strain("sky", 19.9e3, 1e6));
   EXPECT_TRUE(doubt_of_strain("sky", 20.1e3, 1e6));
   EXPECT_FALSE(doubt_of_strain("sky", 20e3, std::numeric_limits<double>::infinity()));
+}
+
+/// 6x36-IWRC of 12 mm and 1960 MPa breaks at 100.5 kN.
+TEST(RopeValues, ARopeAboveItsBreakingForceFailsAndBelowItIsNotJudgedByThat) {
+  const RopeRow rope = *find_rope_in_words("6x36-IWRC 12 mm 1960 MPa");
+  const Check broken = breaking_check("return rope", rope, 101e3), holds = breaking_check("return rope", rope, 100e3);
+  EXPECT_EQ(broken.name, "return rope does not break");
+  EXPECT_FALSE(broken.passes);
+  EXPECT_TRUE(holds.passes);
+  EXPECT_EQ(holds.limit, rope.breaking_force);
+  EXPECT_FALSE(judges(holds, "return rope"));
+  Result r;
+  r.checks = {holds};
+  EXPECT_EQ(verdict_of(r)->verdict_class, "unasked");
+  r.checks = {broken};
+  EXPECT_EQ(verdict_of(r)->kind, VerdictKind::fails);
 }
 
 }  // namespace taut::catalogue::rope_values_test

@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "taut/calc/none.hpp"
-#include "taut/catalogue/breaking.hpp"
+#include "taut/catalogue/rope_values.hpp"
 #include "taut/catalogue/trust.hpp"
 #include "taut/checks/described.hpp"
 #include "taut/checks/rope/rope_uses.hpp"

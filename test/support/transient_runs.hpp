@@ -5,6 +5,7 @@
 #include <functional>
 
 #include "taut/solve/motion/transient.hpp"
+#include "test/support/machines.hpp"
 
 /// Motions that have to end well, for the tests of motion.
 namespace taut_test {
@@ -50,6 +51,25 @@ inline taut::machine::Signal smooth_move(double from, double to, double start, d
   s.law = taut::machine::Moves{
       .from = from, .moves = {{.at = start, .to = to, .over = over, .change = taut::machine::Change::smooth}}};
   return s;
+}
+
+/// 1 t lowered at 1 m/s on a drum of 0.2 m with 40 kg m2, so that 2 t move; at 2 s its brake takes 20 kN at the rope
+/// against 10 kN: 5 m/s2 for 0.2 s. It goes 0.25 m as it begins, then 1 m, then 0.1 m in the brake, and stands.
+inline taut::machine::Model braked_load() {
+  taut::machine::Model m;
+  m.gravity = 10;
+  m.bodies.push_back(body("load", {0.2, 0, -10}, 1000, "z"));
+  m.reevings.push_back(reeve("hoist", {add_drum(m, "winch", origin, 0.2), anchor_on("load", 0)}, 10, 0, 1e8));
+  m.reevings[0].damping_ratio = 0.3;
+  m.drums[0].inertia = 40;
+  m.drums[0].brake = taut::machine::Brake{.torque = 4000};
+  m.drums[0].drive = {taut::machine::DriveKind::speed, smooth_move(0, -1, 0.5, 0.5)};
+  taut::machine::Event brake;
+  brake.kind = taut::machine::EventKind::brake;
+  brake.at = 2;
+  brake.index = 0;
+  m.events = {brake};
+  return m;
 }
 
 /// Place and speed of x'' = a(t, x, x') after `duration`.

@@ -4,8 +4,8 @@
 #include <array>
 #include <cmath>
 
-#include "taut/catalogue/breaking.hpp"
 #include "taut/catalogue/lookup.hpp"
+#include "taut/catalogue/rope_values.hpp"
 #include "taut/catalogue/trust.hpp"
 #include "taut/methods/closed_loop/closed_loop.hpp"
 #include "taut/methods/closed_loop/drawing.hpp"

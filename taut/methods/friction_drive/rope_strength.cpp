@@ -5,8 +5,8 @@
 #include <algorithm>
 
 #include "taut/base/expects.hpp"
-#include "taut/catalogue/breaking.hpp"
 #include "taut/catalogue/construction.hpp"
+#include "taut/catalogue/rope_values.hpp"
 #include "taut/catalogue/rope_words.hpp"
 #include "taut/catalogue/trust.hpp"
 #include "taut/units/display.hpp"

@@ -444,8 +444,9 @@ TEST(PayloadAnalysis, IsWhereTheMainlineWouldHaveToPush) {
   EXPECT_GT(push(500 + mass, -1) / T, 1e-4);
 }
 
-/// From 139.8 m to 140.9 m 750 kg stand with the rope drawn one way over the jack, and not with it drawn the other way
-/// (as the payloads there say). Whichever of them is the answer, these states are not judged, and all are told.
+/// From 139.8 m to 140.9 m 750 kg stand with the rope drawn one way over the jack, but not with the rope drawn the
+/// other way, as the payloads show. The answer is one of the two. Either way these states are not judged, and the
+/// warning names all of them.
 TEST(PayloadAnalysis, AStateThatOneDirectionOfFrictionDoesNotHoldIsNotJudged) {
   const auto path = [](bool turned) {
     return run_text(beside_jack(turned, 0.5,

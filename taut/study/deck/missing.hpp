@@ -30,8 +30,8 @@ class Missing {
 /// States of which something is to be told, as stretches: each of neighbouring states of one analysis.
 class Stretches {
  public:
-  /// All states of an analysis, in its order. `why`: what is told of this one; empty: nothing. `words`: which state it
-  /// is, "load path, in, x = 12 m".
+  /// The next state of an analysis; every state is shown, in order. `why`: what the warning says of this state; empty:
+  /// the warning leaves it out. `words`: its name, "load path, in, x = 12 m".
   void take(const std::string& why, const std::string& words, const std::string& analysis);
   bool any() const { return !all_.empty(); }
   /// "load path, in, x = 12 m to x = 14 m (3 states); x = 20 m: ...", with the reason of the first.

@@ -125,10 +125,10 @@ Outcome failure(Run& run, StepEnd end, double t) {
                     t));
   }
   if (end == StepEnd::to_and_fro) {
-    return not_converged(
-        fmt::format("at t = {:.6g} s what slips, sticks or goes slack changes to and fro without end: the reference "
-                    "does not get past it; take 'method: implicit'",
-                    t));
+    return not_converged(fmt::format(
+        "at t = {:.6g} s what slips, sticks or goes slack changes back and forth without end: the reference "
+        "does not get past it; take 'method: implicit'",
+        t));
   }
   // bodies have masses: what has no answer now is a fault of the search, not of the machine
   const std::string steps = run.h > 0 ? fmt::format(", down to steps of {:.3g} s", run.h) : std::string();

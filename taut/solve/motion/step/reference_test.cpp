@@ -95,22 +95,10 @@ TEST(TransientReference, ABeltThatSlipsAndGrips) {
   EXPECT_NEAR(exact.frames.back().contacts[0].slip, 0, 1e-6);
 }
 
-/// As Verlet's (verlet_test.cpp): 0.25 m as it begins, 1 m, 0.1 m in the brake. Where the drum stood, what the search
-/// for that moment left of its turning sent it to and fro without end.
+/// The search for the moment at which the drum stands leaves a little of its turning, which sent it back and forth
+/// without end.
 TEST(TransientReference, ABrakeStopsADrum) {
-  machine::Model m;
-  m.gravity = 10;
-  m.bodies.push_back(body("load", {0.2, 0, -10}, 1000, "z"));
-  m.reevings.push_back(reeve("hoist", {add_drum(m, "winch", origin, 0.2), anchor_on("load", 0)}, 10, 0, 1e8));
-  m.reevings[0].damping_ratio = 0.3;
-  m.drums[0].inertia = 40;
-  m.drums[0].brake = machine::Brake{.torque = 4000};
-  m.drums[0].drive = {machine::DriveKind::speed, smooth_move(0, -1, 0.5, 0.5)};
-  machine::Event brake;
-  brake.kind = machine::EventKind::brake;
-  brake.at = 2;
-  brake.index = 0;
-  m.events = {brake};
+  const machine::Model m = braked_load();
   TransientOptions options = by(TimeMethod::reference, 3);
   options.start = Start::settled;
   const TransientResult r = run_to_end(m, options);
