@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <string_view>
 
 #include "taut/report/page_one.hpp"
@@ -53,24 +54,32 @@ std::string comparisons_html(const Result& r) {
       exact ? "<th class=\"num\">exact</th>" : "", rows);
 }
 
+/// The largest finite amount among the values of each unit.
+std::map<std::string_view, double> largest_by_unit(const std::vector<const Value*>& values) {
+  std::map<std::string_view, double> largest;
+  for (const Value* v : values) {
+    double& amount = largest[v->unit.symbol];
+    if (std::isfinite(v->value)) amount = std::max(amount, std::abs(v->value));
+  }
+  return largest;
+}
+
 /// A trace that rounding left of 0: beside values of the same unit nobody reads it.
-bool is_nothing(const Value& v, const std::vector<const Value*>& beside) {
+bool is_nothing(double value, double largest) {
   constexpr double share = 1e-12;
-  return v.value != 0 && std::any_of(beside.begin(), beside.end(), [&](const Value* other) {
-           return other->unit.symbol == v.unit.symbol && std::isfinite(other->value) &&
-                  std::abs(v.value) < share * std::abs(other->value);
-         });
+  return std::abs(value) < share * largest;
 }
 
 std::string values_html(const std::vector<const Value*>& values, std::string_view caption, const Result& r) {
   const Display display = display_of(r);
   const bool sources = std::any_of(values.begin(), values.end(), [](const Value* v) { return !v->source.empty(); });
+  const std::map<std::string_view, double> largest = largest_by_unit(values);
   std::string rows;
   for (const Value* value : values) {
     const Value& v = *value;
     const ShownUnit u = shown_unit(v.unit, display);
     rows += "<tr>" + cell(symbol_html(v.symbol)) + cell(prose_html(v.label.empty() ? v.name : v.label)) +
-            cell(escape(value_number(is_nothing(v, values) ? 0 : v.value, u)), "num") +
+            cell(escape(value_number(is_nothing(v.value, largest.at(v.unit.symbol)) ? 0 : v.value, u)), "num") +
             cell(escape(unit_text(u)), "u") +
             (sources ? cell(prose_html(v.source), length(v.source) <= 24 ? "src short" : "src") : "") + "</tr>\n";
   }

@@ -53,11 +53,6 @@ const machine::description::Rope* rope_of(const machine::Machine& machine, const
 
 }  // namespace
 
-std::optional<catalogue::RopeStiffness> assumed_stiffness(const machine::Machine& machine, const std::string& rope) {
-  const auto* own = described_rope(machine, rope);
-  return own == nullptr ? std::nullopt : machine::catalogue_stiffness(*own);
-}
-
 void add_rope_stiffness(const machine::Machine& machine, Result& r) {
   for (const auto& rope : machine.ropes) {
     const auto s = machine::catalogue_stiffness(rope);

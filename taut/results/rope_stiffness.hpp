@@ -1,10 +1,9 @@
 #pragma once
 #include <map>
-#include <optional>
 #include <string>
 
 #include "taut/calc/result.hpp"
-#include "taut/catalogue/modulus.hpp"
+#include "taut/catalogue/rope.hpp"
 #include "taut/machine/description/machine.hpp"
 #include "taut/machine/model.hpp"
 
@@ -12,10 +11,6 @@ namespace taut::results {
 
 /// The rows that a design has put in, by the names of ropes.
 using ChosenRopes = std::map<std::string, catalogue::RopeRow>;
-
-/// What the stiffness of a rope of the machine rests on that its deck leaves to the catalogue; nothing where the deck
-/// gives it, and for names that are no rope.
-std::optional<catalogue::RopeStiffness> assumed_stiffness(const machine::Machine& machine, const std::string& rope);
 
 /// Of each rope that is in use and whose stiffness follows from its area and construction: the value ROPE.stiffness,
 /// and a warning where it rests on unverified numbers.

@@ -7,7 +7,7 @@ import sys
 ROOT = pathlib.Path(os.environ["TAUT_SOURCE_DIR"])
 ROOMS = ("solve", "mechanics")
 PLAIN = {0, 1, 2, 0.5}  # belong to the formulas
-MOST = 241  # as of today; lower it with every one that goes
+MOST = 225  # as of today; lower it with every one that goes
 NUMBER = re.compile(r"(?<![\w.'])(?:\d[\d']*\.\d*(?:e[+-]?\d+)?|\d+e[+-]?\d+)")
 
 

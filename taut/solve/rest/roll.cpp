@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <numbers>
 #include <utility>
 
 #include "taut/base/array.hpp"
@@ -13,10 +13,12 @@
 namespace taut::solve {
 namespace {
 
-/// Places in the span, as parts of it: closer at its ends, where a slack rope's lowest point may be.
-constexpr std::array<double, 17> places = {0.003, 0.01, 0.03, 0.07, 0.13, 0.2,  0.29, 0.39, 0.5,
-                                           0.61,  0.71, 0.8,  0.87, 0.93, 0.97, 0.99, 0.997};
+constexpr int roll_places = 16;  ///< in the span
 constexpr int roll_halvings = 12;
+
+/// The k-th place, as a part of the span: they stand closer at its ends, where a slack rope's lowest point may be
+/// (Chebyshev's nodes).
+double roll_place(int k) { return (1 - std::cos(std::numbers::pi * (k + 0.5) / roll_places)) / 2; }
 
 bool rolls_free(const machine::Model& model, const machine::Carriage& car) {
   const machine::Reeving& rides = model.reevings[car.reeving];
@@ -75,7 +77,8 @@ class Roll {
     Rest rest;
     rest.carriage = carriage;
     Array<std::pair<double, double>> holds;  // place, force
-    for (const double part : places) {
+    for (int k = 0; k < roll_places; ++k) {
+      const double part = roll_place(k);
       const double force = hold(part);
       if (std::isnan(force)) continue;
       if (!holds.empty() && holds.back().second < 0 && force >= 0) {
