@@ -59,14 +59,14 @@ machine::Model with_loads_at_rest(machine::Model model) {
   return model;
 }
 
-/// The equilibrium of catenaries as a start, else the machine as described.
-DynamicState near_equilibrium(const machine::Model& model) {
-  if (!model.contacts.empty() || !model.actuators.empty()) return assembled(model);
+/// The equilibrium of catenaries as a start; none where statics does not know one.
+std::optional<DynamicState> near_equilibrium(const machine::Model& model) {
+  if (!model.contacts.empty() || !model.actuators.empty()) return std::nullopt;
   EquilibriumOptions at_rest;
   at_rest.band = false;
   at_rest.lengths_kept = true;
   const EquilibriumResult found = equilibrium(with_loads_at_rest(model), at_rest);
-  if (!found.outcome.ok()) return assembled(model);
+  if (!found.outcome.ok()) return std::nullopt;
   machine::Model by_length = model;
   for (machine::Reeving& rope : by_length.reevings) rope.given = machine::Given::length;
   DynamicState start = state_from(by_length, found.state);
@@ -82,6 +82,21 @@ Outcome settle(Run& run) {
       "the machine does not come to rest where it is described: with 'start: assembled' the motion begins there");
 }
 
+/// Where the machine has come to rest, as the state of one that begins there: the masses that its ropes share out, what
+/// lies on drums, the places of loads on ropes, which branches sag and the turns of rounds are not those of the place
+/// from which it was let go.
+DynamicState begun_at_rest(const Run& run) {
+  DynamicState state = state_of(run.m, run.before, run.origin);
+  state.on_drums.clear();
+  for (DynamicState::Rope& rope : state.ropes) {
+    rope.lumped.clear();
+    rope.angle.clear();
+    rope.spin.clear();
+    rope.passed.clear();
+  }
+  return state;
+}
+
 /// While the machine comes to rest, a drum in its brake does not turn.
 void hold_brakes(Run& run) {
   for (std::size_t i = 0; i < run.before.drum_drive.size(); ++i) {
@@ -91,15 +106,37 @@ void hold_brakes(Run& run) {
   run.now.drum_drive = run.before.drum_drive;
 }
 
-/// Without inertia a drum that turns in its brake has no speed.
-Outcome check_brakes(const Run& run) {
+/// A drum or sheave with drag; empty: none.
+std::string one_with_drag(const machine::Model& model) {
+  for (const machine::Drum& drum : model.drums) {
+    if (drum.drag > 0) return drum.name;
+  }
+  for (const machine::Reeving& rope : model.reevings) {
+    for (const machine::Node& node : rope.nodes) {
+      if (node.drag > 0) return node.name;
+    }
+  }
+  return {};
+}
+
+/// What a quasi-static motion can't count: without inertia a drum that turns in its brake has no speed, and what turns
+/// from rest to rest has no drag.
+Outcome check_slow(const Run& run) {
+  if (!run.options.quasi_static) return {};
   const auto slips = [](const machine::Drum& drum) { return drum.brake.has_value(); };
   const auto found = std::find_if(run.model.drums.begin(), run.model.drums.end(), slips);
-  if (!run.options.quasi_static || found == run.model.drums.end()) return {};
+  if (found != run.model.drums.end()) {
+    return infeasible(
+        fmt::format("a quasi-static motion has no inertia that the brake of '{}' could stop: leave out "
+                    "its 'brake_torque', or compute the motion with inertia",
+                    found->name));
+  }
+  const std::string drags = one_with_drag(run.model);
+  if (drags.empty()) return {};
   return infeasible(
-      fmt::format("a quasi-static motion has no inertia that the brake of '{}' could stop: leave out "
-                  "its 'brake_torque', or compute the motion with inertia",
-                  found->name));
+      fmt::format("a quasi-static motion goes from rest to rest, where the drag of '{}' does nothing: leave out its "
+                  "'drag', or compute the motion with inertia",
+                  drags));
 }
 
 void prepare(Run& run, const DynamicState& start) {
@@ -191,7 +228,8 @@ bool dynamics::open_run(Run& run) {
   const TransientOptions& options = run.options;
   const machine::Model& model = run.model;
   const bool settles = !options.from && options.start != Start::assembled;
-  prepare(run, options.from ? seen_from(model, *options.from) : settles ? near_equilibrium(model) : assembled(model));
+  const auto near = settles ? near_equilibrium(model) : std::nullopt;
+  prepare(run, options.from ? seen_from(model, *options.from) : near ? *near : assembled(model));
   run.result.observed.resize(model.observed.size());
   run.reference.assign(model.observed.size(), std::numeric_limits<double>::quiet_NaN());
   run.measured.resize(model.observed.size());
@@ -199,16 +237,20 @@ bool dynamics::open_run(Run& run) {
   run.result.ropes.resize(model.reevings.size());
   run.result.mass_lumped.assign(model.reevings.size(), options.rope_mass);
   run.result.frequency.assign(model.reevings.size(), 0.0);
-  run.result.sagging.assign(model.reevings.size(), 0);
-  for (const Line& line : run.m.lines) run.result.sagging[line.reeving] += line.sag >= 0;
   if (!run.result.outcome.ok()) return false;
   if (options.method == TimeMethod::reference) run.result.outcome = reference_refuses(run.m);
   if (!run.result.outcome.ok()) return false;
-  run.result.outcome = check_brakes(run);
+  run.result.outcome = check_slow(run);
   if (!run.result.outcome.ok()) return false;
   const Array<machine::Drive> drives = run.before.drum_drive;
   hold_brakes(run);
   if (settles) run.result.outcome = solve::settle(run);
+  if (settles && !near && run.result.outcome.ok()) {
+    prepare(run, begun_at_rest(run));
+    if (run.result.outcome.ok()) run.result.outcome = solve::settle(run);
+  }
+  run.result.sagging.assign(model.reevings.size(), 0);
+  for (const Line& line : run.m.lines) run.result.sagging[line.reeving] += line.sag >= 0;
   const bool slides = !options.from && options.start == Start::sliding;
   if (slides || options.quasi_static) {
     for (Line& line : run.m.lines) line.damping = 0;

@@ -93,6 +93,74 @@ TEST(TransientDrums, RopesOfADrumClimbTogether) {
   }
 }
 
+/// The moment at which a motion of 6 s stops by a condition, s.
+double stops_at(machine::Model m, const machine::Observable& of, double threshold, bool slowly, int outputs) {
+  machine::Event stop;
+  stop.kind = machine::EventKind::stop;
+  stop.when = machine::Condition{.of = of, .above = true, .threshold = threshold};
+  m.events = {stop};
+  TransientOptions options = lasting(6, 1e-6, outputs);
+  options.quasi_static = slowly;
+  options.start = Start::settled;
+  return run_to_end(m, options).t_end;
+}
+
+// From 0 to 1 m/s within 1 s: (t - 0.5 s) 1 m/s/(1 + m g/EA) of unstretched rope are taken in at t. The drum gives the
+// weight its height, and its speed.
+TEST(TransientDrums, AConditionOfWhatTheyHoldOrGiveIsMetWhateverTheOutputs) {
+  machine::Model m = two_ropes(turning(1), false);
+  m.bodies.pop_back();
+  m.reevings.pop_back();
+  m.drums[0].length_on_drum = 3;
+  const machine::Observable content{"length", machine::Observed::drum_length, taut::si::m, 0, {}, origin};
+  const machine::Observable given{"supplied", machine::Observed::supplied, taut::si::J, 0, {}, origin};
+  for (const int outputs : {2, 500}) {
+    for (const bool slowly : {false, true}) {
+      const double step = slowly ? 6.0 / outputs : 0;  // a slow one is that of the outputs; it is halved to the moment
+      EXPECT_NEAR(stops_at(m, content, 5.25, slowly, outputs), 0.5 + 2.25 * (1 + mass * g / 5e6), 3e-4) << step;
+      EXPECT_NEAR(stops_at(m, given, mass * g * 2.25 + (slowly ? 0 : mass / 2), slowly, outputs), 2.75, 1e-2) << step;
+    }
+  }
+}
+
+// On a body that turns about the axis of the drum by two turns, to either side: rope is wound on or off as by the drum.
+TEST(TransientDrums, HoldWhatTheTurningOfTheirBodyLeaves) {
+  const double turns = 2, whole = 2 * M_PI * radius * turns;
+  for (const double sense : {-1.0, 1.0}) {
+    machine::Model m = two_ropes(turning(0), false);
+    m.bodies.pop_back();
+    m.reevings.pop_back();
+    m.drums[0].length_on_drum = 5;
+    m.bodies.push_back(body("turret", origin, 100, ""));
+    m.bodies[1].driven.push_back({.about = {0, 1, 0}, .signal = smooth_move(0, sense * 2 * M_PI * turns, 0, 4)});
+    m.reevings[0].nodes[0].at.body = 1;
+    const TransientResult r = run_to_end(m, from_description(4));
+    const TransientFrame &first = r.frames.front(), &last = r.frames.back();
+    const double laid = last.on_drums[0].content - first.on_drums[0].content;
+    EXPECT_NEAR(std::abs(laid), whole, 2e-3 * whole);
+    EXPECT_NEAR(first.branches[0].unstretched - last.branches[0].unstretched, laid, 1e-9);
+  }
+}
+
+// Its height is none of the energy of what stretches, which was less than none.
+TEST(TransientDrums, TheWeightThatTheyTakeInIsLifted) {
+  machine::Model m = two_ropes(turning(1), false);
+  m.bodies.pop_back();
+  m.reevings.pop_back();
+  const double weight = 60;
+  m.reevings[0].weight = weight;
+  m.reevings[0].mass = weight / g;
+  TransientOptions options = lasting(12, 1e-5);
+  options.start = Start::settled;
+  const TransientResult r = run_to_end(m, options);
+  const TransientFrame &first = r.frames.front(), &last = r.frames.back();
+  for (const TransientFrame& frame : r.frames) EXPECT_GT(frame.energy.elastic, 0);
+  const double from = first.branches[0].stretched, to = last.branches[0].stretched;
+  EXPECT_NEAR(to, from - 11.5, 0.05);
+  const double lifted = (mass * g * (from - to)) + weight * (from * from - to * to) / 2;
+  EXPECT_NEAR(last.energy.potential - first.energy.potential, lifted, 2e-3 * lifted);
+}
+
 TEST(TransientDrums, BothEndsOfARopeHaveTheirPart) {
   machine::Model m;
   m.gravity = g;

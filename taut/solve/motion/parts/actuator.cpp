@@ -69,6 +69,11 @@ void follow_actuator(const Mechanism& m, const Scheme& s, std::size_t i, const V
   const Vector3 d = is.end[0] - is.end[1];
   is.length = d.norm();
   if (is.length > 0) is.t = d / is.length;
+  const bool settles = s.at_rest && !s.creeps;  // in long steps, which may turn it round
+  if (!settles && is.t.dot(was.t) < 0) {        // it has gone through itself, and pushes on the same way
+    is.t = -is.t;
+    is.length = -is.length;
+  }
   is.apart = s.at_rest ? Vector3(Vector3::Zero()) : Vector3(velocity[0] - velocity[1]);
   is.speed = is.t.dot(is.apart);
   push_actuator(m.model->actuators[i], s, now.when, was, is);

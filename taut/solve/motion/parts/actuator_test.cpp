@@ -74,6 +74,22 @@ TEST(TransientActuator, AForceIsLimitedAndTurnsWithItsMode) {
   EXPECT_NEAR(r.frames.back().actuators[0].F, -500, 1e-9);
 }
 
+// 2 m at 1.6 m/s2: sqrt(2.5) s. Beyond its own length it went on as one that pushes the other way.
+TEST(TransientActuator, OneWithoutLengthEndsTheMotion) {
+  machine::Actuator ram;
+  ram.kind = ActuatorKind::force;
+  ram.signal = constant(800, taut::si::N);
+  ram.mode = ActuatorMode::retract;
+  for (const bool swapped : {false, true}) {
+    machine::Model m = pushed_mass(ram);
+    if (swapped) std::swap(m.actuators[0].from_body, m.actuators[0].to_body);
+    const TransientResult r = transient(m, lasting(3, 1e-6));
+    EXPECT_NE(r.outcome.message.find("the actuator 'ram' has no length left"), std::string::npos) << r.outcome.message;
+    EXPECT_NEAR(r.t_end, std::sqrt(2.5), 1e-6);
+    EXPECT_EQ(r.events.back().what, "length_zero");
+  }
+}
+
 TEST(TransientActuator, ALockTakesOverTheForce) {
   machine::Actuator ram;
   ram.kind = ActuatorKind::force;

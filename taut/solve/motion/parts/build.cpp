@@ -251,7 +251,7 @@ class Builder {
           known = count(m().spins.size());
           spin.axis = contact.sense * along * node.axis;
           spin.inertia = model_.drums[*node.drum].inertia;
-          spin.drag = options_.quasi_static ? 0 : model_.drums[*node.drum].drag;
+          spin.drag = model_.drums[*node.drum].drag;
           spin.drum = *node.drum;
           m().spins.push_back(spin);
         }
@@ -264,7 +264,7 @@ class Builder {
         spin.axis = along * node.axis;
         const double wheels = node.wheel ? 1 : contact.copies;
         spin.inertia = wheels * node.inertia;
-        spin.drag = options_.quasi_static ? 0 : wheels * node.drag;
+        spin.drag = wheels * node.drag;
         if (contact.spin == count(m().spins.size())) m().spins.push_back(spin);
         // a rope that runs over it the other way than the first one
         if (spin.axis.dot(m().spins[contact.spin].axis) < 0) contact.sense = -1;

@@ -84,6 +84,7 @@ void fill_couples(const DynamicState& start, Mechanism& m, Values& v) {
     is.mode = i < start.actuator_mode.size() ? start.actuator_mode[i] : m.model->actuators[i].mode;
     is.end = {couple_place(v, couple, 0), couple_place(v, couple, 1)};
     is.length = (is.end[0] - is.end[1]).norm();
+    if (is.length > 0) is.t = (is.end[0] - is.end[1]) / is.length;
     is.hold = known ? start.force[per_face * faces + i] : is.length;
     m.size_of_machine = std::max(m.size_of_machine, is.length);
   }

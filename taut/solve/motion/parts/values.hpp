@@ -60,7 +60,7 @@ struct FaceValues {
 struct ActuatorValues {
   machine::ActuatorMode mode = machine::ActuatorMode::extend;
   double hold = 0;                  ///< length of its spring: locked, or driven by a speed, m
-  double length = 1, speed = 0;     ///< m, m/s
+  double length = 1, speed = 0;     ///< m (< 0: it has gone through itself, which ends the motion), m/s
   double F = 0, F_l = 0, F_v = 0;   ///< N; derivatives by length and speed
   Vector3 t = Vector3::UnitX();     ///< from `from` to `to`
   std::array<Vector3, 2> end;       ///< `to`, `from`, ground frame, m

@@ -66,7 +66,8 @@ void add_wound(const Mechanism& m, const Values& before, const Values& now, Ledg
         return carried_along(line, values.lines[i], values, end, onto, laid);
       };
       const auto mean = [&](const auto& of) { return of_start * of(before) + of_end * of(now); };
-      ledger.laid_by += line.copies * (onto * mean(left) + laid * mean(height));
+      ledger.laid_by += line.copies * onto * mean(left);
+      ledger.laid_at += line.copies * laid * mean(height);
       ledger.askew -= line.copies * onto * mean(askew);
       ledger.hung -= (end == 0 ? 1 : -1) * line.copies * mean(carried);
     }

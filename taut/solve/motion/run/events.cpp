@@ -229,22 +229,34 @@ void note_changes(Run& run) {
   note_faces(run);
 }
 
+double content_at(const Run& run, const Contact& contact, const Values& v) {
+  const bool leaves = contact.in < 0;  // the drum is where its path begins
+  const auto line = as_size(leaves ? contact.out : contact.in);
+  const std::size_t end = leaves ? 0 : 1;
+  const LineValues &was = run.before.lines[line], &is = v.lines[line];
+  double onto = v.q[contact.column] - run.before.q[contact.column];
+  if (winds(run.m.lines[line], is, end) && !has_run_off(was)) {
+    const double winding = run.before.contacts[as_size(run.m.lines[line].contact[end])].winding;
+    onto -= is.radius[end] / winding * (is.angle[end] - was.angle[end]);
+  }
+  return run.before.on_drums[contact.on_drum].content + (leaves ? -onto : onto);
+}
+
 namespace {
 
-/// What of its rope lies on a drum in the step to `v`; none where the description does not say how much there is.
-std::optional<double> content_ahead(const Run& run, const Contact& contact, const Values& v) {
+/// The same; none where the description does not say how much there is.
+std::optional<double> known_content(const Run& run, const Contact& contact, const Values& v) {
   if (contact.drum < 0 || !run.model.drums[contact.drum].length_on_drum) return {};
-  const double passed = v.q[contact.column] - run.before.q[contact.column];
-  return run.before.on_drums[contact.on_drum].content + (contact.in < 0 ? -passed : passed);
+  return content_at(run, contact, v);
 }
 
 /// Whether a drum changes its layer in the step to `v`, or has no rope left then.
 bool winds_on(const Run& run, const Values& v) {
   return std::any_of(run.m.contacts.begin(), run.m.contacts.end(), [&](const Contact& contact) {
-    const auto content = content_ahead(run, contact, v);
+    const auto content = known_content(run, contact, v);
     if (!content) return false;
     const machine::Drum& drum = run.model.drums[contact.drum];
-    const auto ahead = [&](const Contact& one) { return *content_ahead(run, one, v); };
+    const auto ahead = [&](const Contact& one) { return content_at(run, one, v); };
     const bool climbs =
         drum.automatic_layers && layer_of(run, contact, ahead) != run.before.on_drums[contact.on_drum].layer;
     return climbs || *content < -no_rope_on_drum;
@@ -254,8 +266,18 @@ bool winds_on(const Run& run, const Values& v) {
 }  // namespace
 
 bool run_out(Run& run) {
+  for (std::size_t i = 0; i < run.before.actuators.size(); ++i) {
+    if (!(run.before.actuators[i].length < 0)) continue;
+    const std::string& name = run.model.actuators[i].name;
+    note(run, run.before.t, "length_zero", name, {{"L", run.before.actuators[i].length}});
+    run.result.outcome = infeasible(
+        fmt::format("at t = {:.6g} s the actuator '{}' has no length left: lock it or stop the motion before, or let a "
+                    "contact hold what it moves",
+                    run.before.t, name));
+    return true;
+  }
   for (const Contact& contact : run.m.contacts) {
-    const auto content = content_ahead(run, contact, run.before);
+    const auto content = known_content(run, contact, run.before);
     if (!content || *content >= -no_rope_on_drum) continue;
     const std::string& drum = run.model.drums[contact.drum].name;
     note(run, run.before.t, "length_zero", drum, {{"L", *content}}, contact.reeving);
@@ -271,6 +293,8 @@ bool comes_true(const Run& run, const Values& v) {
   if (!run.model.drums.empty() && winds_on(run, v)) return true;
   const auto overdrawn = [](const LineValues& line) { return line.gone == 0 && !(line.L > 0); };
   if (std::any_of(v.lines.begin(), v.lines.end(), overdrawn)) return true;  // the end runs off before
+  const auto is_gone = [](const ActuatorValues& actuator) { return actuator.length < 0; };
+  if (std::any_of(v.actuators.begin(), v.actuators.end(), is_gone)) return true;
   for (std::size_t i = 0; i < run.model.events.size(); ++i) {
     const machine::Event& event = run.model.events[i];
     if (!run.happened[i] && event.when && holds(run, v, *event.when)) return true;

@@ -246,7 +246,7 @@ double observe_drum(const Run& run, const Values& v, const machine::Observable& 
   const int spin = spin_of_drum(run.m, what.index);
   if (spin < 0) return 0;
   if (what.quantity == Observed::drum_length) {
-    return v.on_drums[run.m.contacts[run.m.spins[spin].contacts.front().first].on_drum].content;
+    return content_at(run, run.m.contacts[run.m.spins[spin].contacts.front().first], v);
   }
   const TransientFrame::Drum d = turning_of(run.m, v, as_size(spin));
   switch (what.quantity) {
@@ -261,8 +261,16 @@ double observe_drum(const Run& run, const Values& v, const machine::Observable& 
   }
 }
 
-double observe_energy(const Run& run, Observed what) {
-  const EnergyLedger e = told(run.ledger);
+/// The ledger with the step to `v`, which is tried, or is the step's start.
+Ledger ledger_at(const Run& run, const Values& v) {
+  Ledger ledger = run.ledger;
+  if (!(v.t > run.before.t)) return ledger;
+  run.options.quasi_static ? add_slow_step(run.m, run.before, v, ledger) : add_step(run.m, run.before, v, ledger);
+  return ledger;
+}
+
+double observe_energy(const Run& run, const Values& v, Observed what) {
+  const EnergyLedger e = told(ledger_at(run, v));
   switch (what) {
     case Observed::kinetic:
       return e.kinetic;
@@ -287,7 +295,7 @@ double observe_as_it_is(const Run& run, const Values& v, const machine::Observab
   if (what.quantity <= Observed::slip) return observe_sheave(run, v, what);
   if (what.quantity <= Observed::drum_power) return observe_drum(run, v, what);
   if (what.quantity == Observed::signal) return machine::at(run.model.signals[what.index], v.t).value;
-  if (what.quantity >= Observed::kinetic) return observe_energy(run, what.quantity);
+  if (what.quantity >= Observed::kinetic) return observe_energy(run, v, what.quantity);
   return observe_couple(run.m, v, what);
 }
 

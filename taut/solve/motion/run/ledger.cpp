@@ -56,7 +56,7 @@ void set_prices(const Mechanism& m, std::size_t i, const Values& v, Prices& p) {
   if (contact.in >= 0) p.hung -= hangs_on_nothing(m.lines[contact.in], v.lines[contact.in]);
   if (contact.in >= 0 && contact.out >= 0) {
     const double lifted = v.lines[contact.out].touch[0].z() - v.lines[contact.in].touch[1].z();
-    p.laid_by = -m.lines[contact.in].weight * lifted;
+    p.laid_at = -m.lines[contact.in].weight * lifted;
     return;
   }
   const std::size_t line = as_size(contact.in < 0 ? contact.out : contact.in);
@@ -68,7 +68,7 @@ void set_prices(const Mechanism& m, std::size_t i, const Values& v, Prices& p) {
   p.laid_by = onto * m.lines[line].stiffness * strain * strain / 2;
   p.passed -= p.laid_by;
   // its weight lies on the drum at the height where it came onto it
-  p.laid_by += onto * m.lines[line].weight * v.lines[line].touch[contact.in < 0 ? 0 : 1].z();
+  p.laid_at = onto * m.lines[line].weight * v.lines[line].touch[contact.in < 0 ? 0 : 1].z();
 }
 
 void add_contact(const Mechanism& m, std::size_t i, const Values& before, const Values& now, Ledger& ledger) {
@@ -92,6 +92,7 @@ void add_contact(const Mechanism& m, std::size_t i, const Values& before, const 
   const bool bearing = contact.spin < 0 && contact.efficiency > 0 && now.contacts[i].log_by_wrap == 0;
   (bearing ? ledger.bearings : ledger.slipped) += passed * (a.passed + b.passed) + rolled * (a.rolled + b.rolled);
   ledger.laid_by += passed * (a.laid_by + b.laid_by);
+  ledger.laid_at += passed * (a.laid_at + b.laid_at);
   ledger.supplied += passed * (a.supplied + b.supplied);
   ledger.hung += passed * (a.hung + b.hung);
 }
@@ -452,7 +453,7 @@ EnergyLedger told(const Ledger& l) {
   EnergyLedger e;
   e.kinetic = l.now.kinetic + l.running;
   e.elastic = l.now.elastic + l.laid_by;
-  e.potential = l.now.potential;
+  e.potential = l.now.potential + l.laid_at;
   e.damped = l.damped;
   e.slipped = l.slipped;
   e.bearings = l.bearings;

@@ -25,6 +25,7 @@ Stored stored_in_bodies(const Mechanism& m, const Values& v);
 struct Prices {
   double passed = 0, rolled = 0;     ///< lost, per metre passed and per metre rolled
   double laid_by = 0, supplied = 0;  ///< per metre passed
+  double laid_at = 0;                ///< the same: height of the rope that is laid by
   double hung = 0;                   ///< the same: weight of slack rope that no tension carries
 };
 
@@ -33,7 +34,8 @@ struct Ledger {
   Stored start, now;
   double damped = 0, slipped = 0, bearings = 0, broken = 0, supplied = 0;
   double faces = 0;      ///< dashpots and friction of points on faces
-  double laid_by = 0;    ///< of the rope on drums and arcs
+  double laid_by = 0;    ///< of the rope on drums and arcs: its strain
+  double laid_at = 0;    ///< and its height
   double running = 0;    ///< kinetic energy of rope that has run over bends which move
   double hung = 0;       ///< taken by the weight of rope that runs into slack branches and out of them
   double askew = 0;      ///< taken by flanges that lead ropes into their grooves at an angle

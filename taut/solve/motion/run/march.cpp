@@ -134,8 +134,7 @@ void commit_contacts(Run& run) {
     is.entry = from >= 0 ? from : contact.drum >= 0 ? -1 : other;
     if (contact.drum < 0) continue;
     OnDrumValues& end = run.now.on_drums[contact.on_drum];
-    const double onto = (contact.in < 0 ? -1 : 1) * (run.now.q[contact.column] - run.before.q[contact.column]);
-    end.content = run.before.on_drums[contact.on_drum].content + onto;
+    end.content = content_at(run, contact, run.now);
     if (is.entry < 0) is.lambda = 1 + end.strain[end.layer - 1];
   }
 }
@@ -365,7 +364,7 @@ StepEnd look_round(Run& run, bool jump, bool& stop) {
   for (std::size_t i = 0; i < run.m.lines.size() && end == StepEnd::ok; ++i) {
     if (used_up(run, i)) end = run_off(run, i);
   }
-  if (end == StepEnd::ok && !run.model.drums.empty()) stop = run_out(run) || stop;
+  if (end == StepEnd::ok) stop = run_out(run) || stop;
   return end;
 }
 

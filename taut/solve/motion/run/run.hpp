@@ -115,6 +115,10 @@ void note_slack(Run& run, std::size_t line, double e_before, double e_now, doubl
 void note(Run& run, double t, std::string what, std::string where, Array<std::pair<std::string, double>> values = {},
           std::optional<int> reeving = {});
 
+/// What of its rope lies on a drum at `v`, which is the step's start or is tried for its end: what has passed, and what
+/// the turning of the free rope about the drum lays on. m, unstretched; from 0 where the description does not say it.
+double content_at(const Run& run, const Contact& contact, const Values& v);
+
 /// Events of the model: those due at t happen. Whether any did (a restart is needed); `stop`: the run is over.
 bool happen(Run& run, Values& v, bool& stop);
 /// Whether a condition of an event not yet happened holds.
@@ -124,7 +128,8 @@ bool change_layers(Run& run, Values& v);
 /// Joints of a chain that run up to one of its ends are laid out anew along it; whether any were. What that takes of
 /// the stored energy is booked with the scheme's own.
 bool lay_out_joints(Run& run, Values& v);
-/// Ends the run where a drum has let out all the rope that the description gives it. Whether one has.
+/// Ends the run where a drum has let out all the rope that the description gives it, or an actuator has gone through
+/// itself. Whether one has.
 bool run_out(Run& run);
 /// Times of events and breakpoints of signals, without those before `from`.
 Array<double> stops_of(const Run& run, double from, double to);

@@ -386,5 +386,23 @@ TEST(QuasiStatic, HeavySheavesOnMovingBodiesAreAsLightOnes) {
   }
 }
 
+// What they take needs a speed.
+TEST(QuasiStatic, RefusesBrakesThatSlipAndDrag) {
+  TransientOptions slow = lasting(3, 1e-6);
+  slow.quasi_static = true;
+  EXPECT_NE(transient(braked_load(), slow).outcome.message.find("'brake_torque'"), std::string::npos);
+  machine::Model m = braked_load();
+  m.events.clear();
+  m.drums[0].brake.reset();
+  EXPECT_TRUE(transient(m, slow).outcome.ok());
+  m.drums[0].drag = 500;
+  EXPECT_NE(transient(m, slow).outcome.message.find("the drag of 'winch'"), std::string::npos);
+  m.drums[0].drag = 0;
+  m.reevings[0].nodes.insert(m.reevings[0].nodes.begin() + 1, sheave("head", {0.5, 0, 3}, 0.2, 1));
+  m.reevings[0].nodes[1].inertia = 1;
+  m.reevings[0].nodes[1].drag = 10;
+  EXPECT_NE(transient(m, slow).outcome.message.find("the drag of 'head'"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace taut_test::transient_quasi_static_test
