@@ -78,6 +78,21 @@ TEST(Files, APlotDoesNotOverwriteATable) {
   EXPECT_NE(text_of(scratch.path() / "report.md").find("(data: size_plot.csv)"), std::string::npos);
 }
 
+/// The whole folder was lost, after the verdict was said.
+TEST(Files, ANameThatNoFileCanHaveLosesNothing) {
+  const taut_test::ScratchFolder scratch;
+  const auto folder = scratch.path() / "here";
+  Result r = sample();
+  r.tables.front().name = "discard_main/left";
+  std::get<Plot>(r.figures.front()).name = "../size";
+  const auto written = write_files(r, folder.string());
+  ASSERT_TRUE(written.has_value()) << written.error().message;
+  for (const char* name : {"result.json", "report.html", "discard_main_left.csv", "_._size.csv"})
+    EXPECT_TRUE(std::filesystem::exists(folder / name)) << name;
+  EXPECT_EQ(text_of(folder / "report.html").find("../size"), std::string::npos);
+  EXPECT_NE(text_of(folder / "result.json").find("\"discard_main_left\""), std::string::npos);
+}
+
 TEST(Files, SaysWhyItCannotWrite) {
   const taut_test::ScratchFolder scratch;
   const auto file = scratch.path() / "a_file";

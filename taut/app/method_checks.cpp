@@ -15,6 +15,7 @@
 #include "taut/checks/mast/mast_checks.hpp"
 #include "taut/checks/rope/rope_life.hpp"
 #include "taut/checks/rope/rope_rules.hpp"
+#include "taut/rope/rope_check.hpp"
 #include "taut/units/display.hpp"
 
 namespace taut::app {
@@ -60,7 +61,9 @@ rope::RopeUse rope_of_loop(const char* name, const std::optional<std::string>& r
   rope::RopeUse use = named_use(name);
   if (row) {
     if (const auto known = catalogue::find_rope_in_words(*row)) use.rope = *known;
-  } else if (in.choose_ropes) {
+  } else if (!in.choose_ropes) {
+    use.own_factor = in.safety_factor;
+  } else {
     use.chosen = true;
     use.rope.construction = in.choose_ropes->construction.value_or("");
     use.rope.core = in.choose_ropes->core.value_or("");
@@ -154,6 +157,25 @@ void complain_of_chosen(const checks::RopeCheckRequest& one, const catalogue::Ro
   refuse(one.construction.has_value() && alike.construction.empty(), "construction");
 }
 
+/// The safety factor that a method's input asks of a rope of which it has the weight alone, with the strength that
+/// `checks` gives. It stands beside the limits of `checks`: both were asked.
+void judge_own_factor(const rope::RopeUse& use, Result& r) {
+  if (!use.own_factor || !(use.rope.breaking_force > 0)) return;
+  const std::string part = use.name + " rope";
+  Check c = make_check(fmt::format("safety factor of the {}", part), use.rope.breaking_force / use.tension, si::one,
+                       {.sense = Sense::at_least,
+                        .limit = *use.own_factor,
+                        .rule = fmt::format("breaking force of 'checks: ropes: {}' / largest tension ({}) at least "
+                                            "safety_factor of the deck's input",
+                                            use.name, use.where),
+                        .trust = rope::trust_with_rope("user", use.rope)});
+  c.part = use.name;
+  c.covers = {use.name, part};
+  c.where = use.where;
+  r.checks.push_back(std::move(c));
+  std::erase(r.unmade, closed_loop::unknown_strength(use.name));
+}
+
 }  // namespace
 
 checks::AskedChecks resolve_checks(const checks::ChecksRequest& request, const std::vector<rope::RopeUse>& ropes,
@@ -206,6 +228,7 @@ void add_method_checks(const checks::ChecksRequest& request, const checks::Asked
       if (use.name != one.name) continue;
       use.rope = checks::with_request(std::move(use.rope), one);
       checks::add_checks_of(one, asked.ropes.at(k), use, r);
+      judge_own_factor(use, r);
     }
   }
   checks::add_method_masts(request.masts, r);
@@ -215,7 +238,6 @@ void add_method_checks(const checks::ChecksRequest& request, const checks::Asked
                                     [&](const Check& c) { return c.limits && c.name == use.name + ".safety_factor"; });
     if (!judged) continue;
     std::erase_if(r.unjudged, [&](const auto& part) { return part == use.name || part == use.name + " rope"; });
-    std::erase(r.unmade, closed_loop::unknown_strength(use.name));
   }
   checks::finish_checks(request, r);
 }

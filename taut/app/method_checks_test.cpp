@@ -134,6 +134,35 @@ TEST(MethodChecks, AFactorOfALoopNeedsAStrength) {
   EXPECT_EQ(exit_code(both), 0) << verdict_of(both)->reason;
 }
 
+/// T is the largest tension of a rope of which the deck has the weight. A strength of 2.5 T has the factor 2.5: enough
+/// for what `checks` ask, 2, and too little for the input's own 3. Both were asked, so it fails.
+TEST(MethodChecks, TheFactorOfALoopCountsBesideThatOfChecks) {
+  const auto loop_of_strength = [](double strength, const std::string& more) {
+    const std::string ropes = strength > 0 ? "checks: {ropes: {return: {breaking_force: " + std::to_string(strength) +
+                                                 " N" + more + "}, traction: {breaking_force: 900 kN" + more + "}}}\n"
+                                           : "";
+    return run_text(
+        "taut: 1\nmethod: closed_loop\ninput: {span: 200 m, position: 100 m, sag: 10 m, gathering_force: 20 kN, "
+        "gathering_angle: 30 deg, tail_efficiency: 0.9, return_weight: 10 N/m, traction_weight: 15 N/m, "
+        "safety_factor: 3, wire_strength: 1500 MPa}\n" +
+        ropes);
+  };
+  const double T = taut_test::cell(taut_test::table_of(loop_of_strength(0, ""), "ropes"), 0, "largest_tension");
+  for (const std::string more : {", safety_factor: 2", ", field: skyline.ru", ""}) {
+    const Result weak = loop_of_strength(2.5 * T, more);
+    ASSERT_EQ(weak.status, Status::ok) << weak.message << to_text(weak.errors);
+    const Check& own = check_of(weak, "safety factor of the return rope");
+    EXPECT_NEAR(own.value, 2.5, 1e-6);
+    EXPECT_EQ(own.limit, 3);
+    EXPECT_FALSE(own.passes);
+    EXPECT_EQ(own.trust, "user");
+    EXPECT_EQ(verdict_of(weak)->kind, VerdictKind::fails) << more;
+    EXPECT_EQ(exit_code(weak), 4);
+  }
+  const Result strong = loop_of_strength(3.2 * T, "");
+  EXPECT_EQ(exit_code(strong), 0) << "its own factor is a limit: " << verdict_of(strong)->reason;
+}
+
 /// 300 kN on a weight strain 6 mm2 of wire by 150 kN/(100 GPa 6 mm2): no steel rope bears that, whatever strength the
 /// deck says it has.
 TEST(MethodChecks, ADriveWhoseRopeNoSteelBearsDoesNotPass) {
@@ -151,6 +180,22 @@ TEST(MethodChecks, ADriveWhoseRopeNoSteelBearsDoesNotPass) {
   // by its stiffness alone it may be of fibre
   EXPECT_THAT(saw("rope_stiffness: 0.6 MN", limit).unsafe, testing::IsEmpty());
   EXPECT_THAT(saw("rope_area: 600 mm^2", limit).unsafe, testing::IsEmpty());
+}
+
+// 60 kN on the idler pull the tight branch with far more than the 4 kN of the cut ask for: its stress is of that.
+TEST(MethodChecks, TheStressOfADriveIsThatOfItsTakeUp) {
+  const auto saw = [](const std::string& more) {
+    return run_text(
+        "taut: 1\nmethod: friction_drive\ninput: {cutting_force: 4 kN, friction: 0.35, wrap: 200 deg, rope_mass: 0.6 "
+        "kg/m, speed: 15 m/s, rope_area: 66.3 mm^2" +
+        more + "}\n");
+  };
+  const Result heavy = saw(", take_up: {weight: 60 kN}"), plain = saw("");
+  const auto value = [](const Result& r, const char* name) { return r.find_value(name)->value; };
+  // T_2 = (60000 + 270 - 4000)/2.08 = 27.05 kN, T_1 = 1.08 T_2 + 4000 = 33.22 kN
+  EXPECT_NEAR(value(heavy, "T_1_exact"), 33.22e3, 10);
+  EXPECT_NEAR(value(heavy, "sigma_tight"), 33.22e3 / 66.3e-6, 0.2e6);
+  EXPECT_LT(value(plain, "sigma_tight"), 0.4 * value(heavy, "sigma_tight"));
 }
 
 // A rope named in words is as much known as one by its id: no value of `checks` goes beside it unheard.

@@ -2,8 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <set>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -11,6 +14,15 @@
 
 namespace taut::io {
 namespace {
+
+/// Bytes of the longest name: file systems take 255, with an ending and what tells two names apart.
+constexpr std::size_t longest = 200;
+
+/// What parts folders, stands for other files or ends the path of a link.
+bool is_harmless(char c) {
+  return static_cast<unsigned char>(c) >= 0x20 && c != 0x7f &&
+         std::string_view("/\\:*?\"<>|#%").find(c) == std::string::npos;
+}
 
 /// A name that becomes one of a file, and what is put behind it where it is taken.
 struct FileName {
@@ -49,9 +61,23 @@ std::string free_name(const FileName& one, const std::set<std::string>& taken) {
 
 }  // namespace
 
+std::string name_of_file(std::string name) {
+  std::replace_if(
+      name.begin(), name.end(), [](char c) { return !is_harmless(c); }, '_');
+  if (name.starts_with('.')) name.front() = '_';  // a hidden file, or a folder
+  if (name.size() <= longest) return name;
+  std::size_t end = longest;
+  while (end > 0 && (static_cast<unsigned char>(name[end]) & 0xC0U) == 0x80U) --end;  // no half of a letter
+  name.resize(end);
+  return name;
+}
+
 bool named_apart(const Result& r) {
   std::set<std::string> taken = reserved_in(r);
-  const auto is_new = [&](const std::string& name) { return taken.insert(name).second; };
+  const auto is_new = [&](const std::string& name) { return name == name_of_file(name) && taken.insert(name).second; };
+  for (const Scene& scene : r.scenes) {
+    if (scene.name != name_of_file(scene.name)) return false;
+  }
   for (const std::vector<Table>* tables : {&r.tables, &r.series}) {
     for (const Table& t : *tables) {
       if (!is_new(t.name)) return false;
@@ -67,21 +93,23 @@ bool named_apart(const Result& r) {
 }
 
 void name_apart(Result& r) {
-  std::set<std::string> taken = reserved_in(r);
-  std::vector<FileName> again;
-  for (const FileName& one : names_in(r)) {
-    if (!taken.insert(*one.name).second) again.push_back(one);
-  }
   // the picture of page 1 is the first of its name, which the result goes on to name
   std::string* key = nullptr;
   for (Figure& f : r.figures) {
     std::string& name = std::visit([](auto& own) -> std::string& { return own.name; }, f);
     if (key == nullptr && !r.key_figure.empty() && name == r.key_figure) key = &name;
   }
+  std::set<std::string> taken = reserved_in(r);
+  std::vector<FileName> again;
+  for (const FileName& one : names_in(r)) {
+    *one.name = name_of_file(std::move(*one.name));
+    if (!taken.insert(*one.name).second) again.push_back(one);
+  }
   for (const FileName& one : again) {
     *one.name = free_name(one, taken);
     taken.insert(*one.name);
   }
+  for (Scene& scene : r.scenes) scene.name = name_of_file(std::move(scene.name));
   if (key != nullptr) r.key_figure = *key;
 }
 

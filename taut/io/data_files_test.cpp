@@ -73,6 +73,37 @@ TEST(DataFiles, APictureGivesWayToATable) {
   EXPECT_NE(json.find("\"load_path_profile_plot.csv\""), std::string::npos);
 }
 
+// A rope may be called as its user likes, and its tables have its name.
+TEST(DataFiles, NamesThatNoFileCanHaveAreMended) {
+  Result r;
+  const std::string letters(150, 'x');
+  std::string long_name = "life_";
+  for (int i = 0; i < 120; ++i) long_name += "\u043e";  // two bytes each
+  r.tables = {table_named("discard_main/left"), table_named("discard_main_left"), table_named(".."),
+              table_named("life_a\\b?c#d%e:f"), table_named(letters + letters),   table_named(long_name)};
+  r.series = {table_named("time_../../x")};
+  r.figures = {plot_named("discard_main/left"), plot_named("\u043e\u043f\u043e\u0440\u0430")};
+  r.key_figure = "discard_main/left";
+  r.scenes.resize(1);
+  r.scenes[0].name = "motion_a/b";
+  ASSERT_FALSE(named_apart(r));
+  name_apart(r);
+  EXPECT_TRUE(named_apart(r));
+  const std::string cut = long_name.substr(0, 199);  // 5 + 2 * 97 bytes: no half of a letter
+  const std::vector<std::string> expected = {"discard_main_left",
+                                             "discard_main_left_2",
+                                             "_.",
+                                             "life_a_b_c_d_e_f",
+                                             (letters + letters).substr(0, 200),
+                                             cut,
+                                             "time_.._.._x",
+                                             "discard_main_left_plot",
+                                             "\u043e\u043f\u043e\u0440\u0430"};
+  EXPECT_EQ(names_of(r), expected);
+  EXPECT_EQ(r.key_figure, "discard_main_left_plot");
+  EXPECT_EQ(r.scenes[0].name, "motion_a_b");
+}
+
 TEST(DataFiles, TablesOfOneNameAreNumbered) {
   Result r;
   r.tables = {table_named("sweep"), table_named("sweep"), table_named("sweep_2"), table_named("comparison")};

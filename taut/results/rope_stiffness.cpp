@@ -7,8 +7,8 @@
 #include <string>
 #include <utility>
 
-#include "taut/catalogue/rope_search.hpp"
 #include "taut/catalogue/rope_values.hpp"
+#include "taut/catalogue/rope_words.hpp"
 #include "taut/machine/links/rope_of.hpp"
 #include "taut/results/described.hpp"
 
@@ -28,7 +28,7 @@ std::optional<catalogue::NamedRope> of_catalogue(const machine::description::Rop
         .name = rope.name, .row = own->second, .id = own->second.id, .mend = "look at the unit"};
   }
   if (!rope.rope) return std::nullopt;
-  const auto row = catalogue::find_rope(*rope.rope);
+  const auto row = catalogue::find_rope_in_words(*rope.rope);
   if (!row) return std::nullopt;
   return catalogue::NamedRope{
       .name = rope.name, .row = *row, .id = *rope.rope, .mend = "look at the unit, or leave 'rope' out"};

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <iterator>
 #include <numeric>
 #include <optional>
@@ -28,7 +29,8 @@ double length_factor(const std::optional<double>& bent_length, double d) {
 constexpr double bent_back = -0.5;
 
 bool bends_back(const Bend& before, const Bend& bend) {
-  return before.both_ways || bend.both_ways || before.about.dot(bend.about) < bent_back;
+  const Bend* const later = std::max(&before, &bend, std::less<>());  // along the path: `before` may be either
+  return before.both_ways || bend.both_ways || later->turned_back || turns_back(before.about, bend.about);
 }
 
 /// How often a working cycle bends the rope there: a pass straight-bent-straight is one, a drum half of it; bent
@@ -56,6 +58,8 @@ LifeLine line_of(const RopeUse& use, const LifeRules& rules, const LifeConstants
 }
 
 }  // namespace
+
+bool turns_back(const Vector3& before, const Vector3& about) { return before.dot(about) < bent_back; }
 
 bool counts(const Duty& duty, const Bend& bend) {
   if (bend.kind == BendKind::saddle || !(bend.tension > 0)) return false;

@@ -80,6 +80,9 @@ struct LifeLine {
   double damage = 0;   ///< cycles/endures
 };
 
+/// Whether two neighbours that turn the rope about these axes bend it in opposite senses.
+bool turns_back(const Vector3& before, const Vector3& about);
+
 /// Life by Palmgren and Miner for one count: sum of n/N over all bends of all duties.
 struct Life {
   const LifeConstants* constants = nullptr;

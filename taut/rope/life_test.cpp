@@ -154,7 +154,11 @@ TEST(Life, drum_is_half_and_reverse_counts_more) {
   use.bends[1].about = {0, -1, 0};
   EXPECT_TRUE(life_of(use, rules)[0].reversed);
   EXPECT_NEAR(life_of(use, rules)[0].damage, 1.5 * simple, 1e-12);
+  // as in the first state it does not, but in another one
   use.bends[1].about = {0, 1, 0};
+  use.bends[1].turned_back = true;
+  EXPECT_NEAR(life_of(use, rules)[0].damage, 1.5 * simple, 1e-12);
+  use.bends[1].turned_back = false;
   use.bends[1].kind = BendKind::drum;
   EXPECT_NEAR(life_of(use, rules)[0].damage, 0.75 * simple, 1e-12);
   use.bends[1].kind = BendKind::saddle;

@@ -21,7 +21,8 @@ struct Bend {
   double wrap = 0;      ///< the largest, rad
   /// Unit axis about which the rope turns right-handed along its path, where neighbours are compared; 0: not known.
   Vector3 about = Vector3::UnitY();
-  bool both_ways = false;  ///< it turns one way in a state and the other way in another one
+  bool both_ways = false;    ///< it turns one way in a state and the other way in another one
+  bool turned_back = false;  ///< in some state it turns the rope back from the round before it along the path
 };
 
 /// An end that is fixed, not wound on a drum.
@@ -60,6 +61,9 @@ struct RopeUse {
   int copies = 1;       ///< equal ropes side by side; all tensions are of one of them
   bool closed = false;  ///< endless: the last bend stands before the first
   bool chosen = false;  ///< the calculation chooses it: before that its row is what all candidates have alike
+  /// The safety factor that the input of a method asks of it, and the method can't judge: it does not know the
+  /// strength.
+  std::optional<double> own_factor = {};
 };
 
 }  // namespace taut::rope

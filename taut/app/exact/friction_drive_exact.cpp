@@ -23,19 +23,21 @@ double stiffness_of(const friction_drive::Input& in) {
   return std::numeric_limits<double>::infinity();
 }
 
-std::string take_up_words(const friction_drive::Input& in, const solve::BeltDrive& d, const Display& display) {
+/// `of_method`: which pull of the method it is, where the deck has no take-up.
+std::string take_up_words(const friction_drive::Input& in, const solve::BeltDrive& d, const char* of_method,
+                          const Display& display) {
   const std::string pull = display.brief(d.pull, si::N);
-  if (!in.take_up) return fmt::format("a weight that pulls {}, as the method says to build", pull);
+  if (!in.take_up) return fmt::format("a weight that pulls {}, {}", pull, of_method);
   if (in.take_up->screw) return fmt::format("a screw set to {} at rest", pull);
   return fmt::format("a weight that pulls {}", pull);
 }
 
 void add_words(const friction_drive::Input& in, const solve::BeltDrive& d, const solve::BeltDriveState& s,
-               const Display& display, Result& r) {
+               const char* of_method, const Display& display, Result& r) {
   r.assumptions.push_back(fmt::format(
       "Exact column: {}; T_1 = r T_2 + P_p, {}; the rope creeps on the last part of the working arc only. Branches "
       "are straight.",
-      take_up_words(in, d, display),
+      take_up_words(in, d, of_method, display),
       d.place == solve::LoadPlace::at_idler ? "the idler feels the whole tight tension"
                                             : "the cut lies in the middle of the tight branch"));
   if (std::isinf(d.stiffness)) {
@@ -45,10 +47,11 @@ void add_words(const friction_drive::Input& in, const solve::BeltDrive& d, const
                                         display.brief(d.stiffness, si::N)));
   }
   if (s.slips) {
-    r.warnings.push_back(fmt::format(
-        "with {} the drive slips: it passes on {} of the {} cutting force; the exact tensions are those at "
-        "the limit of slip",
-        take_up_words(in, d, display), display.brief(s.load, si::N), display.brief(in.cutting_force, si::N)));
+    r.warnings.push_back(
+        fmt::format("with {} the drive slips: it passes on {} of the {} cutting force; the exact tensions are those at "
+                    "the limit of slip",
+                    take_up_words(in, d, of_method, display), display.brief(s.load, si::N),
+                    display.brief(in.cutting_force, si::N)));
   }
 }
 
@@ -148,6 +151,14 @@ void warn_of_values(const friction_drive::Input& in, const solve::BeltDrive& d, 
   warn_of_rope(rope, r);
 }
 
+/// The stress in the tight branch, where the take-up pulls it with more than the method takes.
+void raise_stress(const friction_drive::Input& in, double tension, Result& r) {
+  const auto rope = rope_of(in);
+  for (Value& v : r.values) {
+    if (v.name == "sigma_tight") v.value = std::max(v.value, tension / (in.rope_area ? *in.rope_area : rope->area));
+  }
+}
+
 /// Adds the exact column to the method's result.
 void complete_friction_drive(const friction_drive::Input& in, const friction_drive::Output& out, const Display& display,
                              Result& r) {
@@ -161,7 +172,11 @@ void complete_friction_drive(const friction_drive::Input& in, const friction_dri
   }
   const FrictionDriveExact e = values_from(in, d, s);
   if (const auto rope = rope_of(in)) friction_drive::take_tension(*rope, e.T_1_exact, r);
-  add_words(in, d, s, display, r);
+  raise_stress(in, e.T_1_exact, r);
+  const bool as_asked = std::isfinite(out.takeup_with_idler_loss);
+  add_words(in, d, s,
+            as_asked ? "as the method says to build" : "the one without slip, as with the idler loss none is enough",
+            display, r);
   warn_of_values(in, d, e.T_1_exact, r);
   add_comparisons(out, e, r);
   if (in.take_up) check_grip(in, d, s, r);

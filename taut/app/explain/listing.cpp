@@ -195,6 +195,43 @@ Listing rows_of(const std::string& what, const ListFilter& f) {
                                     fmt::join(lists, ", ")));
 }
 
+/// A filter, and the lists that it looks through.
+struct FilterUse {
+  const char* option;
+  bool given;
+  std::vector<std::string> lists;
+};
+
+std::vector<FilterUse> uses_of(const ListFilter& f) {
+  const auto given = [](const std::string& text) { return !text.empty(); };
+  return {{"construction", given(f.construction), {"ropes"}},
+          {"core", given(f.core), {"ropes"}},
+          {"grade", given(f.grade), {"ropes"}},
+          {"min-breaking-force", given(f.min_breaking_force), {"ropes"}},
+          {"min-diameter", given(f.min_diameter), {"ropes"}},
+          {"max-diameter", given(f.max_diameter), {"ropes"}},
+          {"min-area", given(f.min_area), {"ropes", "sections"}},
+          {"shape", given(f.shape), {"sections"}},
+          {"forming", given(f.forming), {"sections"}},
+          {"max-height", given(f.max_height), {"sections"}},
+          {"min-section-modulus", given(f.min_section_modulus), {"sections"}},
+          {"standard", given(f.standard), {"ropes", "sections", "steels"}},
+          {"name", given(f.name), {"methods", "machines", "steels", "rules", "carriages", "yarders", "units"}},
+          {"verified", f.verified_only, {"ropes", "sections", "steels", "rules", "carriages", "yarders"}}};
+}
+
+/// Why the filters can't be used there: a list that does not look at one would show all its rows as if they matched.
+std::optional<std::string> refused_filter(const std::string& what, const ListFilter& filter) {
+  std::vector<std::string> refused, apply;
+  for (const FilterUse& use : uses_of(filter)) {
+    const bool applies = std::find(use.lists.begin(), use.lists.end(), what) != use.lists.end();
+    if (applies) apply.push_back(std::string("--") + use.option);
+    if (!applies && use.given) refused.push_back(fmt::format("--{} is for {}", use.option, fmt::join(use.lists, ", ")));
+  }
+  if (refused.empty()) return std::nullopt;
+  return fmt::format("{}; {} take {}", fmt::join(refused, "; "), what, fmt::join(apply, ", "));
+}
+
 bool looks_like_a_number(const std::string& text) {
   return !text.empty() && std::all_of(text.begin(), text.end(), [](unsigned char c) {
     return std::isdigit(c) != 0 || c == '.' || c == '-' || c == '+' || c == 'e';
@@ -235,6 +272,9 @@ std::vector<std::string> list_names() {
 
 tl::expected<std::string, std::string> list_text(const std::string& what, const ListFilter& filter) {
   const Listing rows = rows_of(what, filter);
+  if (rows) {
+    if (auto refused = refused_filter(what, filter)) return tl::unexpected(std::move(*refused));
+  }
   if (!rows) return tl::unexpected(rows.error());
   return fmt::format("{}{} {}\n", aligned(*rows), rows->size() - 1, what);
 }

@@ -29,7 +29,7 @@ std::vector<std::string> list_names();
 
 /// An aligned text table of what matches, one line each with its trust, smallest or lightest first, and a last line
 /// that counts. `what`: one of list_names. The error says which filter can't be
-/// read, or what the lists are.
+/// read or is not for that list, or what the lists are.
 tl::expected<std::string, std::string> list_text(const std::string& what, const ListFilter& filter);
 
 /// Rows of text as columns two spaces apart; the first row is the head. Numbers (by their look) stand right.

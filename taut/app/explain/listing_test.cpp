@@ -43,6 +43,23 @@ TEST(Listing, SaysWhichFilterIsWrong) {
   EXPECT_NE(list_text("rope", {}).error().find("did you mean 'ropes'"), std::string::npos);
 }
 
+/// A list that does not look at a filter would show all its rows as if they matched.
+TEST(Listing, AFilterOfAnotherListIsRefused) {
+  ListFilter f;
+  f.name = "2688";
+  f.shape = "CHS";
+  const auto refused = list_text("ropes", f);
+  ASSERT_FALSE(refused.has_value());
+  EXPECT_NE(refused.error().find("--shape is for sections"), std::string::npos) << refused.error();
+  EXPECT_NE(refused.error().find("--name is for methods, machines"), std::string::npos) << refused.error();
+  EXPECT_NE(refused.error().find("ropes take --construction, --core"), std::string::npos) << refused.error();
+  f = {};
+  f.verified_only = true;
+  EXPECT_FALSE(list_text("units", f).has_value());
+  EXPECT_TRUE(list_text("carriages", f).has_value());
+  EXPECT_NE(list_text("rope", f).error().find("there is no list of 'rope'"), std::string::npos);
+}
+
 TEST(Listing, VerifiedOnlyIsFewer) {
   ListFilter f;
   const auto all = list_text("ropes", f)->size();

@@ -425,4 +425,23 @@ TEST(RopeChecks, what_a_drum_lacks_for_its_layers_is_named) {
               testing::Contains(HasSubstr("needs 'length_on_drum' and the 'diameter'")));
 }
 
+// As the methods and `checks` read it.
+TEST(RopeChecks, ARopeOfTheMachineMayBeNamedByItsProperties) {
+  const auto hang = [](const std::string& rope) {
+    return taut_test::run_text(
+        "taut: 1\nmachine:\n  points: {top: [0 m, 0 m, 10 m]}\n  ropes: {h: {rope: \"" + rope +
+        "\"}}\n  bodies: {hook: {mass: 2 t, at: [0 m, 0 m, 2 m], free: [z]}}\n  reevings: [{rope: h, path: [{anchor: "
+        "top}, {anchor: hook}], length: 8 m}]\nanalyses: [equilibrium: {}]\nchecks: {ropes: {h: {safety_factor: "
+        "5}}}\n");
+  };
+  const Result by_id = hang("EN 12385-4|6x36-IWRC|16|1960"), in_words = hang("6x36-IWRC 16 mm 1960 MPa");
+  ASSERT_EQ(in_words.status, Status::ok) << in_words.message << to_text(in_words.errors);
+  ASSERT_EQ(by_id.values.size(), in_words.values.size());
+  for (std::size_t k = 0; k < by_id.values.size(); ++k)
+    EXPECT_EQ(by_id.values[k].value, in_words.values[k].value) << by_id.values[k].name;
+  EXPECT_EQ(taut_test::check_of(by_id, "h.safety_factor").value,
+            taut_test::check_of(in_words, "h.safety_factor").value);
+  EXPECT_THAT(to_text(hang("6x36-IWRC 16.3 mm").errors), testing::HasSubstr("the nearest are"));
+}
+
 }  // namespace taut::checks::rope_checks_test

@@ -146,6 +146,68 @@ TEST(RopeLife, reverse_bends_are_those_of_the_states_found) {
   }
 }
 
+/// A jib with a sheave and a drum that turn with it, and a load that hangs from it. `jib`: what moves it.
+std::string slewing(const std::string& jib, const std::string& analysis) {
+  return R"(taut: 1
+machine:
+  signals: {slew: {ramp: {to: 180 deg, start: 0.2 s, duration: 6 s, smooth: true}}}
+  ropes: {h: {diameter: 16 mm, mass: 0.01 kg/m, stiffness: 13 MN, breaking_force: 161 kN, damping_ratio: 0.1}}
+  bodies:
+    jib: {at: [0 m, 0 m, 20 m])" +
+         jib + R"(}
+    load: {mass: 2000 kg, at: [1.2 m, 0 m, 15 m], free: [x, y, z]}
+  sheaves: {head: {body: jib, at: [1 m, 0 m, 0 m], diameter: 400 mm, efficiency: 1}}
+  drums: {winch: {body: jib, at: [0 m, 0 m, 1 m], core_diameter: 320 mm}}
+  reevings: [{rope: h, path: [{drum: winch, side: right}, {over: head, side: right}, {anchor: load}], length: 6.5 m}]
+analyses: [)" +
+         analysis + R"(]
+checks: {ropes: {h: {grade: 1770 MPa, running: stands, duty: [{name: a, cycles: 1e5}], life: {core_factor: 0.8,
+  reverse_weight: 3}}}}
+)";
+}
+
+// The jib turns by half a turn, and its sheave and drum with it: seen from the jib the rope bends as it did. It is not
+// bent back, though its plane has turned against the ground's axes.
+TEST(RopeLife, ASheaveThatSlewsWithItsJibBendsTheRopeOneWay) {
+  const Result rest = run_text(slewing("", "equilibrium: {}"));
+  const Result turned = run_text(slewing(", motion: {rz: slew}", "transient: {duration: 7 s, output_step: 0.25 s}"));
+  for (const Result* r : {&rest, &turned}) {
+    ASSERT_EQ(r->status, Status::ok) << r->message << to_text(r->errors);
+    const Table& t = table_of(*r, "life_h");
+    EXPECT_EQ(cell(t, taut_test::row_of(t, "bent_on", "head"), "n"), 100000);
+    EXPECT_EQ(cell(t, taut_test::row_of(t, "bent_on", "winch"), "n"), 50000);
+  }
+}
+
+// A rope from a drum round a tail sheave and back to the same drum. Every zone passes every round, as the page on rope
+// life assumes: the sheave bends it once and the drum twice half, at the one end and at the other.
+TEST(RopeLife, ADrumWithBothEndsOfARopeBendsItTwice) {
+  const auto deck = [](const std::string& second) {
+    return R"(taut: 1
+machine:
+  ropes: {h: {diameter: 16 mm, mass: 0.01 kg/m, stiffness: 13 MN, breaking_force: 161 kN}}
+  bodies: {slide: {mass: 200 kg, at: [10 m, 0 m, 0 m], free: [z]}}
+  sheaves: {tail: {body: slide, at: [0 m, 0 m, 0 m], diameter: 400 mm, efficiency: 0.98}}
+  drums: {winch: {at: [10 m, 0 m, 8 m], core_diameter: 400 mm}, other: {at: [10 m, 0 m, 8 m], core_diameter: 400 mm}}
+  reevings:
+    - {rope: h, path: [{drum: winch, side: left}, {over: tail, side: left}, {drum: )" +
+           second + R"(, side: left}], length: 16.5 m}
+analyses: [equilibrium: {motion: at_rest}]
+checks: {ropes: {h: {grade: 1770 MPa, duty: [{name: a, cycles: 1e5}], life: {core_factor: 0.8}}}}
+)";
+  };
+  const Result one = run_text(deck("winch")), two = run_text(deck("other"));
+  ASSERT_EQ(one.status, Status::ok) << one.message << to_text(one.errors);
+  const Table& t = table_of(one, "life_h");
+  double drums = 0;
+  for (std::size_t i = 0; i < t.rows.size(); ++i) {
+    if (std::get<std::string>(t.rows[i][2]) == "winch") drums += cell(t, i, "n");
+  }
+  EXPECT_EQ(drums, 100000) << "half of 100000 at each end";
+  const double damage = value_of(two, "h.life_damage");
+  EXPECT_NEAR(value_of(one, "h.life_damage"), damage, 1e-12 * damage) << "as on two drums in the same place";
+}
+
 TEST(RopeLife, donandt_and_discard) {
   const Result r = run_text(lift("{life: {donandt_force: 20 kN}, discard: true}"));
   ASSERT_EQ(r.status, Status::ok) << r.message << to_text(r.errors);

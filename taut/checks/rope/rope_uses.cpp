@@ -6,12 +6,14 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <optional>
 #include <utility>
 
-#include "taut/catalogue/rope_search.hpp"
+#include "taut/catalogue/rope_words.hpp"
 #include "taut/checks/check_state.hpp"
 #include "taut/machine/compile/drums.hpp"
 #include "taut/math/index.hpp"
+#include "taut/rope/life.hpp"
 #include "taut/rope/rope_check.hpp"
 
 namespace taut::checks {
@@ -46,13 +48,20 @@ std::pair<Vector3, Vector3> ends_of(const machine::State& state, const solve::Br
   return {straight, straight};
 }
 
-/// Notes how a state turns the rope there.
-void turn(rope::Bend& bend, const Vector3& about) {
+/// Notes how a state turns the rope there: on which side of the round's own axis, which turns with its body, and about
+/// which axis in space, by which neighbours are compared.
+void turn(rope::Bend& bend, int& first_side, int side, const Vector3& axis) {
   if (bend.wrap == 0) {
-    bend.about = about;  // the first state that bends it
-  } else if (bend.about.dot(about) < 0) {
+    first_side = side;  // of the first state that bends it
+    bend.about = side * axis;
+  } else if (side != first_side) {
     bend.both_ways = true;
   }
+}
+
+/// By which a round on a drum is known: a rope may have both its ends on one.
+std::string key_of_drum(const machine::Node& node, bool at_end) {
+  return fmt::format("drum {} {}", at_end ? "end" : "start", node.name);
 }
 
 /// What is not known of a drum and its rope, for the layers.
@@ -132,7 +141,7 @@ catalogue::RopeRow row_of(const machine::description::Rope& given) {
   row.id = given.name;
   row.trust = row.area_trust = catalogue::Trust::verified;
   if (given.rope) {
-    if (const auto found = catalogue::find_rope(*given.rope)) row = *found;
+    if (const auto found = catalogue::find_rope_in_words(*given.rope)) row = *found;
   }
   row.diameter = given.diameter.value_or(row.diameter);
   row.mass_per_length = given.mass.value_or(row.mass_per_length);
@@ -183,7 +192,7 @@ void RopeUses::add_end(std::size_t reeving, const machine::Model& model, bool at
     return;
   }
   if (const double radius = model.drums[*node.drum].core_radius; radius > 0) {
-    bends_[reeving].try_emplace("drum " + node.name,
+    bends_[reeving].try_emplace(key_of_drum(node, at_end),
                                 Met{.bend = {.name = node.name,
                                              .kind = rope::BendKind::drum,
                                              .diameter = 2 * radius + rope.diameter,
@@ -239,23 +248,28 @@ void RopeUses::take_forces(const machine::Model& model, const solve::Equilibrium
     use->where = words;
   }
   Array<std::map<std::string, int>> met(model.reevings.size());
+  Array<std::vector<Turned>> turned(uses_.size());
   for (const solve::ContactResult& c : state.contacts) {
     machine::Node node = model.reevings[c.reeving].nodes[c.node];
     if (own[c.reeving] < 0 || !(node.radius > 0)) continue;
     if (!state.state.sides.empty()) node.side = state.state.sides[c.reeving][c.node];
     const Vector3 axis = axis_of(state.state, node);
-    rope::Bend& bend = bend_at(as_size(own[c.reeving]), node, met[c.reeving][node.name]++, axis);
+    auto& [bend, side, order] = bend_at(as_size(own[c.reeving]), node, met[c.reeving][node.name]++, axis);
     if (c.state == solve::ContactState::lifted) continue;
-    turn(bend, node.side * axis);
+    turn(bend, side, node.side, axis);
+    if (bend.kind != rope::BendKind::saddle) turned[as_size(own[c.reeving])].push_back({&bend, node.side * axis});
     bend.tension = std::max(bend.tension, largest(c));
     bend.wrap = std::max(bend.wrap, c.wrap);
+  }
+  for (std::size_t i = 0; i < own.size(); ++i) {
+    if (own[i] >= 0) compare_neighbours(model.reevings[i], state.state, as_size(own[i]), std::move(turned[own[i]]));
   }
   for (const solve::BranchResult& s : state.branches) {
     const machine::Reeving& rope = model.reevings[s.reeving];
     if (own[s.reeving] < 0 || rope.closed) continue;
-    if (s.from == 0) raise_end(as_size(own[s.reeving]), rope.nodes.front(), std::max(s.T_from, s.T_from_max));
+    if (s.from == 0) raise_end(as_size(own[s.reeving]), rope.nodes.front(), false, std::max(s.T_from, s.T_from_max));
     if (as_size(s.to) + 1 == rope.nodes.size())
-      raise_end(as_size(own[s.reeving]), rope.nodes.back(), std::max(s.T_to, s.T_to_max));
+      raise_end(as_size(own[s.reeving]), rope.nodes.back(), true, std::max(s.T_to, s.T_to_max));
   }
 }
 
@@ -293,7 +307,22 @@ void RopeUses::take_motion(int reeving, const solve::RopeExtreme& extreme, bool 
   use.peak_where = peak_words;
 }
 
-rope::Bend& RopeUses::bend_at(std::size_t reeving, const machine::Node& node, int times, const Vector3& axis) {
+void RopeUses::compare_neighbours(const machine::Reeving& rope, const machine::State& state, std::size_t own,
+                                  std::vector<Turned> along) {
+  const auto drum_at = [&](bool at_end) -> std::optional<Turned> {
+    const machine::Node& node = at_end ? rope.nodes.back() : rope.nodes.front();
+    const auto found = bends_[own].find(key_of_drum(node, at_end));
+    if (rope.closed || !node.drum || found == bends_[own].end()) return std::nullopt;
+    return Turned{.bend = &found->second.bend, .about = node.side * axis_of(state, node)};
+  };
+  if (const auto first = drum_at(false)) along.insert(along.begin(), *first);
+  if (const auto last = drum_at(true)) along.push_back(*last);
+  for (std::size_t k = 1; k < along.size(); ++k) {
+    if (rope::turns_back(along[k - 1].about, along[k].about)) along[k].bend->turned_back = true;
+  }
+}
+
+RopeUses::Met& RopeUses::bend_at(std::size_t reeving, const machine::Node& node, int times, const Vector3& axis) {
   auto& known = bends_[reeving];
   const Met fresh{.bend = {.name = node.name,
                            .kind = kind_of(node),
@@ -302,7 +331,7 @@ rope::Bend& RopeUses::bend_at(std::size_t reeving, const machine::Node& node, in
                            .wrap = 0,
                            .about = node.side * axis},
                   .order = static_cast<int>(known.size())};
-  return known.try_emplace(fmt::format("{} {}", node.name, times), fresh).first->second.bend;
+  return known.try_emplace(fmt::format("{} {}", node.name, times), fresh).first->second;
 }
 
 rope::DrumEnd& RopeUses::drum_end(const machine::Model& model, const solve::DrumResult& d) {
@@ -337,16 +366,20 @@ void RopeUses::take_moment(const machine::Model& model, const solve::TransientFr
   for (std::size_t i = 0; i < largest.size(); ++i) lasting_[i].take(frame.t, largest[i], steps);
   const machine::State places = places_of(frame);
   std::map<std::pair<int, std::string>, int> met;
+  Array<std::vector<Turned>> turned(uses_.size());
   for (const auto& c : frame.contacts) {
     const machine::Node& node = model.reevings[c.reeving].nodes[c.node];
     if (!(node.radius > 0)) continue;
     const Vector3 axis = axis_of(places, node);
-    rope::Bend& bend = bend_at(as_size(c.reeving), node, met[{c.reeving, node.name}]++, axis);
+    auto& [bend, side, order] = bend_at(as_size(c.reeving), node, met[{c.reeving, node.name}]++, axis);
     if (c.state == solve::ContactState::lifted) continue;
-    turn(bend, c.side * axis);
+    turn(bend, side, c.side, axis);
+    if (bend.kind != rope::BendKind::saddle) turned[as_size(c.reeving)].push_back({&bend, c.side * axis});
     bend.wrap = std::max(bend.wrap, c.wrap);
     if (at_rest) bend.tension = std::max({bend.tension, c.T_in, c.T_out});
   }
+  for (std::size_t i = 0; i < turned.size(); ++i)
+    compare_neighbours(model.reevings[i], places, i, std::move(turned[i]));
   const Array<solve::DrumResult> ends = solve::drums(model, frame);
   for (const solve::DrumResult& d : ends) {
     const auto directions = [](const solve::TransientFrame::Branch& b) { return std::pair(b.leaves, b.arrives); };
@@ -361,12 +394,12 @@ void RopeUses::take_moment(const machine::Model& model, const solve::TransientFr
   for (const auto& s : frame.branches) {
     const machine::Reeving& rope = model.reevings[s.reeving];
     if (!at_rest || rope.closed) continue;
-    if (s.from == 0) raise_end(as_size(s.reeving), rope.nodes.front(), s.T_from);
-    if (as_size(s.to) + 1 == rope.nodes.size()) raise_end(as_size(s.reeving), rope.nodes.back(), s.T_to);
+    if (s.from == 0) raise_end(as_size(s.reeving), rope.nodes.front(), false, s.T_from);
+    if (as_size(s.to) + 1 == rope.nodes.size()) raise_end(as_size(s.reeving), rope.nodes.back(), true, s.T_to);
   }
 }
 
-void RopeUses::raise_end(std::size_t reeving, const machine::Node& node, double T) {
+void RopeUses::raise_end(std::size_t reeving, const machine::Node& node, bool at_end, double T) {
   const auto raise = [&](auto& all) {
     for (auto& end : all) {
       if (end.name == node.name) end.tension = std::max(end.tension, T);
@@ -375,7 +408,7 @@ void RopeUses::raise_end(std::size_t reeving, const machine::Node& node, double 
   raise(uses_[reeving].ends);
   if (!node.drum) return;
   raise(uses_[reeving].drums);
-  const auto found = bends_[reeving].find("drum " + node.name);
+  const auto found = bends_[reeving].find(key_of_drum(node, at_end));
   if (found == bends_[reeving].end()) return;
   rope::Bend& bend = found->second.bend;
   bend.tension = std::max(bend.tension, T);

@@ -46,12 +46,22 @@ class RopeUses {
  private:
   struct Met {
     rope::Bend bend;
+    int side = 0;  ///< of the first state that bends it there, about the round's own axis
     int order = 0;
   };
-  rope::Bend& bend_at(std::size_t reeving, const machine::Node& node, int times, const Vector3& axis);
+  /// A round in one state, and how it turns the rope there.
+  struct Turned {
+    rope::Bend* bend;
+    Vector3 about;
+  };
+  Met& bend_at(std::size_t reeving, const machine::Node& node, int times, const Vector3& axis);
+  /// Notes which rounds of a path turn the rope back from the one before: two on bodies that turn against each other do
+  /// so in some states only. `along`: those between the drums of its ends.
+  void compare_neighbours(const machine::Reeving& rope, const machine::State& state, std::size_t own,
+                          std::vector<Turned> along);
   void add_end(std::size_t reeving, const machine::Model& model, bool at_end);
   void take_forces(const machine::Model& model, const solve::EquilibriumResult& state, const std::string& words);
-  void raise_end(std::size_t reeving, const machine::Node& node, double T);
+  void raise_end(std::size_t reeving, const machine::Node& node, bool at_end, double T);
   rope::DrumEnd& drum_end(const machine::Model& model, const solve::DrumResult& d);
   void take_drum(const machine::Model& model, const machine::State& state, const solve::DrumResult& d,
                  const BesideDrum& beside);

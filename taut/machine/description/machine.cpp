@@ -67,7 +67,9 @@ const Description& Point::describe() {
 const Description& Rope::describe() {
   static const Description d =
       Describe<Rope>()
-          .field(&Rope::rope, "rope", "id in the catalogue of ropes, as 'taut list ropes' shows it")
+          .field(&Rope::rope, "rope",
+                 "id in the catalogue of ropes, as 'taut list ropes' shows it, or the properties of one of its ropes: "
+                 "'6x36-IWRC 20 mm 1960 MPa'")
           .field(&Rope::mass, "mass", "m", si::kg_per_m, "mass per unstretched metre")
           .at_most(heaviest)
           .at_least(0)

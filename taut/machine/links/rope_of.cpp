@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "taut/base/array.hpp"
-#include "taut/catalogue/rope_search.hpp"
+#include "taut/catalogue/rope_words.hpp"
 
 namespace taut::machine {
 namespace {
@@ -17,7 +17,7 @@ RopeData rope_of(const description::Rope& given, const std::optional<double>& te
   const std::string path = fmt::format("ropes.{}", given.name);
   std::optional<catalogue::RopeStiffness> of_area;
   if (given.rope) {
-    const auto row = catalogue::find_rope(*given.rope);
+    const auto row = catalogue::find_rope_in_words(*given.rope);
     if (!row) {
       complaints.push_back({path + ".rope", catalogue::to_text(row.error())});
       return rope;
@@ -53,7 +53,7 @@ RopeData rope_of(const description::Rope& given, const std::optional<double>& te
 
 std::optional<catalogue::RopeStiffness> catalogue_stiffness(const description::Rope& rope) {
   if (rope.stiffness || !rope.rope) return std::nullopt;
-  const auto row = catalogue::find_rope(*rope.rope);
+  const auto row = catalogue::find_rope_in_words(*rope.rope);
   return row ? catalogue::stiffness_of(*row) : std::nullopt;
 }
 

@@ -131,11 +131,12 @@ void warn_of_paper(const Case<T>& c, const Output& out, Sheet<T>& s) {
                                     : "the closed-form tier");
     });
   }
-  if (!(out.P_b > 0)) {
+  if (out.P_b <= 0) {  // nothing is said of one that has no value
     s.warn([&] {
-      return fmt::format(
-          "By (1) the upper branch carries nothing (P_b = {}), by the closed-form tier {}: close to lift-off.",
-          force(out.P_b), force(out.P_b_closed));
+      return fmt::format("By (1) the upper branch carries nothing (P_b = {}){}: close to lift-off.", force(out.P_b),
+                         std::isfinite(out.P_b_closed)
+                             ? fmt::format(", by the closed-form tier {}", force(out.P_b_closed))
+                             : std::string());
     });
   }
   const Peak peak = peaks_of(out).return_rope;
@@ -155,8 +156,10 @@ void warn_of_paper(const Case<T>& c, const Output& out, Sheet<T>& s) {
   }
 }
 
+/// Not of a carriage that leaves its stop: its sag is the one at which S is T_lB.
 template <class T>
-void warn_of_stop(const Case<T>& c, const Output& out, Sheet<T>& s) {
+void warn_of_stop(const Input& in, const Case<T>& c, const Output& out, Sheet<T>& s) {
+  if (in.mode == Mode::free_running) return;
   const double S = value(c.S);
   const double T_lB = std::isfinite(out.T_lB) ? out.T_lB : out.T_lB_exact;
   if (S <= T_lB) return;
@@ -283,7 +286,7 @@ Outcome solve_position(const Input& in, const Setting& at, Sheet<T>& s, Output& 
   }
   warn_of_input(in, c, s);
   warn_of_paper(c, out, s);
-  warn_of_stop(c, out, s);
+  warn_of_stop(in, c, out, s);
   if (single && c.midspan) {
     const Printed printed = as_printed(plain, {.P = out.P,
                                                .K = out.K,

@@ -2,7 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <string>
+#include <vector>
 
 #include "test/cases/closed_loop_example.hpp"
 
@@ -105,6 +108,52 @@ TEST(ClosedLoopPosition, LiftOffBoundaryAtMidspan) {
   EXPECT_TRUE(solve(in, out).ok());
   in.gathering_angle = 56.3 * degree;
   EXPECT_EQ(solve(in, out).status, Status::infeasible);
+}
+
+/// Warnings of a position, with an exact sag or values where an engine has them.
+std::vector<std::string> warnings_of(const Input& in, const Engine& engine = no_engine) {
+  return run(in, engine).warnings;
+}
+
+bool warns_of(const std::vector<std::string>& all, const std::string& words) {
+  return std::any_of(all.begin(), all.end(), [&](const auto& w) { return w.find(words) != std::string::npos; });
+}
+
+// The sag of a carriage that leaves its stop is the one at which T_lB is the gathering force, exactly. That the
+// closed-form tier has a little less there says nothing.
+TEST(ClosedLoopPosition, ACarriageThatLeavesItsStopIsNotSaidToHaveLeftIt) {
+  Input in = example();
+  in.mode = Mode::free_running;
+  in.sag.reset();
+  const double sag = run(in).find_value("f")->value;
+  Engine engine;
+  engine.sag = [&](const Input&, const Case<double>&, ExactSag& found) {
+    found.sag = 1.1 * sag;
+    return Outcome{};
+  };
+  const Result r = run(in, engine);
+  ASSERT_EQ(r.status, Status::ok) << r.message;
+  EXPECT_LT(r.find_value("T_lB")->value, in.gathering_force);
+  EXPECT_FALSE(warns_of(r.warnings, "exceeds T_lB"));
+  Input given = example();
+  given.sag = 1.1 * sag;
+  EXPECT_TRUE(warns_of(warnings_of(given), "exceeds T_lB")) << "at a given sag it has left its stop";
+}
+
+// Two sections close to the supports: neither tier has a P_b, so nothing is said of it.
+TEST(ClosedLoopPosition, NothingIsSaidOfALoadThatHasNoValue) {
+  Input in = example();
+  in.carriage = Carriage::two_section;
+  in.position = {in.span / 2};
+  in.section_distance = in.span / 2 - 0.01;
+  Engine engine;
+  engine.solve = [](const Input&, const Case<double>&, Output& out) {
+    out.T_lA_exact = out.T_lB_exact = out.T_uA_exact = out.T_uB_exact = 90e3;
+    return Outcome{};
+  };
+  const auto all = warnings_of(in, engine);
+  ASSERT_TRUE(warns_of(all, "closed-form tier has no answer here"));
+  EXPECT_FALSE(warns_of(all, "carries nothing"));
 }
 
 }  // namespace taut::closed_loop::position_test

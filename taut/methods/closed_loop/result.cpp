@@ -244,7 +244,7 @@ Result run(const Input& in, const Engine& engine) { return run(in, engine, Displ
 std::string unknown_strength(const std::string& role) {
   return fmt::format(
       "the safety_factor of the {0} rope is not checked: its breaking force is not known; name it by "
-      "'{0}_rope', or give 'breaking_force' and 'safety_factor' under 'checks: ropes: {0}'",
+      "'{0}_rope', or give its 'breaking_force' under 'checks: ropes: {0}'",
       role);
 }
 

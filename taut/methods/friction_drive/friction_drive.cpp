@@ -70,7 +70,9 @@ T initial_tension(const Drive<T>& d, Sheet<T>& s, Output& out) {
   return P_M;
 }
 
-/// The branches that P_M leaves, and whether they hold.
+/// The branches of the paper under P_M, and whether a take-up that holds P_M keeps the rope from slipping. The paper
+/// puts the cutting force on top of a drive at its limit, so that its branches never meet its condition. The pull may
+/// hold all the same: it then leaves other branches, which are judged.
 template <class T>
 void slip_under_P_M(const Input& in, const Drive<T>& d, const T& P_M, Sheet<T>& s, Output& out) {
   const auto& [P_p, m, r, e, c] = d;
@@ -80,11 +82,22 @@ void slip_under_P_M(const Input& in, const Drive<T>& d, const T& P_M, Sheet<T>& 
   const T ratio = s.eq("", "slip_ratio", si::one, (T_1 - c) / (T_2 - c), "no-slip condition, from (13)");
   const T passed =
       s.eq("", "P_p_at_P_M", si::N, P_M * (e - 1) / (e + 1), "take-up that holds P_M, at the limit of slip");
+  const T slack = s.eq("", "T_2_P_M", si::N, slack_branch_under(P_M, P_p, r, c), "take-up that holds P_M, with (14)");
+  const T tight = s.eq("", "T_1_P_M", si::N, r * slack + P_p, "(14)");
+  const T reserve =
+      s.eq("", "m_P_M", si::one, reserve_of(tight, slack, e, c), "reserve of the grip; below 1 the rope slips");
+  const bool held = holds(value(reserve));
   if (in.take_up) {
     s.note("P_M is not the deck's pull: the grip is checked with its take-up, by the exact solution.");
-  } else {
+  } else if (!held) {
     s.check("no slip", ratio, si::one,
             {Sense::at_most, e, "(T_1 - c)/(T_2 - c) <= exp(mu phi), Ryabukhin et al. 2022, (12), (13)", "derived"});
+  } else {
+    s.check("no slip", (tight - c) / (slack - c), si::one,
+            {Sense::at_most, e, "(T_1 - c)/(T_2 - c) <= exp(mu phi) with the branches that P_M leaves, (13), (14)",
+             "derived"});
+    s.check("grip reserve", reserve, si::one,
+            {Sense::at_least, m, "(e - 1)(T_2 - c)/(T_1 - T_2) >= m with the branches that P_M leaves", "derived"});
   }
   out.T_1 = value(T_1);
   out.T_2 = value(T_2);

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <vector>
 
+#include "taut/calc/result.hpp"
 #include "taut/math/degree.hpp"
 
 namespace taut::friction_drive {
@@ -62,6 +63,20 @@ std::string how_to_get_grip(const Input& in) {
       "no grip: e = exp(mu phi) = {:.4g} does not exceed the idler loss {:.4g}, so the driving sheave can't even "
       "turn the idler; {}",
       grip_ratio(in), in.idler_loss, advice);
+}
+
+double reserve_under(double pull, const Input& in, const Output& out) {
+  const double T_2 = slack_branch_under(pull, in.cutting_force, in.idler_loss, out.c);
+  return reserve_of(in.idler_loss * T_2 + in.cutting_force, T_2, out.e, out.c);
+}
+
+bool keeps(double reserve, double m) { return make_check("", reserve, si::one, {Sense::at_least, m, "", ""}).passes; }
+bool holds(double reserve) { return keeps(reserve, 1); }
+
+double cutting_force_under(double pull, const Input& in, const Output& out) {
+  const double T_2 = out.c + pull / (out.e + 1);
+  const double T_1 = out.c + pull * out.e / (out.e + 1);
+  return std::max(0.0, T_1 - in.idler_loss * T_2);
 }
 
 double transmissible_force(double pull, double e, double m) { return std::max(0.0, pull) * (e - 1) / (e - 1 + 2 * m); }

@@ -26,6 +26,30 @@ std::string how_to_get_grip(const Input& in);
 /// pull (e - 1)/(e - 1 + 2 m). Zero when the pull is.
 double transmissible_force(double pull, double e, double m);
 
+/// The slack branch that a pull on the idler leaves, N, with the loss of (14), T_1 = r T_2 + P_p: T_1 + T_2 - 2 c is
+/// the pull. Lower than c, or below 0: there is no such drive, the rope slips.
+template <class T>
+T slack_branch_under(const T& pull, const T& P_p, const T& r, const T& c) {
+  return (pull + 2 * c - P_p) / (r + 1);
+}
+
+/// What the slack branch can carry over the pull of the sheave: the reserve of the grip, as m. Below 1 the rope slips.
+template <class T>
+T reserve_of(const T& T_1, const T& T_2, const T& e, const T& c) {
+  return (e - 1) * (T_2 - c) / (T_1 - T_2);
+}
+
+/// The reserve of a take-up that pulls the idler with `pull`, N. `out`: its e and c.
+double reserve_under(double pull, const Input& in, const Output& out);
+
+/// Whether a drive with this reserve holds; at the limit of slip it does.
+bool holds(double reserve);
+/// Whether it has the reserve m as well.
+bool keeps(double reserve, double m);
+
+/// The cutting force that such a take-up passes on at the limit of slip, beside the idler loss, N.
+double cutting_force_under(double pull, const Input& in, const Output& out);
+
 /// The pull on the idler for a cutting force: the inverse of transmissible_force.
 double pull_for(double cutting_force, double e, double m);
 

@@ -3,9 +3,12 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <functional>
+#include <string>
 
 #include "taut/catalogue/rope_words.hpp"
 #include "taut/methods/friction_drive/friction_drive.hpp"
+#include "taut/methods/friction_drive/grip.hpp"
 #include "taut/units/display.hpp"
 
 namespace taut::friction_drive {
@@ -39,6 +42,46 @@ std::vector<std::string> drive_words(const Input& in, const Result& r, const Dis
   return words;
 }
 
+/// A value of the result as text.
+using Shown = std::function<std::string(const char* value, Rounding rounding)>;
+
+/// The numbers of a result by which pulls on the idler are judged.
+Output grip_of(const Result& r) {
+  Output out;
+  out.e = number_of(r, "e");
+  out.c = number_of(r, "c");
+  return out;
+}
+
+/// The pull to build: one with which the rope slips by the idler loss is not said to be enough.
+std::vector<std::string> pull_words(const Input& in, const Result& r, const Shown& shown) {
+  const std::string without = shown("takeup_no_slip", Rounding::up),
+                    with = shown("takeup_with_idler_loss", Rounding::up);
+  if (with.empty())
+    return {"no pull on the idler is enough with the idler loss and this reserve",
+            fmt::format("without that loss at least {}", without)};
+  if (!holds(reserve_under(number_of(r, "takeup_no_slip"), in, grip_of(r))))
+    return {fmt::format("pull on the idler of at least {}", with),
+            fmt::format("{} without the idler loss, with which the rope slips", without)};
+  return {fmt::format("pull on the idler of at least {}", without), fmt::format("with the idler loss {}", with)};
+}
+
+/// What the pull of the paper does, where it is not the one to build.
+void add_paper(const Input& in, const Result& r, const Shown& shown, Result& lines) {
+  const double reserve = reserve_under(number_of(r, "P_M"), in, grip_of(r));
+  const std::string pull = shown("P_M", Rounding::nearest);
+  if (!holds(reserve)) {
+    add_answer_line(lines, "Paper",
+                    {fmt::format("its pull {} of (18) lets the rope slip", pull),
+                     fmt::format("the branches stand as {}, the grip holds {}", shown("slip_ratio", Rounding::nearest),
+                                 shown("e", Rounding::nearest))});
+  } else if (!keeps(reserve, in.grip_reserve)) {
+    add_answer_line(lines, "Paper",
+                    {fmt::format("its pull {} of (18) holds the rope", pull),
+                     fmt::format("with a reserve of {:.4g}, not {:.4g}", reserve, in.grip_reserve)});
+  }
+}
+
 }  // namespace
 
 std::vector<Answer> answers(const Input& in, const Result& r, const Display& display) {
@@ -48,17 +91,8 @@ std::vector<Answer> answers(const Input& in, const Result& r, const Display& dis
     return v == nullptr ? std::string() : display.brief(v->value, v->unit, rounding);
   };
   const auto has = [&](const char* value) { return r.find_value(value) != nullptr; };
-  std::vector<std::string> least = {
-      fmt::format("pull on the idler of at least {}", shown("takeup_no_slip", Rounding::up))};
-  least.push_back(has("takeup_with_idler_loss")
-                      ? fmt::format("with the idler loss {}", shown("takeup_with_idler_loss", Rounding::up))
-                      : std::string("with the idler loss no pull is enough"));
-  add_answer_line(lines, needs_label, least);
-  if (number_of(r, "slip_ratio") > number_of(r, "e")) {
-    add_answer_line(lines, "Paper",
-                    {fmt::format("its pull {} of (18) lets the rope slip", shown("P_M")),
-                     fmt::format("the branches stand as {}, the grip holds {}", shown("slip_ratio"), shown("e"))});
-  }
+  add_answer_line(lines, needs_label, pull_words(in, r, shown));
+  add_paper(in, r, shown, lines);
   if (in.rope) {
     const auto row = catalogue::find_rope_in_words(*in.rope);
     std::vector<std::string> parts = {fmt::format("rope {}", row ? catalogue::words_of_rope(*row) : *in.rope)};

@@ -22,7 +22,8 @@ void describe_paper(Outputs& d) {
   d.field(&Output::P_tight_printed, "P_tight_printed", "P_tight_printed", si::N, "the same by (13) as printed, wrong")
       .from("(13)");
   d.field(&Output::P_T, "P_T", "P_T", si::N, "pull of the drive at the limit of slip").from("(17)");
-  d.field(&Output::P_M, "P_M", "P_M", si::N, "initial tension, (18) as derived correctly; the drive slips with it")
+  d.field(&Output::P_M, "P_M", "P_M", si::N,
+          "initial tension, (18) as derived correctly; the drive slips with it, or lacks its reserve")
       .from("(18) derived");
   d.field(&Output::P_M_printed, "P_M_printed", "P_M_printed", si::N, "initial tension, (18) as printed").from("(18)");
   d.field(&Output::P_M_3_printed, "P_M_3_printed", "P_M_3_printed", si::N,
@@ -31,7 +32,7 @@ void describe_paper(Outputs& d) {
   d.field(&Output::T_1, "T_1", "T_1", si::N, "tight branch under P_M").from("before (3)");
   d.field(&Output::T_2, "T_2", "T_2", si::N, "slack branch under P_M").from("before (3)");
   d.field(&Output::slip_ratio, "slip_ratio", "slip_ratio", si::one,
-          "(T_1 - c)/(T_2 - c) under P_M; above e the drive slips")
+          "(T_1 - c)/(T_2 - c) of the paper's branches under P_M; above e they slip")
       .from("(13)");
   d.field(&Output::cutting_force_at_P_M, "cutting_force_at_P_M", "P_p_at_P_M", si::N,
           "largest cutting force that the drive can transmit with P_M");

@@ -83,7 +83,7 @@ Plot friction_plot(const Input& in, const Output& out) {
 Plot pull_plot(const Input& in, const Output& out) {
   Curve no_slip{.label = "without slip", .x = {}, .y = {}, .dashed = false, .points_only = false},
       with_loss{.label = "with the idler loss", .x = {}, .y = {}, .dashed = false, .points_only = false};
-  Curve paper{.label = "by (18): slips", .x = {}, .y = {}, .dashed = true, .points_only = false};
+  Curve paper{.label = "by (18)", .x = {}, .y = {}, .dashed = true, .points_only = false};
   const double low = least_friction(in), top = std::clamp(2 * in.friction, 0.5, 1.5);
   const double roof = 6 * out.takeup_no_slip;  // the curves go to infinity where the grip ends
   const auto below_roof = [&](double y) { return y >= 0 && y <= roof ? y : not_computed; };
