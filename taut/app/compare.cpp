@@ -8,6 +8,7 @@
 #include <map>
 
 #include "taut/app/fingerprint.hpp"
+#include "taut/base/on_limit.hpp"
 #include "taut/calc/answers.hpp"
 #include "taut/io/deck/deck.hpp"
 #include "taut/io/deck/include.hpp"
@@ -179,7 +180,7 @@ struct ComparedRow {
   double value = no_value, published = no_value, tolerance = no_value, reference = no_value,
          reference_tolerance = no_value;
 
-  static bool within(double x, double of, double by) { return std::abs(x - of) <= by * (1 + 1e-12); }
+  static bool within(double x, double of, double by) { return std::abs(x - of) <= by + rounding_on(by); }
   bool demanded() const { return !std::isnan(tolerance) || !std::isnan(reference_tolerance); }
   bool near_published() const { return std::isnan(tolerance) || within(value, published, tolerance); }
   bool near_reference() const {
@@ -297,12 +298,24 @@ void add_deviation_plot(const std::vector<ComparedRow>& rows, Result& r) {
   if (!p.curves.empty()) r.figures.emplace_back(std::move(p));
 }
 
-/// How far a row is off in the share that it may be off; 0: nothing is demanded of it.
-double off_by(const ComparedRow& row) {
-  const auto share = [&](double of, double by) {
-    return std::isnan(by) ? 0 : std::isnan(row.value) ? HUGE_VAL : std::abs(row.value - of) / by;
-  };
-  return std::max(share(row.published, row.tolerance), share(row.reference, row.reference_tolerance));
+/// How far a value is off in the share that it may be off; 0: nothing is demanded of it.
+double off_by(double x, double of, double by) {
+  if (std::isnan(by)) return 0;
+  if (std::isnan(x)) return HUGE_VAL;
+  if (by == 0) return ComparedRow::within(x, of, by) ? 0 : HUGE_VAL;
+  return std::abs(x - of) / by;
+}
+
+/// The same of a row: of its published value and of its reference.
+struct OffBy {
+  double published = 0, reference = 0;
+  double most() const { return std::max(published, reference); }
+  bool by_reference() const { return reference > published; }
+};
+
+OffBy off_by(const ComparedRow& row) {
+  return {.published = off_by(row.value, row.published, row.tolerance),
+          .reference = off_by(row.value, row.reference, row.reference_tolerance)};
 }
 
 /// How many rows agree, and those that are off most.
@@ -318,7 +331,7 @@ void add_compared_answers(const std::vector<ComparedRow>& rows, const Display& d
                   {fmt::format("{} of {} rows agree within what they may be off", kept, demanded.size()),
                    fmt::format("{} rows in all", rows.size())});
   std::stable_sort(demanded.begin(), demanded.end(),
-                   [](const ComparedRow* a, const ComparedRow* b) { return off_by(*a) > off_by(*b); });
+                   [](const ComparedRow* a, const ComparedRow* b) { return off_by(*a).most() > off_by(*b).most(); });
   constexpr std::size_t most_rows = 4;
   for (std::size_t i = 0; i < std::min(most_rows, demanded.size()); ++i) {
     const ComparedRow& row = *demanded[i];
@@ -326,7 +339,7 @@ void add_compared_answers(const std::vector<ComparedRow>& rows, const Display& d
       add_answer_line(r, "Worst", {fmt::format("{}: {}", row.what, verdict_of_row(row))});
       continue;
     }
-    const bool by_reference = std::isnan(row.tolerance);
+    const bool by_reference = std::isnan(row.tolerance) || off_by(row).by_reference();
     const std::string value = shown_value(display, row.value, row.unit);
     const std::string deviation =
         by_reference ? deviation_text(display, row.value, row.reference, row.reference_tolerance, row.unit)
@@ -341,7 +354,7 @@ void add_compared_answers(const std::vector<ComparedRow>& rows, const Display& d
 void tell_misses(const std::vector<ComparedRow>& rows, const Display& display, Result& r) {
   for (const ComparedRow& row : rows) {
     if (std::isnan(row.value) || (row.near_published() && row.near_reference())) continue;
-    const bool off_reference = !row.near_reference();
+    const bool off_reference = off_by(row).by_reference();
     r.warnings.push_back(fmt::format("{}: {} instead of {} ({}); {}", row.what, display.quantity(row.value, row.unit),
                                      display.quantity(off_reference ? row.reference : row.published, row.unit),
                                      off_reference ? "reference" : "published",

@@ -119,6 +119,39 @@ TEST_F(Compare, ARowWithoutAValueIsNotOffByAnything) {
   EXPECT_TRUE(worst[1].ends_with("from the published value")) << worst[1];
 }
 
+// 9806.65 N is 0.07 % off the published value, of which 0.1 % may be, and 2.2 % off the reference, of which 1 % may be.
+TEST_F(Compare, TheWorstIsSaidOfTheSideThatIsOffMore) {
+  const taut::Result r =
+      run("    - {what: a, deck: hanging.yaml, value: T_max, published: 9.8 kN, tolerance: 0.1 %, reference: 9.6 kN, "
+          "reference_tolerance: 1 %}\n"
+          "    - {what: b, deck: hanging.yaml, value: T_max, published: 9 kN, tolerance: 1 %, reference: 9.6 kN, "
+          "reference_tolerance: 1 %}\n");
+  std::vector<std::string> worst;
+  for (const taut::Answer& one : r.answers) {
+    if (one.label == "Worst") worst.push_back(one.text);
+  }
+  ASSERT_EQ(worst.size(), 2U);
+  EXPECT_EQ(worst[0], "b: 9.8066 kN, +9 % (may 1 %) from the published value");
+  EXPECT_EQ(worst[1], "a: 9.8066 kN, +2.2 % (may 1 %) from the reference");
+  ASSERT_EQ(r.warnings.size(), 2U);
+  EXPECT_EQ(r.warnings[0], "a: 9.8066 kN instead of 9.6 kN (reference); no reason is stated");
+  EXPECT_EQ(r.warnings[1], "b: 9.8066 kN instead of 9 kN (published); no reason is stated");
+}
+
+// The check of a row and its words have one tolerance: 9806.65 N are 1 N off 9805.65 N, up to the last digits.
+TEST_F(Compare, AValueOnTheEndOfItsToleranceAgrees) {
+  const taut::Result r =
+      run("    - {what: a, deck: hanging.yaml, value: T_max, published: 9805.65 N, tolerance: 1 N}\n"
+          "    - {what: b, deck: hanging.yaml, value: T_max, published: 9807.65 N, tolerance: 1 N}\n"
+          "    - {what: c, deck: hanging.yaml, value: T_max, published: 9805.65 N, tolerance: 0.99999 N}\n");
+  ASSERT_EQ(r.checks.size(), 3U) << r.message << to_text(r.errors);
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_EQ(r.checks[i].passes, i < 2);
+    EXPECT_EQ(text_cell(table_of(r, "compared"), i, "verdict"), i < 2 ? "agrees" : "off the published value");
+  }
+  EXPECT_EQ(r.warnings.size(), 1U);
+}
+
 // The value comes from another analysis of the deck than the one that has no answer.
 TEST_F(Compare, AValueOfADeckWithoutAnAnswerIsNotJudged) {
   write("line.yaml", R"(taut: 1

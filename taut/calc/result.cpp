@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "taut/base/on_limit.hpp"
 #include "taut/calc/method.hpp"
 #include "taut/calc/verdict.hpp"
 #include "taut/units/any_quantity.hpp"
@@ -135,14 +136,6 @@ void collect(std::vector<Given>& all, const std::string& prefix, const Descripti
 
 }  // namespace
 
-namespace {
-
-/// Of the limit: a value that lies on it comes out of a calculation with so much rounding. A rope with a given tension
-/// of a third of its breaking force has a factor of 2.9999999999999996, or of 3.
-constexpr double on_limit = 1e-9;
-
-}  // namespace
-
 Check make_check(std::string name, double value, const Unit& unit, Bound bound) {
   Check c;
   c.name = std::move(name);
@@ -155,7 +148,7 @@ Check make_check(std::string name, double value, const Unit& unit, Bound bound) 
   const double is = value - zero, may = c.limit - zero, over = c.sense == Sense::at_most ? may : is;
   c.utilisation = over > 0 && may > 0 ? (c.sense == Sense::at_most ? is / may : may / is)
                                       : std::numeric_limits<double>::quiet_NaN();
-  const double rounding = on_limit * std::abs(c.limit);
+  const double rounding = rounding_on(c.limit);
   c.passes = c.sense == Sense::at_most ? value <= c.limit + rounding : value >= c.limit - rounding;
   if (c.passes && c.utilisation > 1) c.utilisation = 1;
   c.rule = std::move(bound.rule);

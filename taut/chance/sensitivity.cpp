@@ -41,15 +41,20 @@ Sums sums_of(std::span<const double> outputs, std::size_t inputs) {
   return s;
 }
 
+double variance(const Sums& s) { return s.squares / (s.n - 1); }
+
 /// sum/(2 N V) with N = n/2 base points and V = squares/(n - 1).
 double half_share(const Sums& s, double sum) {
-  // what rounding alone leaves of a constant output is no variance
-  const double floor = s.n * std::pow(1e-14 * s.mean, 2);
-  if (!(s.n > 2) || !(s.squares > floor)) return std::numeric_limits<double>::quiet_NaN();
-  return sum / s.n / (s.squares / (s.n - 1));
+  if (!(s.n > 2) || is_leftover(std::sqrt(variance(s)), s.mean)) return std::numeric_limits<double>::quiet_NaN();
+  return sum / s.n / variance(s);
 }
 
 }  // namespace
+
+bool is_leftover(double difference, double value) {
+  constexpr double solved_to = 1e-10;
+  return std::abs(difference) <= solved_to * std::abs(value);
+}
 
 SaltelliPlan::SaltelliPlan(PointKind kind, std::size_t inputs, std::uint64_t cases, std::uint64_t seed)
     : base_(kind, 2 * inputs, (cases + inputs + 1) / (inputs + 2), seed) {}
@@ -94,6 +99,7 @@ Sensitivity sensitivity(const SaltelliPlan& plan, std::span<const double> output
     return Estimate{.value = pooled, .interval = replicate_interval(pooled, own, confidence)};
   };
   Sensitivity result{.left_out = base - static_cast<std::uint64_t>(all.n / 2), .base = base};
+  result.varies = !(all.n > 2) || !is_leftover(std::sqrt(variance(all)), all.mean);
   for (std::size_t i = 0; i < d; ++i) {
     result.of.push_back({.first = estimate([&](const Sums& s) { return 1 - half_share(s, s.from_b[i]); }),
                          .total = estimate([&](const Sums& s) { return half_share(s, s.from_a[i]); })});

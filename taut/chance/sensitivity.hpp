@@ -36,8 +36,13 @@ struct Indices {
   Estimate first, total;
 };
 
+/// Whether a difference of an output is no more than a solver leaves in it, 1e-10 of the value: it says nothing of the
+/// inputs. An output that no input acts on comes out with a few last digits of its own in each case.
+bool is_leftover(double difference, double value);
+
 struct Sensitivity {
   std::vector<Indices> of = {};  ///< by input; NaN where the output does not vary
+  bool varies = true;            ///< false: its standard deviation is a leftover of its mean
   std::uint64_t left_out = 0;    ///< base points with a failed case, left out whole
   std::uint64_t base = 0;        ///< base points in all
 };

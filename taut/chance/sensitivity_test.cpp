@@ -67,6 +67,14 @@ TEST(Sensitivity, failed_and_constant_outputs) {
   EXPECT_NEAR(s.of[1].total.value, 0.8, 0.03);
   const Sensitivity constant = sensitivity(plan, outputs(plan, in, [](const Point&) { return 0.1; }));
   EXPECT_TRUE(std::isnan(constant.of[0].first.value));
+  EXPECT_FALSE(constant.varies);
+  // the last digits that a solver leaves are no variance, and 1e-8 of the value is one
+  const auto leftover = [](const Point& x) { return 3 + 1e-12 * x[0]; };
+  EXPECT_FALSE(sensitivity(plan, outputs(plan, in, leftover)).varies);
+  EXPECT_TRUE(std::isnan(sensitivity(plan, outputs(plan, in, leftover)).of[0].total.value));
+  const Sensitivity small = sensitivity(plan, outputs(plan, in, [](const Point& x) { return 3 + 3e-8 * x[0]; }));
+  EXPECT_TRUE(small.varies);
+  EXPECT_NEAR(small.of[0].total.value, 1, 0.02);
 }
 
 TEST(Sensitivity, a_case_is_known_without_the_others) {

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "taut/base/expects.hpp"
+#include "taut/base/on_limit.hpp"
 #include "taut/chance/point_set.hpp"
 #include "taut/chance/standard_laws.hpp"
 
@@ -210,9 +211,16 @@ Estimate sample_sd(const Sample& s) {
   const double sd = std::sqrt(m.variance);
   Estimate e{.value = sd, .interval = {.low = 0, .high = unbounded}};
   if (s.replicates > 1) {
-    // of the variance about the mean of all, which is linear in the cases
-    e = over_replicates(s, m.variance, [&](std::span<const double> values) { return mean_square(values, m.mean); });
-    e.value = sd;
+    // The mean square about the mean of all falls short of the variance by the variance of that mean, which n - 1 holds
+    // to be that of independent values. The scatter of the replicates' means tells it; their own estimates have the
+    // same mean as the pooled one.
+    std::vector<double> means(s.replicates);
+    for (std::size_t r = 0; r < s.replicates; ++r) means[r] = moments(replicate(s, r)).mean;
+    const Moments of_means = moments(means);
+    const double short_by = of_means.n > 1 ? of_means.variance / of_means.n : none;
+    e = over_replicates(s, mean_square(s.values, m.mean) + short_by,
+                        [&](std::span<const double> values) { return mean_square(values, m.mean) + short_by; });
+    e.value = std::sqrt(e.value);
     e.interval = {.low = std::sqrt(std::max(e.interval.low, 0.)), .high = std::sqrt(e.interval.high)};
   } else if (m.n > 1 && sd > 0) {
     const double spread = std::sqrt(std::max(0., m.fourth - m.variance * m.variance) / m.n) / (2 * sd);
@@ -277,7 +285,8 @@ Histogram histogram(std::span<const double> values) {
 }
 
 double margin(const Limit& limit, double output) {
-  return limit.bound == Bound::at_least ? output - limit.value : limit.value - output;
+  const double left = limit.bound == Bound::at_least ? output - limit.value : limit.value - output;
+  return left + rounding_on(limit.value);
 }
 
 LimitProbability limit_probability(const Sample& s, const Limit& limit) {

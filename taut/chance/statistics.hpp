@@ -35,9 +35,11 @@ std::size_t failed_cases(const Sample& s);
 /// fewer than 16 replicates have values.
 Estimate sample_mean(const Sample& s);
 
-/// The standard deviation, divisor n - 1. Random points: normal interval with the variance of s^2 by the fourth moment,
-/// (m4 - s^4)/n, which is for large n and any law. Replicates: the root of the variance's interval, each replicate's
-/// about the mean of all.
+/// The standard deviation. Random points: divisor n - 1; normal interval with the variance of s^2 by the fourth moment,
+/// (m4 - s^4)/n, which is for large n and any law. Replicates: the root of the mean square about the mean of all, m,
+/// and of the variance of m itself, s_r^2/R by the R replicates' means. It has no bias, as
+/// E[mean (x - m)^2] = sigma^2 - Var m, where n - 1 holds Var m to be sigma^2/n: evenly spread points have less.
+/// Interval: the root of the variance's.
 Estimate sample_sd(const Sample& s);
 
 /// The p-quantiles, 0 < p < 1, between order statistics that stand at p = (j - 1/2)/n (Hazen; Hyndman & Fan 1996, type
@@ -63,7 +65,8 @@ struct Limit {
   double value = 0;
 };
 
-/// at_least: output - value; at_most: value - output. NaN of NaN.
+/// at_least: output - value; at_most: value - output, with the rounding of a value on its limit (rounding_on). NaN of
+/// NaN.
 double margin(const Limit& limit, double output);
 
 /// How probable it is that a limit is not kept. Random points: Clopper & Pearson's interval (1934), which holds for any

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "taut/app/cases/case_values.hpp"
 #include "taut/app/cases/study/study.hpp"
 #include "taut/app/cases/study/study_result.hpp"
 
@@ -69,6 +70,7 @@ inline taut::app::StudyData data_of(const taut::app::Study& study) {
     for (std::size_t k = 0; k < data.outputs.size(); ++k) data.outputs[k].push_back(answer.outputs[k]);
     if (!answer.outcome.ok()) data.failed.push_back({i, answer.outcome.message});
     for (const taut::app::CaseFlaw& flaw : answer.flaws) data.flawed.push_back({i, flaw});
+    taut::app::keep_least(answer.weaker, data.weaker);
   }
   return data;
 }

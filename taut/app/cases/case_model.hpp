@@ -62,6 +62,7 @@ struct CaseAnswer {
   std::vector<double> outputs;
   Outcome outcome;
   std::vector<CaseFlaw> flaws = {};  ///< each check that fails, the first thing unmade, the first that is unsafe
+  std::map<std::string, double> weaker = {};  ///< strengths below those of CaseModel
 };
 
 /// A part that needs a limit of its strength and that no check of a case limits.
@@ -74,7 +75,8 @@ struct UnaskedPart {
 /// What a run of the whole deck as it is tells and its cases do not.
 struct Unasked {
   std::vector<UnaskedPart> parts = {};
-  std::vector<CaseFlaw> fails = {};              ///< checks that no case makes
+  std::vector<std::string> unmade = {};          ///< checks of the deck that no case makes
+  std::vector<CaseFlaw> fails = {};              ///< those of them that the deck as it is fails
   std::map<std::string, double> strengths = {};  ///< as in CaseModel
 };
 
@@ -89,6 +91,8 @@ struct CaseModel {
   std::vector<std::string> not_run = {};
   /// Breaking forces and yields of the parts of the deck as it is, SI.
   std::map<std::string, double> strengths = {};
+  /// The analyses that load and judge each part in a case, as outputs name them.
+  std::map<std::string, std::vector<std::string>> loaded_in = {};
   /// Found by a run of the whole deck; none: there is nothing of that kind.
   std::function<Unasked()> unasked = {};
   /// One number (SI) for each input. A pure function: the same numbers give the same bits, whatever was asked before

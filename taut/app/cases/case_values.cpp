@@ -8,6 +8,7 @@
 #include <optional>
 #include <string_view>
 
+#include "taut/base/on_limit.hpp"
 #include "taut/base/suggest.hpp"
 #include "taut/calc/verdict.hpp"
 #include "taut/study/deck/missing.hpp"
@@ -168,6 +169,22 @@ std::map<std::string, double> strengths_of(const Result& r) {
     }
   }
   return strengths;
+}
+
+void keep_least(const std::map<std::string, double>& more, std::map<std::string, double>& all) {
+  for (const auto& [part, strength] : more) {
+    const auto [at, is_new] = all.try_emplace(part, strength);
+    if (!is_new) at->second = std::min(at->second, strength);
+  }
+}
+
+void add_weaker(const Result& r, const std::map<std::string, double>& known, std::map<std::string, double>& weaker) {
+  std::map<std::string, double> own = strengths_of(r);
+  std::erase_if(own, [&](const auto& one) {
+    const auto base = known.find(one.first);
+    return base != known.end() && one.second >= base->second - rounding_on(base->second);
+  });
+  keep_least(own, weaker);
 }
 
 std::vector<CaseFlaw> flaws_of(const Result& r, const Display& display) {

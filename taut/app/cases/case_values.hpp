@@ -83,6 +83,12 @@ inline constexpr const char* yield_check = ".stress_max";
 /// Breaking forces and yields by part, as these checks of a result have them.
 std::map<std::string, double> strengths_of(const Result& r);
 
+/// Puts strengths into others, the least of each.
+void keep_least(const std::map<std::string, double>& more, std::map<std::string, double>& all);
+
+/// The same with those of a result that are below `known`, or not in it.
+void add_weaker(const Result& r, const std::map<std::string, double>& known, std::map<std::string, double>& weaker);
+
 /// What keeps a result from passing (verdict.hpp), but for parts without a limit: a study has limits of its own, and
 /// tells of parts that have neither (CaseModel::unasked). With the words in these units.
 std::vector<CaseFlaw> flaws_of(const Result& r, const Display& display);

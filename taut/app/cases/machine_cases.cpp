@@ -76,6 +76,7 @@ struct MachineModel {
   DeckParameters<MachineOfCase> parameters;
   std::vector<DeckPart> parts;
   std::size_t outputs = 0;
+  std::map<std::string, double> strengths;  ///< as in CaseModel
   bool keeps = false;  ///< what is put up keeps its lengths in a case with other loads or temperatures
   bool plain = false;  ///< each input is one number of the machine that depends on no other: decks can be used again
 };
@@ -334,11 +335,13 @@ CaseAnswer answer_by(const MachineModel& model, const MachineOfCase& whole, cons
       for (CaseFlaw& one : flaws) one.analysis = part.about;
       std::move(flaws.begin(), flaws.end(), std::back_inserter(answer.flaws));
       answer.flaws.insert(answer.flaws.end(), open.begin(), open.end());
+      add_weaker(r, model.strengths, answer.weaker);
     } else {
       answer.outcome = deck.error();
     }
     if (answer.outcome.ok()) continue;
     answer.flaws.clear();  // a case without an answer is beyond every limit
+    answer.weaker.clear();
     return answer;
   }
   answer.outputs = std::move(found);
@@ -380,13 +383,27 @@ void add_new(const std::vector<std::string>& more, std::vector<std::string>& all
   }
 }
 
-/// The analysis whose states a part sees. Its checks are about all that are judged, which may be one.
+/// The analyses that a part runs and the verdict sees.
+std::vector<std::string> analyses_run(const DeckPart& part, const MachineDeck& deck) {
+  if (part.kind == DeckPart::Kind::analysis) return {part.analysis.label};
+  std::vector<std::string> labels;
+  if (part.kind == DeckPart::Kind::design) return labels;
+  for (const NamedAnalysis& one : named_analyses(deck.analyses)) {
+    if (one.judged) labels.push_back(one.label);
+  }
+  return labels;
+}
+
+/// The analysis whose states the checks of a deck are about: the only one that is judged; empty: several.
+std::string only_judged(const MachineDeck& deck) {
+  const std::vector<std::string> judged = analyses_run({.kind = DeckPart::Kind::checks, .wanted = {}}, deck);
+  return judged.size() == 1 ? judged.front() : std::string{};
+}
+
+/// The analysis whose states a part sees.
 std::string analysis_seen(const DeckPart& part, const MachineDeck& deck) {
   if (part.kind == DeckPart::Kind::design) return "design";
-  if (part.kind == DeckPart::Kind::analysis) return part.analysis.label;
-  std::vector<NamedAnalysis> judged = named_analyses(deck.analyses);
-  std::erase_if(judged, [](const NamedAnalysis& one) { return !one.judged; });
-  return judged.size() == 1 ? judged.front().label : std::string{};
+  return part.kind == DeckPart::Kind::analysis ? part.analysis.label : only_judged(deck);
 }
 
 /// Sorts the outputs by what has to be run for them.
@@ -445,14 +462,15 @@ std::vector<std::string> analyses_not_run(const MachineModel& model) {
 
 /// What the cases say of the deck as it is.
 struct SaidByCases {
-  std::vector<std::string> unjudged = {};  ///< parts
-  std::set<std::string> failing = {};      ///< checks
+  std::vector<std::string> unjudged = {};      ///< parts
+  std::set<std::string> checks = {}, failing;  ///< by name: all, and those that fail
 };
 
 void hear(const DeckPart& part, const Result& r, SaidByCases& said) {
   if (!part.tells) return;
   add_new(r.unjudged, said.unjudged);
   for (const Check& c : r.checks) {
+    said.checks.insert(c.name);
     if (!c.passes) said.failing.insert(c.name);
   }
 }
@@ -473,10 +491,13 @@ Unasked beside_cases(const MachineDeck& deck, const SaidByCases& cases) {
     one.why = fmt::format("no case makes the deck's {}", check->name);
     if (deck.checks) one.why += fmt::format(": name an output checks.{}", check->name);
   }
+  for (const Check& c : whole.checks) {
+    if (!cases.checks.contains(c.name)) found.unmade.push_back(c.name);
+  }
   for (CaseFlaw& flaw : flaws_of(whole, deck.display)) {
-    if (flaw.kind == CaseFlaw::Kind::fails && !cases.failing.contains(flaw.check)) {
-      found.fails.push_back(std::move(flaw));
-    }
+    if (flaw.kind != CaseFlaw::Kind::fails || cases.failing.contains(flaw.check)) continue;
+    flaw.analysis = only_judged(deck);
+    found.fails.push_back(std::move(flaw));
   }
   return found;
 }
@@ -532,9 +553,12 @@ MadeCases machine_cases(const ReadMachine& read, const CaseQuestion& question,
     add_new(r.exempt, made.exempt);
     add_new(r.left_out, made.left_out);
     part.judges = part.tells || needs(part, judged);
-    made.strengths.merge(strengths_of(r));
+    std::map<std::string, double> strengths = strengths_of(r);
+    for (const auto& one : strengths) add_new(analyses_run(part, model->base.deck), made.loaded_in[one.first]);
+    made.strengths.merge(strengths);
     hear(part, r, said);
   }
+  model->strengths = made.strengths;
   made.not_run = analyses_not_run(*model);
   // a design takes no choice that has one
   if (!model->base.deck.design) {

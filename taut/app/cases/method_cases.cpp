@@ -14,6 +14,7 @@ struct MethodModel {
   std::vector<CaseInput> inputs;
   DeckParameters<MethodDeck> parameters;
   std::vector<WantedValue> wanted;
+  std::map<std::string, double> strengths;  ///< as in CaseModel
 };
 
 FoundParameter parameter_of(MethodDeck& deck, const std::string& path) { return deck.parameter(path); }
@@ -36,6 +37,7 @@ CaseAnswer answer_of(const MethodModel& model, std::span<const double> values) {
   if (!answer.outcome.ok()) return answer;
   answer.outputs = std::move(found);
   answer.flaws = flaws_of(r, deck->display);
+  add_weaker(r, model.strengths, answer.weaker);
   return answer;
 }
 
@@ -65,7 +67,7 @@ MadeCases method_cases(const MethodDeck& deck, const CaseQuestion& question,
   if (wrong.complaints.empty()) {
     const Result r = model->deck.calculate();
     add_outputs(r, model->wanted, made, wrong);
-    made.strengths = unasked.strengths = strengths_of(r);
+    made.strengths = unasked.strengths = model->strengths = strengths_of(r);
     for (const std::string& part : r.unjudged) unasked.parts.push_back({.name = part});
   }
   if (!wrong.complaints.empty() || !wrong.outcome.ok()) return tl::unexpected(std::move(wrong));

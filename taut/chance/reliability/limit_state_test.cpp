@@ -19,8 +19,9 @@ TEST(LimitState, margin_of_either_bound) {
   const OutputOf f = [](const Point& x) { return x[0]; };
   const LimitState least = state_of(in, f, {.bound = Bound::at_least, .value = 7});
   const LimitState most = state_of(in, f, {.bound = Bound::at_most, .value = 7});
-  EXPECT_NEAR(least.margins({{1}})[0], 5, 1e-12);
-  EXPECT_NEAR(most.margins({{1}})[0], -5, 1e-12);
+  const double on_limit = 7e-9;  // a value on its limit keeps it
+  EXPECT_NEAR(least.margins({{1}})[0], 5 + on_limit, 1e-12);
+  EXPECT_NEAR(most.margins({{1}})[0], -5 + on_limit, 1e-12);
   EXPECT_EQ(least.margins({{0}, {1}, {-1}}).size(), 3u);
   EXPECT_EQ(least.evaluations(), 4u);
   EXPECT_EQ(most.evaluations(), 1u);

@@ -110,6 +110,41 @@ chance::Evaluate measured_outputs(const Calibrating& c, int threads, CaseCounter
   };
 }
 
+/// "loads.w.force[2] -900 kN, temperature 20 degC": the settings of a state.
+std::string state_in_words(const Calibrating& c, std::size_t state) {
+  const Display& display = c.read.deck.display;
+  const std::vector<double>& settings = c.measured.states[state];
+  std::string words;
+  for (std::size_t k = 0; k < settings.size(); ++k) {
+    const CaseInput& input = c.model.inputs[c.free.size() + k];
+    words += fmt::format("{}{} {}", k > 0 ? ", " : "", input.path, display.brief(settings[k], input.unit));
+  }
+  return words;
+}
+
+/// Which measurements have no answer where the search begins, the first with its reason; empty: all have one.
+std::string failed_at_start(const Calibrating& c) {
+  chance::Point start;
+  for (const chance::FreeParameter& p : c.free) start.push_back(p.start.value_or(p.low + 0.5 * (p.high - p.low)));
+  std::vector<std::string> why;  // by state; empty: it has an answer
+  for (const auto& state : c.measured.states) {
+    chance::Point values = start;
+    values.insert(values.end(), state.begin(), state.end());
+    const Outcome outcome = c.model.answer(values).outcome;
+    why.push_back(outcome.ok() ? std::string{} : outcome.message);
+  }
+  std::size_t failed = 0, first = 0;
+  for (std::size_t m = 0; m < c.measured.values.size(); ++m) {
+    if (why[c.measured.state[m]].empty()) continue;
+    if (failed++ == 0) first = m;
+  }
+  if (failed == 0) return {};
+  const std::string words = state_in_words(c, c.measured.state[first]);
+  return fmt::format("{} of {} measurements have no answer at the first start, the first is measurement {}{}: {}",
+                     failed, c.measured.values.size(), first + 1, words.empty() ? "" : fmt::format(" ({})", words),
+                     why[c.measured.state[first]]);
+}
+
 /// About so many cases a calibration takes, for its progress: each step needs its point and two for each difference.
 std::uint64_t usual_cases(const Calibrating& c, const chance::CalibrationOptions& options) {
   constexpr std::uint64_t usual_steps = 10;
@@ -140,15 +175,17 @@ void add_parameters(const Calibrating& c, const chance::Calibration& found, Resu
     const chance::CalibratedParameter& p = found.parameters[i];
     const CaseInput& input = c.model.inputs[i];
     const auto shown = [&](double x) { return display.brief(x, input.unit); };
-    t.rows.push_back({input.path, shown(input.base),
-                      p.state == chance::ParameterState::not_identifiable ? std::string("-") : shown(p.value),
-                      shown(p.interval.low), shown(p.interval.high), std::string(words_of(p.state)), p.note});
     const bool told = p.state != chance::ParameterState::not_identifiable;
+    // without a standard error the ends are the bounds of the deck: they tell of what is not told, and of no other
+    const bool has_interval = std::isfinite(p.standard_error);
+    const auto end = [&](double x) { return told && !has_interval ? std::string("-") : shown(x); };
+    t.rows.push_back({input.path, shown(input.base), told ? shown(p.value) : std::string("-"), end(p.interval.low),
+                      end(p.interval.high), std::string(words_of(p.state)), p.note});
     if (told) {
       r.values.push_back(
           {input.path, p.value, input.unit, "", fmt::format("{}, {}", input.path, words_of(p.state)), {}});
     }
-    if (std::isfinite(p.standard_error)) {
+    if (has_interval) {
       r.values.push_back({input.path + ".standard_error",
                           p.standard_error,
                           difference_of(input.unit),
@@ -162,7 +199,11 @@ void add_parameters(const Calibrating& c, const chance::Calibration& found, Resu
     }
     const std::string range = fmt::format("({} to {})", shown(p.interval.low), shown(p.interval.high));
     if (told) {
-      r.answers.push_back({"Found", fmt::format("{} {} {}", input.path, shown(p.value), range)});
+      const std::string how_sure = has_interval ? range
+                                   : p.state == chance::ParameterState::estimated
+                                       ? std::string("(no interval)")
+                                       : fmt::format("({}, no interval)", words_of(p.state));
+      r.answers.push_back({"Found", fmt::format("{} {} {}", input.path, shown(p.value), how_sure)});
     } else {
       r.answers.push_back({"Not told", fmt::format("{}: anything in its bounds {}", input.path, range)});
     }
@@ -190,14 +231,8 @@ void add_residuals(const Calibrating& c, const chance::Calibration& found, Resul
   for (std::size_t m = 0; m < c.measured.values.size(); ++m) {
     const CaseOutput& output = c.model.outputs[c.measured.output[m]];
     const double sd = c.measured.sd.empty() ? found.sd : c.measured.sd[m];
-    std::string state;
-    const auto& settings = c.measured.states[c.measured.state[m]];
-    for (std::size_t k = 0; k < settings.size(); ++k) {
-      const CaseInput& input = c.model.inputs[c.free.size() + k];
-      state += fmt::format("{}{} {}", k > 0 ? ", " : "", input.path, display.brief(settings[k], input.unit));
-    }
-    t.rows.push_back({static_cast<double>(m + 1), output.name, state, display.brief(c.measured.values[m], output.unit),
-                      display.brief(found.model[m], output.unit),
+    t.rows.push_back({static_cast<double>(m + 1), output.name, state_in_words(c, c.measured.state[m]),
+                      display.brief(c.measured.values[m], output.unit), display.brief(found.model[m], output.unit),
                       display.brief(found.residuals[m], difference_of(output.unit)), found.residuals[m] / sd});
     plot.curves[0].x.push_back(static_cast<double>(m + 1));
     plot.curves[0].y.push_back(found.residuals[m] / sd);
@@ -287,6 +322,9 @@ Result calibrate(const Job& job, int threads) {
   if (found.status != chance::CalibrationStatus::found) {
     r.status = Status::not_converged;
     r.message = found.reason;
+    if (const std::string failed = failed_at_start(*c); !failed.empty()) {
+      r.message += fmt::format(". {} ({})", failed, c->table.file);
+    }
     return r;
   }
   add_parameters(*c, found, r);

@@ -192,6 +192,40 @@ TEST_F(Line, TheErrorOfATemperatureIsADifference) {
   EXPECT_THAT(shown, testing::Not(testing::StartsWith("-")));
 }
 
+// The true length is 204.6 m: bounds that end at 204 m are no interval of what is found there.
+TEST_F(Line, BoundsAreNoInterval) {
+  std::string deck = deck_of();
+  const std::string bounds = "[203 m, 207 m]";
+  deck.replace(deck.find(bounds), bounds.size(), "[203 m, 204 m]");
+  write(noisy(1));
+  const Result r = calibrate({.text = deck, .name = path("deck.yaml"), .set = {}, .progress = {}}, 2);
+  ASSERT_EQ(r.status, Status::ok) << r.message << to_text(r.errors);
+  EXPECT_EQ(r.answers.at(0).text, "machine.reevings.sky.length 204 m (at its upper bound, no interval)");
+  const Table& t = *r.find_table("calibrated");
+  EXPECT_EQ(std::get<std::string>(t.rows.at(0).at(3)), "-");
+  EXPECT_EQ(std::get<std::string>(t.rows.at(0).at(4)), "-");
+  // as many numbers as measurements, without their sd
+  write(
+      fmt::format("output,value,machine.loads[0].mass\nequilibrium.sky.T_start,{:.6f} N,{} kg\n"
+                  "equilibrium.sky.T_start,{:.6f} N,{} kg\n",
+                  truth[0][0], masses[0], truth[5][0], masses[5]));
+  const Result exact = fit();
+  ASSERT_EQ(exact.status, Status::ok) << exact.message << to_text(exact.errors);
+  EXPECT_EQ(exact.answers.at(0).text, "machine.reevings.sky.length 204.6 m (no interval)");
+}
+
+// A sign too many: a mass below 0 makes no case.
+TEST_F(Line, ARowWithoutAnAnswerIsNamed) {
+  write(noisy(1) + "equilibrium.sky.T_start,20 kN,150 N,-9 t\n");
+  const Result r = fit();
+  EXPECT_EQ(r.status, Status::not_converged);
+  EXPECT_THAT(r.message,
+              HasSubstr("1 of 13 measurements have no answer at the first start, the first is measurement 13 "
+                        "(machine.loads[0].mass -9"))
+      << r.message;
+  EXPECT_THAT(r.message, HasSubstr("measured.csv"));
+}
+
 TEST_F(Line, MistakesHaveTheirPlace) {
   const auto mistakes = [&](const std::string& csv) {
     write(csv);

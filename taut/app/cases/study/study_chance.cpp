@@ -238,7 +238,8 @@ void add_indices(const Study& study, const StudyData& data, ChanceSummary& summa
     const auto found =
         chance::sensitivity(*study.indices, part_of(data.outputs[k], study.saltelli), study.request.confidence);
     Table t{.name = "sensitivity" + name_ending(k, outputs),
-            .title = fmt::format("Sobol indices of {}: the share of its variance from each input", output.name),
+            .title = fmt::format("Sobol indices of {}: {}", output.name,
+                                 found.varies ? "the share of its variance from each input" : "it does not vary"),
             .columns = {},
             .rows = {}};
     for (const char* name : {"input", "first", "first_low", "first_high", "total", "total_low", "total_high"}) {
@@ -253,7 +254,9 @@ void add_indices(const Study& study, const StudyData& data, ChanceSummary& summa
       summary.lines.push_back({output.name, "total index of " + study.model.inputs[i].path, si::one, total});
       if (total.value > found.of[most].total.value) most = i;
     }
-    if (!found.of.empty() && !std::isnan(found.of[most].total.value)) {
+    if (!found.varies) {
+      r.answers.push_back({"Matters most", fmt::format("{}: does not vary", output.name)});
+    } else if (!found.of.empty() && !std::isnan(found.of[most].total.value)) {
       r.answers.push_back({"Matters most", fmt::format("{}: {}, total Sobol index {:.2g}", output.name,
                                                        short_name(study, most), found.of[most].total.value)});
     }
@@ -282,8 +285,12 @@ void add_tornado(const Study& study, const StudyData& data, Result& r) {
       const Unit& unit = study.model.inputs[i].unit;
       const double low = bars[1 + 2 * i], high = bars[2 + 2 * i];
       t.rows.push_back({short_name(study, i), study.display.quantity(study.tornado[1 + 2 * i][i], unit),
-                        study.display.quantity(study.tornado[2 + 2 * i][i], unit), low, high, high - low});
+                        study.display.quantity(study.tornado[2 + 2 * i][i], unit), low, high,
+                        chance::is_leftover(high - low, bars[0]) ? 0 : high - low});
     }
+    const bool moves =
+        std::any_of(t.rows.begin(), t.rows.end(), [](const auto& row) { return std::get<double>(row.back()) != 0; });
+    if (!moves) t.title += ": it does not vary";
     const auto change = [](const std::vector<Cell>& row) {
       const double x = std::abs(std::get<double>(row.back()));
       return std::isnan(x) ? -1 : x;  // a case without an answer comes last

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include "taut/app/cases/case_values.hpp"
 #include "taut/app/cases/study/study_result.hpp"
 #include "taut/base/long_rows.hpp"
 
@@ -29,6 +30,7 @@ tl::expected<StudyData, FileError> read_cases(const Study& study, const StudyFol
       for (std::size_t k = 0; k < data.outputs.size(); ++k) data.outputs[k].push_back(one.answer.outputs[k]);
       if (!one.answer.outcome.ok()) data.failed.push_back({one.index, one.answer.outcome.message});
       for (const CaseFlaw& flaw : one.answer.flaws) data.flawed.push_back({one.index, flaw});
+      keep_least(one.answer.weaker, data.weaker);
     }
   }
   data.rows.long_rows = rows;

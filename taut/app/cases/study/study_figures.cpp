@@ -132,6 +132,9 @@ void add_scatter(const Study& study, const StudyData& data, Result& r) {
       y.push_back(data.outputs[k][i]);
     }
     if (y.size() < 2) continue;
+    const auto ends = std::minmax_element(y.begin(), y.end());
+    const double least = *ends.first;
+    if (chance::is_leftover(*ends.second - least, least)) y.assign(y.size(), least);  // it follows no input
     std::size_t most = 0;
     std::vector<double> correlation;
     for (std::size_t j = 0; j < inputs; ++j) {
@@ -196,6 +199,10 @@ void add_bars_of_tornado(const Study& study, const StudyData& data, Result& r) {
       bars.rows.push_back({.label = short_name(study, i), .bars = {bar(at[1 + 2 * i]), bar(at[2 + 2 * i])}});
     }
     if (std::isnan(at[0])) continue;  // nothing to go from
+    const bool moves = std::any_of(bars.rows.begin(), bars.rows.end(), [&](const Bars::Row& row) {
+      return !chance::is_leftover(row.bars[1].to - row.bars[0].to, at[0]);
+    });
+    if (!moves) continue;
     const auto width = [](const Bars::Row& row) {
       const double x = std::abs(row.bars[1].to - row.bars[0].to);
       return std::isnan(x) ? -1 : x;

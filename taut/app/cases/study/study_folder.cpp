@@ -9,6 +9,7 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <mutex>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -82,8 +83,8 @@ tl::expected<Json, FileError> read_manifest(const fs::path& folder) {
   return manifest;
 }
 
-constexpr const char* flaws_column = "flaws";  ///< the last one of a part
-constexpr std::size_t columns_beside = 4;      ///< beside inputs and outputs: case, status, reason, flaws
+constexpr const char* last_column = "weaker";
+constexpr std::size_t columns_beside = 5;  ///< beside inputs and outputs: case, status, reason, flaws, weaker
 
 const char* word_of(CaseFlaw::Kind kind) {
   switch (kind) {
@@ -137,9 +138,27 @@ std::optional<std::vector<CaseFlaw>> flaws_in(const std::string& text) {
   return flaws;
 }
 
+/// Strengths by part as one text; empty: there are none.
+std::string text_of(const std::map<std::string, double>& weaker) {
+  return weaker.empty() ? std::string{} : Json(weaker).dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+/// The same back; empty where it is no such text.
+std::optional<std::map<std::string, double>> weaker_in(const std::string& text) {
+  std::map<std::string, double> weaker;
+  if (text.empty()) return weaker;
+  const Json all = Json::parse(text, nullptr, false);
+  if (!all.is_object()) return std::nullopt;
+  for (const auto& [part, strength] : all.items()) {
+    if (!strength.is_number()) return std::nullopt;
+    weaker[part] = strength.get<double>();
+  }
+  return weaker;
+}
+
 /// Whether that table has the cases of a part, as this program writes them.
 bool holds(const Table& t, const CaseBlock& block) {
-  if (t.columns.size() < columns_beside || t.columns.back().name != flaws_column || t.rows.size() != block.count) {
+  if (t.columns.size() < columns_beside || t.columns.back().name != last_column || t.rows.size() != block.count) {
     return false;
   }
   for (std::size_t i = 0; i < t.rows.size(); ++i) {
@@ -173,7 +192,8 @@ Table table_of(const Study& study, const std::vector<KeptCase>& rows) {
   for (const CaseOutput& one : study.model.outputs) t.columns.push_back({.name = one.name, .unit = one.unit});
   t.columns.push_back({.name = "status", .unit = si::one});
   t.columns.push_back({.name = "reason", .unit = si::one});
-  t.columns.push_back({.name = flaws_column, .unit = si::one});
+  t.columns.push_back({.name = "flaws", .unit = si::one});
+  t.columns.push_back({.name = last_column, .unit = si::one});
   for (const KeptCase& row : rows) {
     std::vector<Cell>& cells = t.rows.emplace_back();
     cells.emplace_back(static_cast<double>(row.index));
@@ -182,6 +202,7 @@ Table table_of(const Study& study, const std::vector<KeptCase>& rows) {
     cells.emplace_back(std::string(to_text(row.answer.outcome.status)));
     cells.emplace_back(row.answer.outcome.message);
     cells.emplace_back(text_of(row.answer.flaws));
+    cells.emplace_back(text_of(row.answer.weaker));
   }
   return t;
 }
@@ -305,8 +326,10 @@ tl::expected<std::vector<KeptCase>, FileError> StudyFolder::read(std::uint64_t p
     row.answer.outcome.status = status_of(text(1 + inputs + outputs));
     row.answer.outcome.message = text(2 + inputs + outputs);
     auto flaws = flaws_in(text(3 + inputs + outputs));
-    if (!flaws) return tl::unexpected(foreign);
+    auto weaker = weaker_in(text(4 + inputs + outputs));
+    if (!flaws || !weaker) return tl::unexpected(foreign);
     row.answer.flaws = std::move(*flaws);
+    row.answer.weaker = std::move(*weaker);
   }
   return rows;
 }

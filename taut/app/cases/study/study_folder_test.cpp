@@ -33,6 +33,7 @@ std::vector<KeptCase> rows_of(const CaseBlock& block) {
   for (std::uint64_t i = block.first; i < block.end(); ++i) {
     rows.push_back({.index = i, .values = {1.0 / (1.0 + static_cast<double>(i))}, .answer = {}});
     rows.back().answer.outputs = {std::sqrt(static_cast<double>(i))};
+    if (i % 2 == 0) rows.back().answer.weaker = {{"sky", 1e5 / (1.0 + static_cast<double>(i))}};
   }
   rows.front().answer = {.outputs = {std::nan("")}, .outcome = infeasible("no equilibrium, 'sky' is too short")};
   return rows;
@@ -76,6 +77,7 @@ TEST_F(Folder, KeepsRowsToTheLastBit) {
     EXPECT_EQ((*read)[i].values, rows[i].values);
     if (i == 0) continue;  // it has no number
     EXPECT_EQ((*read)[i].answer.outputs, rows[i].answer.outputs);
+    EXPECT_EQ((*read)[i].answer.weaker, rows[i].answer.weaker);
   }
   EXPECT_TRUE(std::isnan(read->front().answer.outputs.front()));
   EXPECT_EQ(read->front().answer.outcome.status, Status::infeasible);

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <iterator>
 #include <map>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -274,11 +274,13 @@ bool speaks_of(const Study& study, const StudyLimit& limit, const std::vector<Li
   });
 }
 
+using Strengths = std::map<std::string, double>;
+
 /// Whether a limit that is about the strength of a part ends at its breaking force or yield, or before: beyond, it lets
-/// everything pass that breaks nothing. One of anything else does. `strengths`: as in CaseModel; one that is not known
-/// has to be believed.
+/// everything pass that breaks nothing. One of anything else does. `strengths`: the least of all cases; one that is not
+/// known has to be believed.
 bool ends_at_strength(const Study& study, const StudyLimit& limit, const std::string& part,
-                      const std::map<std::string, double>& strengths) {
+                      const Strengths& strengths) {
   constexpr std::string_view share = ".utilisation";
   std::string_view name = study.model.outputs[limit.output].name;
   const double value = limit.limit.value;
@@ -294,14 +296,20 @@ bool ends_at_strength(const Study& study, const StudyLimit& limit, const std::st
 /// "skyline" of "skyline.T_max".
 std::string part_of(const std::string& check) { return check.substr(0, check.rfind('.')); }
 
+/// The least strengths of the deck as it is and of all cases.
+Strengths least_strengths(Strengths of_deck, const StudyData& data) {
+  keep_least(data.weaker, of_deck);
+  return of_deck;
+}
+
 /// Whether a limit of the study counts that failure. It takes the place of a limit of the deck on the same value; what
 /// no limit can allow it has to count as beyond itself.
-bool counted(const Study& study, const StudyData& data, const FlawedCase& one) {
+bool counted(const Study& study, const StudyData& data, const FlawedCase& one, const Strengths& strengths) {
   const std::vector<LimitedValue> like = limits_like(one.flaw);
   return std::any_of(study.limits.begin(), study.limits.end(), [&](const StudyLimit& limit) {
     if (!speaks_of(study, limit, like, one.flaw.analysis)) return false;
     if (one.flaw.fact) return chance::margin(limit.limit, data.outputs[limit.output][one.index]) < 0;
-    return ends_at_strength(study, limit, part_of(one.flaw.check), study.model.strengths);
+    return ends_at_strength(study, limit, part_of(one.flaw.check), strengths);
   });
 }
 
@@ -324,8 +332,9 @@ struct SameFlaw {
 std::vector<SameFlaw> open_flaws(const Study& study, const StudyData& data) {
   std::map<std::pair<CaseFlaw::Kind, std::string>, std::size_t> known;
   std::vector<SameFlaw> all;
+  const Strengths strengths = least_strengths(study.model.strengths, data);
   for (const FlawedCase& one : data.flawed) {
-    if (one.flaw.kind == CaseFlaw::Kind::fails && counted(study, data, one)) continue;
+    if (one.flaw.kind == CaseFlaw::Kind::fails && counted(study, data, one, strengths)) continue;
     if (!matters(study, one.flaw)) continue;
     const auto [at, is_new] = known.try_emplace({one.flaw.kind, one.flaw.check}, all.size());
     if (is_new) all.push_back({.first = &one});
@@ -378,63 +387,102 @@ void add_flaws(const Study& study, const StudyData& data, Result& r) {
   r.tables.push_back(std::move(t));
 }
 
-/// The limits of the study on the value of a check, each in the states of its own analysis.
-std::vector<StudyLimit> limits_on(const Study& study, const CaseFlaw& flaw) {
-  const std::vector<LimitedValue> like = limits_like(flaw);
-  std::vector<StudyLimit> all;
-  std::copy_if(study.limits.begin(), study.limits.end(), std::back_inserter(all), [&](const StudyLimit& limit) {
+/// Whether a part has a limit of its strength, and why one that it has does not count.
+struct StrengthLimit {
+  bool there = false;
+  std::string why_not = {};
+};
+
+/// The limit in the states of an analysis; of none: of each limit's own. `least`: of `of_deck` and all cases.
+StrengthLimit strength_limit(const Study& study, const UnaskedPart& part, const Strengths& of_deck,
+                             const Strengths& least, const std::optional<std::string>& analysis) {
+  const std::vector<LimitedValue> like =
+      limits_like({.kind = CaseFlaw::Kind::fails, .check = part.name + (part.is_beam ? yield_check : breaking_check)});
+  StrengthLimit found;
+  for (const StudyLimit& limit : study.limits) {
     const std::string& output = study.model.outputs[limit.output].name;
-    return speaks_of(study, limit, like, output.substr(0, output.find('.')));
-  });
-  return all;
+    if (!speaks_of(study, limit, like, analysis.value_or(output.substr(0, output.find('.'))))) continue;
+    if (ends_at_strength(study, limit, part.name, least)) return {.there = true};
+    found.why_not = fmt::format("the limit of {} is beyond breaking or yield{}", output,
+                                ends_at_strength(study, limit, part.name, of_deck) ? " of some cases" : "");
+  }
+  return found;
 }
 
-/// What is said of a part that needs a limit of its strength and has none, of a check or of the study; empty: it has.
-std::string unasked_words(const Study& study, const UnaskedPart& part, const std::map<std::string, double>& strengths) {
-  std::string why = part.why;
-  const std::string check = part.name + (part.is_beam ? yield_check : breaking_check);
-  for (const StudyLimit& limit : limits_on(study, {.kind = CaseFlaw::Kind::fails, .check = check})) {
-    if (ends_at_strength(study, limit, part.name, strengths)) return {};
-    why = fmt::format("the limit of {} is beyond breaking or yield", study.model.outputs[limit.output].name);
+/// What is said of a part that needs a limit of its strength and has none, of a check or of the study; empty: it has. A
+/// limit is about the states of its own analysis: each that loads the part needs one.
+std::string unasked_words(const Study& study, const UnaskedPart& part, const Strengths& of_deck,
+                          const Strengths& least) {
+  std::vector<std::optional<std::string>> analyses = {std::nullopt};
+  if (const auto loaded = study.model.loaded_in.find(part.name); loaded != study.model.loaded_in.end()) {
+    analyses.assign(loaded->second.begin(), loaded->second.end());
   }
+  std::vector<std::string> without;
+  std::string why;
+  for (const auto& analysis : analyses) {
+    const StrengthLimit limit = strength_limit(study, part, of_deck, least, analysis);
+    if (!limit.there) without.push_back(analysis.value_or(""));
+    if (why.empty()) why = limit.why_not;
+  }
+  if (without.empty()) return {};
+  if (why.empty()) why = without.size() < analyses.size() ? fmt::format("in {}", fmt::join(without, ", ")) : part.why;
   return why.empty() ? part.name : fmt::format("{} ({})", part.name, why);
 }
 
-/// What would pass is looked at once more: a part that needs a limit has to have one, of the cases or of the study, and
-/// what the deck as it is fails in a check that no case makes does not pass unseen.
-void add_unasked(const Study& study, Result& r) {
-  const auto verdict = verdict_of(r);
-  const bool passes =
-      verdict && (verdict->kind == VerdictKind::passes || verdict->kind == VerdictKind::passes_with_warnings);
-  if (!passes || !study.model.unasked) return;
-  const Unasked unasked = study.model.unasked();
-  for (const UnaskedPart& part : unasked.parts) {
-    if (std::string words = unasked_words(study, part, unasked.strengths); !words.empty()) {
-      r.unjudged.push_back(std::move(words));
-    }
-  }
+/// What the deck as it is fails in a check that no case makes: a limit of the study on the same value, in the states of
+/// the check, takes its place.
+void add_failures_of_deck(const Study& study, const Unasked& unasked, const Strengths& strengths, Result& r) {
   for (const CaseFlaw& flaw : unasked.fails) {
-    const std::vector<StudyLimit> limits = limits_on(study, flaw);
-    if (std::any_of(limits.begin(), limits.end(), [&](const StudyLimit& limit) {
-          return ends_at_strength(study, limit, part_of(flaw.check), unasked.strengths);
-        })) {
-      continue;
-    }
+    const std::vector<LimitedValue> like = limits_like(flaw);
+    const bool taken = std::any_of(study.limits.begin(), study.limits.end(), [&](const StudyLimit& limit) {
+      return speaks_of(study, limit, like, flaw.analysis) &&
+             ends_at_strength(study, limit, part_of(flaw.check), strengths);
+    });
+    if (taken) continue;
     r.unmade.push_back(
         fmt::format("the deck as it is fails {}, which no case makes and no 'limit' of the study is about: {}",
                     flaw.check, flaw.words));
   }
 }
 
-/// A study without a limit of its own is not judged, whatever its cases are; that they pass is said.
+/// What would pass is looked at once more: a part that needs a limit has to have one, of the cases or of the study, and
+/// what the deck as it is fails in a check that no case makes does not pass unseen.
+void add_unasked(const Study& study, const StudyData& data, Result& r) {
+  const auto verdict = verdict_of(r);
+  const bool passes =
+      verdict && (verdict->kind == VerdictKind::passes || verdict->kind == VerdictKind::passes_with_warnings);
+  if (!passes || !study.model.unasked) return;
+  const Unasked unasked = study.model.unasked();
+  const Strengths least = least_strengths(unasked.strengths, data);
+  for (const UnaskedPart& part : unasked.parts) {
+    if (std::string words = unasked_words(study, part, unasked.strengths, least); !words.empty()) {
+      r.unjudged.push_back(std::move(words));
+    }
+  }
+  add_failures_of_deck(study, unasked, least, r);
+}
+
+/// "a, b, c and 2 more".
+std::string first_of(const std::vector<std::string>& names) {
+  constexpr std::size_t most = 3;
+  if (names.size() <= most) return fmt::format("{}", fmt::join(names, ", "));
+  return fmt::format("{} and {} more", fmt::join(names.begin(), names.begin() + most, ", "), names.size() - most);
+}
+
+/// A study without a limit of its own is not judged, whatever its cases are. Said is whether they pass the checks of
+/// the deck, where they make them all, and what the deck as it is fails in those that no case makes.
 void add_unlimited(const Study& study, const StudyData& data, Result& r) {
   if (!study.limits.empty() || !r.checks.empty() || !r.unjudged.empty()) return;
   const bool fails = std::any_of(data.flawed.begin(), data.flawed.end(), [](const FlawedCase& one) {
     return one.flaw.kind == CaseFlaw::Kind::fails || one.flaw.kind == CaseFlaw::Kind::unmade;
   });
   if (fails || !data.failed.empty()) return;
+  const Unasked unasked = study.model.unasked ? study.model.unasked() : Unasked{};
   r.unjudged.push_back(
-      fmt::format("what the study asks for; none of the {} cases fails a check of the deck", study.size()));
+      unasked.unmade.empty()
+          ? fmt::format("what the study asks for; none of the {} cases fails a check of the deck", study.size())
+          : fmt::format("what the study asks for; no case makes the deck's {}", first_of(unasked.unmade)));
+  add_failures_of_deck(study, unasked, unasked.strengths, r);
 }
 
 void add_given(const Study& study, Result& r) {
@@ -495,7 +543,7 @@ Result study_result(const Study& study, const StudyData& data, const StudyOption
   add_failed(study, data, r);
   add_not_run(study, r);
   add_flaws(study, data, r);
-  add_unasked(study, r);
+  add_unasked(study, data, r);
   add_unlimited(study, data, r);
   r.tables.push_back(std::move(summary).table());
   r.series.push_back(data.rows);

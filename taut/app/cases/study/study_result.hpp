@@ -1,4 +1,6 @@
 #pragma once
+#include <map>
+#include <string>
 #include <tl/expected.hpp>
 
 #include "taut/app/cases/study/study.hpp"
@@ -26,7 +28,8 @@ struct StudyData {
   Table rows;                                ///< `cases`: long rows of number, inputs, outputs, status (0: ok), SI
   std::vector<std::vector<double>> outputs;  ///< by output, in the order of the cases; NaN where one failed
   std::vector<FailedCase> failed;
-  std::vector<FlawedCase> flawed;  ///< in the order of the cases; a case may be there several times
+  std::vector<FlawedCase> flawed;             ///< in the order of the cases; a case may be there several times
+  std::map<std::string, double> weaker = {};  ///< least strengths of the cases, where below those of the model
 };
 
 /// Reads the parts in their order; the error: one is missing or broken.

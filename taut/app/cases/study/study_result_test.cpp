@@ -253,6 +253,23 @@ TEST(StudyResult, ALimitBeyondBreakingTakesThePlaceOfNoLimitOfTheDeck) {
   }
 }
 
+// The same where a case has a weaker part than the deck.
+TEST(StudyResult, AWeakerCaseMakesALimitOfTensionTooHigh) {
+  Study study = of_cases(10);
+  study.model.outputs[0].name = "checks.sky.T_max";
+  study.model.strengths = {{"sky", 20e3}};
+  study.limits = {{.output = 0, .limit = {.bound = chance::Bound::at_most, .value = 18e3}, .allowed = 0.9}};
+  StudyData data;
+  data.outputs = {std::vector<double>(10, 10e3)};
+  data.flawed = {
+      {.index = 3,
+       .flaw = {
+           .kind = CaseFlaw::Kind::fails, .check = "sky.safety_factor", .words = "below 3", .sense = Sense::at_least}}};
+  EXPECT_TRUE(study_result(study, data, {}).unmade.empty());
+  data.weaker = {{"sky", 15e3}};
+  EXPECT_EQ(study_result(study, data, {}).unmade.size(), 1U);
+}
+
 // What no case makes and the deck as it is fails: a limit of the study on the same value counts it.
 TEST(StudyResult, WhatTheDeckFailsAndNoCaseMakesIsNotJudged) {
   Study study = of_cases(10);
@@ -263,8 +280,15 @@ TEST(StudyResult, WhatTheDeckFailsAndNoCaseMakesIsNotJudged) {
   std::vector<CaseFlaw> fails;
   study.model.unasked = [&] { return Unasked{.fails = fails}; };
   EXPECT_EQ(verdict_of(study_result(study, data, {}))->kind, VerdictKind::passes);
-  fails = {{.kind = CaseFlaw::Kind::fails, .check = "sky.safety_factor", .sense = Sense::at_least}};
+  fails = {{.kind = CaseFlaw::Kind::fails,
+            .check = "sky.safety_factor",
+            .sense = Sense::at_least,
+            .analysis = "equilibrium"}};
   EXPECT_EQ(verdict_of(study_result(study, data, {}))->kind, VerdictKind::passes);
+  fails[0].analysis = "";
+  EXPECT_EQ(verdict_of(study_result(study, data, {}))->kind, VerdictKind::not_judged)
+      << "a check over several analyses";
+  fails[0].analysis = "equilibrium";
   fails.push_back({.kind = CaseFlaw::Kind::fails, .check = "boom.member", .words = "1.26 is too much"});
   const Verdict verdict = *verdict_of(study_result(study, data, {}));
   EXPECT_EQ(verdict.verdict_class, "unmade");
