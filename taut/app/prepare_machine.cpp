@@ -17,6 +17,7 @@
 #include "taut/app/machine_steps.hpp"
 #include "taut/app/swept_verdict.hpp"
 #include "taut/app/terrain.hpp"
+#include "taut/base/number.hpp"
 #include "taut/checks/checked_parts.hpp"
 #include "taut/checks/checks.hpp"
 #include "taut/io/deck/read.hpp"
@@ -76,7 +77,8 @@ void note_missing(const study::LoadPathRun& one, Result& r) {
   for (const study::LoadPathPart& part : one.parts) {
     const auto& first = part.result.points.front();
     if (part.result.outcome.ok() && !first.at.outcome.ok()) {
-      r.warnings.push_back(fmt::format("load path, x = {:.6g} m: {}: left out", first.x, first.at.outcome.message));
+      r.warnings.push_back(
+          fmt::format("load path, x = {} m: {}: left out", place_number(first.x), first.at.outcome.message));
       continue;
     }
     for (const auto& point : part.result.points) missing.take(point.at.outcome, point.x);
@@ -310,7 +312,7 @@ Result compute(const MachineDeck& deck, machine::Model model, study::AskedAll as
   }
   if (run.judges && run.tells) run.checked->judge.add_values(r);
   results::add_values(run, r);
-  results::warn_of_strain(deck.machine, deck.chosen, run.model, r);
+  results::warn_of_strain(deck.machine, deck.chosen, run.model, run.display, r);
   if (run.judges) run.checked->drives.add_checks(r);
   results::warn_of_friction(run.model, r);
   results::add_put_up(run.model, built.lines, r);

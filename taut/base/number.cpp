@@ -1,5 +1,6 @@
 #include "taut/base/number.hpp"
 
+#include <fmt/format.h>
 #include <locale.h>  // NOLINT(modernize-deprecated-headers): newlocale is of POSIX
 #include <stdlib.h>  // NOLINT(modernize-deprecated-headers): strtod_l is of the C library
 
@@ -71,6 +72,12 @@ std::optional<double> parse_double(std::string_view text) {
   const NumberAtFront front = number_at_front(text);
   if (text.empty() || front.length != text.size() || !front.in_range) return std::nullopt;
   return front.value;
+}
+
+std::string place_number(double x, int digits) {
+  constexpr double far = 1e4, centimetres = 100;  // m; in a metre
+  if (!(std::abs(x) >= far)) return fmt::format("{:.{}g}", x, digits);
+  return fmt::format("{:.10g}", std::round(x * centimetres) / centimetres);
 }
 
 }  // namespace taut

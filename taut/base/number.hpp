@@ -1,6 +1,7 @@
 #pragma once
 #include <cstddef>
 #include <optional>
+#include <string>
 #include <string_view>
 
 namespace taut {
@@ -18,6 +19,10 @@ NumberAtFront number_at_front(std::string_view text);
 
 /// The number that the whole text is; empty when it is none, or out of range.
 std::optional<double> parse_double(std::string_view text);
+
+/// A place, m, as a sentence tells it: so many digits, and to the centimetre from 10 km on, where map coordinates are:
+/// "12.3457", "2600030.25".
+std::string place_number(double x, int digits = 6);
 
 /// The i-th of `steps` equal steps from one number to another, 0 <= i <= steps: from + (to - from) i/steps, the last
 /// exactly `to`, where the formula may miss it by its last digit.

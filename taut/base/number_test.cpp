@@ -95,4 +95,14 @@ TEST(Number, StepsEndWhereTheyAreToEnd) {
   EXPECT_EQ(step_between(2, 4, 1, 4), 2.5);
 }
 
+TEST(PlaceNumber, MapCoordinatesKeepTheirCentimetres) {
+  EXPECT_EQ(place_number(12.345678), "12.3457");
+  EXPECT_EQ(place_number(12.345678, 4), "12.35");
+  EXPECT_EQ(place_number(-1250), "-1250");
+  EXPECT_EQ(place_number(2600030), "2600030");
+  EXPECT_EQ(place_number(2600030.25, 4), "2600030.25");
+  EXPECT_EQ(place_number(-5200039.9999999995), "-5200040");
+  EXPECT_EQ(place_number(14142135.62), "14142135.62");
+}
+
 }  // namespace taut::number_test

@@ -161,9 +161,10 @@ struct Comparison {
 struct MissingStates {
   std::string analysis;  ///< "load path"
   int missing = 0;
-  int places = 0;      ///< number of states asked for, including the missing ones
-  std::string first;   ///< the first missing state, "x = 12 m"
-  std::string reason;  ///< why the first one has no answer
+  int places = 0;        ///< number of states asked for, including the missing ones
+  std::string first;     ///< the first missing state, "x = 12 m"
+  std::string reason;    ///< why the first one has no answer
+  std::string all = {};  ///< all of them, "x = 12 m to x = 14 m (2 states); x = 20 m"; empty: not told
 };
 
 /// What the head of a report says of the order: `project:` of a deck. Every text may be empty; empty ones are not

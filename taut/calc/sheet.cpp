@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "taut/base/expects.hpp"
+#include "taut/units/display.hpp"
 
 namespace taut {
 namespace {
@@ -36,6 +37,21 @@ const Field* find_by_address(const Description& d, const void* object, const dou
 }
 
 }  // namespace
+
+namespace {
+
+const Display& own_units() {
+  static const Display display;
+  return display;
+}
+
+}  // namespace
+
+const Display& Sheet<double>::display() const { return own_units(); }
+
+const Display& Sheet<Num>::display() const { return display_ ? *display_ : own_units(); }
+
+void Sheet<Num>::show_in(const Display& display) { display_ = std::make_shared<const Display>(display); }
 
 Sheet<Num>::Sheet(std::string source, const Description& description, const void* input)
     : source_(std::move(source)), description_(&description), input_(input), zero_(make_number(0)) {}

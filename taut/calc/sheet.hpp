@@ -1,4 +1,5 @@
 #pragma once
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -11,6 +12,8 @@
 #include "taut/math/roots.hpp"
 
 namespace taut {
+
+class Display;
 
 /// What a quantity of a sheet is held against; see Bound.
 template <class T>
@@ -45,6 +48,7 @@ class Sheet<double> {
   template <class Words>
   void warn(Words&&) const {}
   void check(const char*, double, const Unit&, const SheetBound<double>&) const {}
+  const Display& display() const;
 };
 
 template <>
@@ -94,6 +98,10 @@ class Sheet<Num> {
   }
   void check(const char* name, const Num& x, const Unit& unit, const SheetBound<Num>& bound);
 
+  /// The units of sentences; each number's own where nothing is set.
+  const Display& display() const;
+  void show_in(const Display& display);
+
   const std::vector<Step>& steps() const { return steps_; }
   const std::vector<Check>& checks() const { return checks_; }
   const std::vector<std::string>& warnings() const { return warnings_; }
@@ -118,6 +126,7 @@ class Sheet<Num> {
   std::string source_;
   const Description* description_;
   const void* input_;
+  std::shared_ptr<const Display> display_;  ///< nullptr: none is set
   Formula zero_;
   std::vector<Step> steps_;
   std::vector<Check> checks_;

@@ -63,6 +63,12 @@ std::vector<std::string> unsafe_of(const Result& r) {
   return all;
 }
 
+std::string missing_words(const MissingStates& m) {
+  std::string where = "first " + m.first;
+  if (!m.all.empty()) where = m.missing == 1 ? m.all : m.all + "; the first";
+  return fmt::format("{}: no equilibrium at {} of {} places, {}: {}", m.analysis, m.missing, m.places, where, m.reason);
+}
+
 namespace {
 
 Verdict failing(const Result& r, std::vector<const Check*> failed) {
@@ -76,11 +82,6 @@ Verdict failing(const Result& r, std::vector<const Check*> failed) {
   if (r.status != Status::ok && !r.interrupted && !r.message.empty())
     reason += fmt::format("; other states have no answer: {}", r.message);
   return {.kind = VerdictKind::fails, .verdict_class = {}, .reason = std::move(reason)};
-}
-
-std::string missing_words(const MissingStates& m) {
-  return fmt::format("{}: no equilibrium at {} of {} places, first {}: {}", m.analysis, m.missing, m.places, m.first,
-                     m.reason);
 }
 
 std::optional<Verdict> not_judged(const Result& r) {

@@ -29,6 +29,10 @@ struct Verdict {
 /// - passes: all of it.
 std::optional<Verdict> verdict_of(const Result& r);
 
+/// "load path, in: no equilibrium at 3 of 96 places, x = 12 m to x = 14 m (2 states); x = 20 m; the first: the rope
+/// does not reach".
+std::string missing_words(const MissingStates& m);
+
 /// "fails", "no_answer", "not_judged", "passes_with_warnings", "passes": as in result.json.
 std::string_view to_text(VerdictKind kind);
 

@@ -69,12 +69,12 @@ std::vector<ValueDoubt> doubts_of(const NamedRope& rope, const OwnValues& own) {
 }
 
 std::optional<std::string> doubt_of_strain(const std::string& rope, double tension, double stiffness,
-                                           const std::string& key) {
+                                           const Display& display, const std::string& key) {
   if (!(tension > most_strain * stiffness)) return std::nullopt;
   return fmt::format(
-      "rope '{}': its largest tension, {:.4g} kN, strains it by {:.3g} % at a stiffness of {:.4g} MN: no steel rope "
-      "bears that; look at the unit of its '{}'",
-      rope, tension / 1e3, 100 * tension / stiffness, stiffness / 1e6, key);
+      "rope '{}': its largest tension, {}, strains it by {:.3g} % at a stiffness of {}: no steel rope bears that; look "
+      "at the unit of its '{}'",
+      rope, display.brief(tension, si::N), 100 * tension / stiffness, display.brief(stiffness, si::N.in("MN")), key);
 }
 
 Check breaking_check(std::string name, std::string part, double tension, Bound strength) {

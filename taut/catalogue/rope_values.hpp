@@ -5,6 +5,7 @@
 
 #include "taut/calc/result.hpp"
 #include "taut/catalogue/rope.hpp"
+#include "taut/units/display.hpp"
 
 /// Values of a deck that contradict the row of the catalogue that it names: a slip of a unit (kN, MN). What no rope
 /// bears, whatever the deck asks.
@@ -41,7 +42,7 @@ std::vector<ValueDoubt> doubts_of(const NamedRope& rope, const OwnValues& own);
 /// Where the largest tension (N) strains a rope of a stiffness (N) by more than a steel rope bears. `key`: what the
 /// stiffness is from in the deck.
 std::optional<std::string> doubt_of_strain(const std::string& rope, double tension, double stiffness,
-                                           const std::string& key = "stiffness");
+                                           const Display& display, const std::string& key = "stiffness");
 
 /// A rope's largest tension (N) against its breaking force, by name, rule and trust of `strength`. It may fail without
 /// being asked; it is no limit by which the rope `part` passes.

@@ -45,9 +45,13 @@ TEST(RopeValues, TheStiffnessIsThatOfARopeBetweenNewAndItsWires) {
 }
 
 TEST(RopeValues, NoSteelRopeIsStrainedByMoreThanTwoPercent) {
-  EXPECT_FALSE(doubt_of_strain("sky", 19.9e3, 1e6));
-  EXPECT_TRUE(doubt_of_strain("sky", 20.1e3, 1e6));
-  EXPECT_FALSE(doubt_of_strain("sky", 20e3, std::numeric_limits<double>::infinity()));
+  EXPECT_FALSE(doubt_of_strain("sky", 19.9e3, 1e6, Display()));
+  EXPECT_TRUE(doubt_of_strain("sky", 20.1e3, 1e6, Display()));
+  const auto words =
+      doubt_of_strain("sky", 50e3, 1e6, Display(std::map<std::string, std::string>{{"force", "kgf"}}));  // 50e3/9.80665
+  ASSERT_TRUE(words);
+  EXPECT_NE(words->find("5099 kgf, strains it by 5 % at a stiffness of 101972 kgf"), std::string::npos) << *words;
+  EXPECT_FALSE(doubt_of_strain("sky", 20e3, std::numeric_limits<double>::infinity(), Display()));
 }
 
 /// 6x36-IWRC of 12 mm and 1960 MPa breaks at 100.5 kN.

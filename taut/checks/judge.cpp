@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "taut/base/number.hpp"
 #include "taut/calc/none.hpp"
 #include "taut/catalogue/rope_values.hpp"
 #include "taut/catalogue/trust.hpp"
@@ -47,8 +48,8 @@ std::string beside_its_span(const machine::Model& m, const machine::State& state
   const Vector3& place = state.bodies[car.body].position;
   const double passed = (place - before).dot(way);
   if (way.norm() == 0 || (passed >= 0 && passed <= way.squaredNorm())) return {};
-  return fmt::format("carriage {} stands at x = {:.6g} m, not between '{}' and '{}', where its rope's path has it",
-                     car.name, place.x(), nodes[n - 1].name, nodes[after].name);
+  return fmt::format("carriage {} stands at x = {} m, not between '{}' and '{}', where its rope's path has it",
+                     car.name, place_number(place.x()), nodes[n - 1].name, nodes[after].name);
 }
 
 /// Angle by which a body is turned from where the deck has it, rad.

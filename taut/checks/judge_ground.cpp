@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "taut/base/number.hpp"
 #include "taut/calc/none.hpp"
 #include "taut/checks/described.hpp"
 #include "taut/checks/judge.hpp"
@@ -202,12 +203,12 @@ void Judge::add_heights(Result& r) const {
       if (!std::isfinite(one.value)) continue;
       if (least == nullptr || one.value < least->value) least = &one;
       if (one.value >= 0) continue;
-      Check c = make_check(
-          part + ".ground", one.value, si::m,
-          {.sense = Sense::at_least,
-           .limit = 0,
-           .rule = fmt::format("{} is {:.4g} m below the ground at x = {:.6g} m", one.part, -one.value, one.x),
-           .trust = "user"});
+      Check c = make_check(part + ".ground", one.value, si::m,
+                           {.sense = Sense::at_least,
+                            .limit = 0,
+                            .rule = fmt::format("{} is {:.4g} m below the ground at x = {} m", one.part, -one.value,
+                                                place_number(one.x)),
+                            .trust = "user"});
       c.utilisation = std::numeric_limits<double>::quiet_NaN();  // a limit of 0 m is no measure
       c.part = part;
       c.limits = false;
@@ -216,9 +217,9 @@ void Judge::add_heights(Result& r) const {
     }
     if (least == nullptr) return;
     const ValueKind& kind = named(value_kinds(), name);
-    r.values.push_back(
-        make_value(kind, "", "", least->value,
-                   fmt::format("{}: {} at x = {:.6g} m ({})", kind.about.words, least->part, least->x, least->where)));
+    r.values.push_back(make_value(
+        kind, "", "", least->value,
+        fmt::format("{}: {} at x = {} m ({})", kind.about.words, least->part, place_number(least->x), least->where)));
   };
   add(carriages_, "clearance_min");
   add(rope_heights_, "rope_clearance_min");

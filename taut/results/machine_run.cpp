@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "taut/base/number.hpp"
 #include "taut/calc/shown.hpp"
 #include "taut/checks/checked_parts.hpp"
 
@@ -24,7 +25,8 @@ std::string state_words(const char* kind, const std::string& ending, const std::
 
 /// "load path, haulback -1, x = 100 m", "sag, haulback -1, x = 100 m": a place of a load path by the name of the path.
 std::string place_words(const study::LoadPathRun& one, const study::LoadPathPoint& point) {
-  return fmt::format("{}, {}, x = {:.6g} m", checks::analysis_words(one.ending, "load path"), one.words, point.x);
+  return fmt::format("{}, {}, x = {} m", checks::analysis_words(one.ending, "load path"), one.words,
+                     place_number(point.x));
 }
 
 }  // namespace

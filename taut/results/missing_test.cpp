@@ -44,7 +44,9 @@ TEST(Missing, WhereItStandsByItselfIsAPlaceAndTheRestIsCounted) {
   EXPECT_EQ(r.missing[0].missing, 8);
   EXPECT_EQ(r.missing[0].places, 9);
   EXPECT_EQ(r.missing[0].first, "x = 10 m");
-  EXPECT_TRUE(warns(r, "no equilibrium at 8 of 9 places, first x = 10 m: 'car'"));
+  EXPECT_TRUE(warns(r,
+                    "no equilibrium at 8 of 9 places, x = 10 m to x = 40 m (4 states); x = 60 m to x = 90 m (4 "
+                    "states); the first: 'car'"));
   const taut::Table& t = table_of(r, "load_path");
   ASSERT_EQ(t.rows.size(), 1U);
   EXPECT_NEAR(cell(t, 0, "x"), 50, 1e-9);

@@ -81,12 +81,12 @@ void warn_of_rope_values(const machine::Machine& machine, const ChosenRopes& cho
 }
 
 void warn_of_strain(const machine::Machine& machine, const ChosenRopes& chosen, const machine::Model& model,
-                    Result& r) {
+                    const Display& display, Result& r) {
   for (const machine::Reeving& one : model.reevings) {
     const Value* T = r.find_value(one.name + ".T_max");
     const auto* rope = rope_of(machine, one.name);
     if (T == nullptr || rope == nullptr) continue;
-    std::optional<std::string> words = catalogue::doubt_of_strain(one.name, T->value, one.stiffness);
+    std::optional<std::string> words = catalogue::doubt_of_strain(one.name, T->value, one.stiffness, display);
     if (!words) continue;
     of_catalogue(*rope, chosen) ? warn_unsafe(r, *std::move(words)) : r.warnings.push_back(*std::move(words));
   }

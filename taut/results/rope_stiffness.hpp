@@ -6,6 +6,7 @@
 #include "taut/catalogue/rope.hpp"
 #include "taut/machine/description/machine.hpp"
 #include "taut/machine/model.hpp"
+#include "taut/units/display.hpp"
 
 namespace taut::results {
 
@@ -25,6 +26,7 @@ void warn_of_rope_values(const machine::Machine& machine, const ChosenRopes& cho
 
 /// Ropes that their largest tension, ROPE.T_max of `r`, strains by more than a steel rope bears: unsafe for a rope of
 /// the catalogue, else a plain warning.
-void warn_of_strain(const machine::Machine& machine, const ChosenRopes& chosen, const machine::Model& model, Result& r);
+void warn_of_strain(const machine::Machine& machine, const ChosenRopes& chosen, const machine::Model& model,
+                    const Display& display, Result& r);
 
 }  // namespace taut::results

@@ -452,22 +452,30 @@ bool rest_is_known(const RopeUse& use) {
 
 bool goes_beyond_rest(double tension, double at_rest) { return tension > (1 + still_moves) * at_rest; }
 
+namespace {
+
+/// "tension at rest, 15 kN (load path, in, x = 40 m)". Where no state at rest has as much, what lasts in a motion
+/// stands for it.
+std::string lasting_words(const RopeUse& use) {
+  return fmt::format("tension {}, {}{}", use.lasts ? "that lasts" : "at rest", kilonewton(use.tension),
+                     use.where.empty() ? std::string() : fmt::format(" ({})", use.where));
+}
+
+}  // namespace
+
 std::string why_rest_is_unknown(const RopeUse& use) {
-  if (use.peak > sudden_load * use.tension) {
-    return fmt::format("the motion reaches {}, more than twice the tension at rest, {}", kilonewton(use.peak),
-                       kilonewton(use.tension));
-  }
+  if (use.peak > sudden_load * use.tension)
+    return fmt::format("the motion reaches {}, more than twice the {}", kilonewton(use.peak), lasting_words(use));
   if (goes_beyond_rest(use.mean, use.tension)) {
     return fmt::format(
-        "the motion has {} on average ({}), more than the largest tension at rest, {}: a load that comes and goes, or "
-        "a "
+        "the motion has {} on average ({}), more than the largest {}: a load that comes and goes, or a "
         "slow swing",
-        kilonewton(use.mean), use.mean_where, kilonewton(use.tension));
+        kilonewton(use.mean), use.mean_where, lasting_words(use));
   }
   return fmt::format(
-      "the motion ends with {} on average, more than the largest tension at rest, {}, and not for long "
-      "enough to tell whether it stays",
-      kilonewton(use.last), kilonewton(use.tension));
+      "the motion ends with {} on average, more than the largest {}, and not for long enough to tell "
+      "whether it stays",
+      kilonewton(use.last), lasting_words(use));
 }
 
 RopeUse at_peak(RopeUse use) {

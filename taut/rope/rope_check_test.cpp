@@ -329,8 +329,18 @@ TEST(RopeCheck, what_a_motion_ends_with_may_stay) {
   const RopeChecks unknown = check_rope(use, rules);
   EXPECT_EQ(find(unknown, "hoist.safety_factor"), nullptr);
   ASSERT_FALSE(unknown.left_out.empty());
-  EXPECT_NE(unknown.left_out[0].find("the motion ends with 55 kN on average"), std::string::npos)
+  EXPECT_NE(unknown.left_out[0].find("the motion ends with 55 kN on average, more than the largest tension at rest, "
+                                     "40 kN"),
+            std::string::npos)
       << unknown.left_out[0];
+  // 40 kN are of the motion itself: it is not called one at rest
+  use.lasts = true;
+  use.where = "lift, for 10 s until t = 12 s";
+  const RopeChecks moves = check_rope(use, rules);
+  ASSERT_FALSE(moves.left_out.empty());
+  EXPECT_NE(moves.left_out[0].find("more than the largest tension that lasts, 40 kN (lift, for 10 s until t = 12 s)"),
+            std::string::npos)
+      << moves.left_out[0];
   rules.safety_factors[0].value = 2.5;  // 160/60 = 2.67 at the peak
   EXPECT_TRUE(find(check_rope(use, rules), "hoist.safety_factor")->passes);
 }

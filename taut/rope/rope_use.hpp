@@ -49,6 +49,7 @@ struct RopeUse {
   catalogue::RopeRow rope;  ///< breaking force 0, area 0, diameter 0, no grade: not known
   double tension = 0;       ///< the largest anywhere, static, N
   std::string where;        ///< "load path, in, x = 130 m"
+  bool lasts = false;       ///< it is one of a motion that lasts, and of no state at rest
   double peak = 0;          ///< the largest of calculated motions, N; 0: none
   std::string peak_where;
   double mean = 0;  ///< the largest over some seconds of calculated motions, N; 0: none

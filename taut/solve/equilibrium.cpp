@@ -9,6 +9,7 @@
 
 #include "taut/base/array.hpp"
 #include "taut/base/expects.hpp"
+#include "taut/base/number.hpp"
 #include "taut/machine/compile/guides.hpp"
 #include "taut/machine/without_rope.hpp"
 #include "taut/math/index.hpp"
@@ -434,9 +435,9 @@ WithoutMainline without_mainline(const machine::Model& model, const EquilibriumO
   if (hold.norm() <= no_force * machine::weight_on(model, carriage.body)) {
     if (mainline.weight > 0) {
       return {.why = fmt::format(
-                  "'{}' stands by itself at x = {:.6g} m, and the weight of its mainline '{}' pulls it away from "
+                  "'{}' stands by itself at x = {} m, and the weight of its mainline '{}' pulls it away from "
                   "there: choose another x",
-                  carriage.name, machine::told_x(model, *options.prescribed), mainline.name)};
+                  carriage.name, place_number(machine::told_x(model, *options.prescribed)), mainline.name)};
     }
     return {.why = {}, .near = machine::with_rope(std::move(held), mainline, index, 0), .no_force = true};
   }
@@ -444,10 +445,10 @@ WithoutMainline without_mainline(const machine::Model& model, const EquilibriumO
     const double tension = hold.squaredNorm() * pull.norm() / hold.dot(pull) / mainline.copies;
     return {.why = {}, .near = machine::with_rope(std::move(held), mainline, index, tension)};
   }
-  return {.why =
-              fmt::format("'{}' at x = {:.6g} m has to be pulled away from its mainline '{}' with {:.6g} N; a mainline "
-                          "can't push: choose another x, or pull from the other side",
-                          carriage.name, machine::told_x(model, *options.prescribed), mainline.name, hold.norm())};
+  return {.why = fmt::format("'{}' at x = {} m has to be pulled away from its mainline '{}' with {:.6g} N; a mainline "
+                             "can't push: choose another x, or pull from the other side",
+                             carriage.name, place_number(machine::told_x(model, *options.prescribed)), mainline.name,
+                             hold.norm())};
 }
 
 /// Whether a mainline hangs deep: see deep_mainline_link.
@@ -560,10 +561,9 @@ Outcome stands_by_itself(const machine::Model& model, const EquilibriumOptions& 
   const double none = std::max(no_force * machine::weight_on(model, carriage.body), options.tolerance * largest);
   if (result.hold.norm() <= none) return {};
   return infeasible(
-      fmt::format("'{}' stays at x = {:.6g} m only by a force of {:.4g} kN along its track, and nothing gives it: give "
-                  "the carriage a mainline, clamp it, choose another x, or say 'held: true' where something else "
-                  "holds it",
-                  carriage.name, machine::told_x(model, *options.prescribed), result.hold.norm() / 1e3));
+      fmt::format("'{}' stays at x = {} m only by a force of {:.4g} kN along its track, and nothing gives it: give the "
+                  "carriage a mainline, clamp it, choose another x, or say 'held: true' where something else holds it",
+                  carriage.name, place_number(machine::told_x(model, *options.prescribed)), result.hold.norm() / 1e3));
 }
 
 EquilibriumResult equilibrium(const machine::Model& model, const EquilibriumOptions& options,

@@ -123,6 +123,7 @@ WinchWork work_of(const machine::Model& m, const CycleRun& run, std::size_t winc
   const double EA = m.reevings[w.reeving].copies * m.reevings[w.reeving].stiffness;
   const auto stretch = [&](double T) { return w.drive ? 1.0 : 1 + T / EA; };
   WinchWork work;
+  work.powers.assign(all.size(), none);
   const CyclePosition* before = turn;
   double mean = 0;
   for (const CyclePosition& p : all) {
@@ -140,7 +141,10 @@ WinchWork work_of(const machine::Model& m, const CycleRun& run, std::size_t winc
       work.taken -= (stretch(T0) + stretch(T)) / 2 * paid;
       work.energy += energy;
       mean += (T0 + T) / 2 * way;
-      if (way > 0 && !std::isnan(speed)) take_power(energy / way * speed, work);
+      if (way > 0 && !std::isnan(speed)) {
+        work.powers[static_cast<std::size_t>(&p - all.data())] = energy / way * speed;
+        take_power(energy / way * speed, work);
+      }
     }
     before = &p;
   }
@@ -178,11 +182,11 @@ const Description& PhaseRequest::describe() {
           .at_least(0)
           .at_most(heaviest)
           .field(&PhaseRequest::from, "from", "x", si::m, "first place of the carriage, in place of that of the cycle")
-          .at_least(-farthest)
-          .at_most(farthest)
+          .at_least(-farthest_along)
+          .at_most(farthest_along)
           .field(&PhaseRequest::to, "to", "x", si::m, "last place")
-          .at_least(-farthest)
-          .at_most(farthest)
+          .at_least(-farthest_along)
+          .at_most(farthest_along)
           .field(&PhaseRequest::speed, "speed", "v", si::m_per_s,
                  "speed of the carriage, in place of that of the cycle")
           .above(0)
@@ -215,13 +219,13 @@ const Description& CycleRequest::describe() {
           .field(&CycleRequest::carriage, "carriage", "the carriage that is moved")
           .required()
           .field(&CycleRequest::from, "from", "x", si::m, "first place of the carriage in the first phase")
-          .at_least(-farthest)
-          .at_most(farthest)
+          .at_least(-farthest_along)
+          .at_most(farthest_along)
           .required()
           .field(&CycleRequest::to, "to", "x", si::m,
                  "last place in the first phase; phases without places of their own go back and forth")
-          .at_least(-farthest)
-          .at_most(farthest)
+          .at_least(-farthest_along)
+          .at_most(farthest_along)
           .required()
           .field(&CycleRequest::steps, "steps", "n", si::one, "equal steps of each phase")
           .at_least(1)

@@ -72,6 +72,7 @@ struct WinchWork {
   double energy = 0;                   ///< done by the winch, J; negative: braked
   double power_max = none;             ///< the largest of either sign, W
   double power_given = none;           ///< the largest that it gives, W; negative: it only brakes
+  std::vector<double> powers;          ///< mean from the place before to each one, W; NaN: none
 };
 
 struct PhaseAnswer {

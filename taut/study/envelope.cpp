@@ -8,6 +8,7 @@
 #include <set>
 #include <unordered_map>
 
+#include "taut/base/number.hpp"
 #include "taut/base/suggest.hpp"
 #include "taut/machine/compile/guides.hpp"
 #include "taut/solve/quantities.hpp"
@@ -151,7 +152,7 @@ class Combination {
       for (const auto& point : path.points) {
         EnvelopeState there = where;
         there.x = point.x;
-        const std::string words = fmt::format("envelope, {}, x = {:.6g} m", motion.words, point.x);
+        const std::string words = fmt::format("envelope, {}, x = {} m", motion.words, place_number(point.x));
         take(part.model, point.at, there, words);
         if (point.at.outcome.ok()) {
           keep("carriage in the ground", -point.clearance, whole_words(words, there), part.model, point.at);
@@ -294,11 +295,11 @@ const Description& EnvelopeRequest::describe() {
           .field(&EnvelopeRequest::carriage, "carriage",
                  "the carriage that is moved; without it the machine as described")
           .field(&EnvelopeRequest::from, "from", "x", si::m, "first place of the carriage")
-          .at_least(-farthest)
-          .at_most(farthest)
+          .at_least(-farthest_along)
+          .at_most(farthest_along)
           .field(&EnvelopeRequest::to, "to", "x", si::m, "last place")
-          .at_least(-farthest)
-          .at_most(farthest)
+          .at_least(-farthest_along)
+          .at_most(farthest_along)
           .field(&EnvelopeRequest::steps, "steps", "n", si::one, "equal steps between them")
           .at_least(1)
           .at_most(10000)

@@ -124,8 +124,9 @@ namespace {
 
 /// Of a place without equilibrium.
 Outcome no_answer(const machine::Carriage& carriage, const LoadPathPoint& point) {
-  return {.status = point.at.outcome.status,
-          .message = fmt::format("'{}' at x = {:.6g} m: {}", carriage.name, point.x, point.at.outcome.message)};
+  return {
+      .status = point.at.outcome.status,
+      .message = fmt::format("'{}' at x = {} m: {}", carriage.name, place_number(point.x), point.at.outcome.message)};
 }
 
 /// The points of a load path with those between them over the tops of the ground.

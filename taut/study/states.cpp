@@ -7,6 +7,7 @@
 
 #include "taut/machine/compile/carriage_span.hpp"
 #include "taut/machine/compile/guides.hpp"
+#include "taut/study/deck/bounds.hpp"
 #include "taut/study/deck/watch.hpp"
 #include "taut/study/line/terrain_tops.hpp"
 
@@ -24,12 +25,12 @@ const Description& EquilibriumRequest::describe() {
           .one_for_all()
           .field(&EquilibriumRequest::carriage, "carriage", "the carriage that is placed at x")
           .field(&EquilibriumRequest::x, "x", "x", si::m, "place of the carriage; the quantity that holds it follows")
-          .at_least(-1e6)
-          .at_most(1e6)
+          .at_least(-farthest_along)
+          .at_most(farthest_along)
           .field(&EquilibriumRequest::z, "z", "z", si::m,
                  "height of the carriage; the given length or tension of the rope on which it rides follows")
-          .at_least(-1e6)
-          .at_most(1e6)
+          .at_least(-farthest)
+          .at_most(farthest)
           .field(&EquilibriumRequest::along, "along", "", si::one,
                  "horizontal direction [x, y] along which its x is measured, from the origin")
           .field(&EquilibriumRequest::held, "held",
@@ -143,12 +144,12 @@ const Description& LoadPathRequest::describe() {
           .field(&LoadPathRequest::carriage, "carriage", "the carriage that is moved")
           .required()
           .field(&LoadPathRequest::from, "from", "x", si::m, "first place of the carriage")
-          .at_least(-1e6)
-          .at_most(1e6)
+          .at_least(-farthest_along)
+          .at_most(farthest_along)
           .required()
           .field(&LoadPathRequest::to, "to", "x", si::m, "last place")
-          .at_least(-1e6)
-          .at_most(1e6)
+          .at_least(-farthest_along)
+          .at_most(farthest_along)
           .required()
           .field(&LoadPathRequest::steps, "steps", "n", si::one, "equal steps between them")
           .at_least(1)

@@ -178,8 +178,8 @@ const Description& SweepRequest::describe() {
           .one_for_all()
           .field(&SweepRequest::carriage, "carriage", "the carriage that is placed at x")
           .field(&SweepRequest::x, "x", "x", si::m, "its place")
-          .at_least(-farthest)
-          .at_most(farthest)
+          .at_least(-farthest_along)
+          .at_most(farthest_along)
           .field(&SweepRequest::along, "along", "", si::one, "as for an equilibrium")
           .field(&SweepRequest::held, "held", "as for an equilibrium");
   return d;

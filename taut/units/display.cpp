@@ -152,7 +152,7 @@ std::string without_end_zeros(double x, int decimals) {
 }  // namespace
 
 std::string Display::brief(double si, const Unit& unit, Rounding rounding) const {
-  constexpr double long_way = 10, longest_way = 1e5;  // m
+  constexpr double long_way = 10, longest_way = 1e8;  // m; places on the map too
   const std::string shown = this->unit(unit);
   double x = from_si(si, unit);
   const double size = std::abs(x);

@@ -116,7 +116,7 @@ Result run_closed_loop(const closed_loop::Input& in, const Display& display) {
     if (!row.empty()) rope.rope = row;
     const double stiffness = role == "return" ? in.return_stiffness : in.traction_stiffness;
     if (std::isfinite(stiffness)) rope.own.stiffness = stiffness;
-    warn_of_rope(rope, r);
+    warn_of_rope(rope, display, r);
   }
   return r;
 }

@@ -138,7 +138,8 @@ void check_grip(const friction_drive::Input& in, const solve::BeltDrive& d, cons
 }
 
 /// rope_mass is with the cutters: more than the bare rope has is no slip, less is one.
-void warn_of_values(const friction_drive::Input& in, const solve::BeltDrive& d, double tension, Result& r) {
+void warn_of_values(const friction_drive::Input& in, const solve::BeltDrive& d, double tension, const Display& display,
+                    Result& r) {
   MethodRope rope{.name = "rope",
                   .rope = in.rope,
                   .own = {},
@@ -148,7 +149,7 @@ void warn_of_values(const friction_drive::Input& in, const solve::BeltDrive& d, 
   const auto row = rope_of(in);
   if (row && in.rope_mass < row->mass_per_length) rope.own.mass = in.rope_mass;
   if (in.rope_stiffness || in.rope_area) rope.own.stiffness = d.stiffness;
-  warn_of_rope(rope, r);
+  warn_of_rope(rope, display, r);
 }
 
 /// The stress in the tight branch, where the take-up pulls it with more than the method takes.
@@ -177,7 +178,7 @@ void complete_friction_drive(const friction_drive::Input& in, const friction_dri
   add_words(in, d, s,
             as_asked ? "as the method says to build" : "the one without slip, as with the idler loss none is enough",
             display, r);
-  warn_of_values(in, d, e.T_1_exact, r);
+  warn_of_values(in, d, e.T_1_exact, display, r);
   add_comparisons(out, e, r);
   if (in.take_up) check_grip(in, d, s, r);
   const auto values = values_of(FrictionDriveExact::describe(), &e);

@@ -347,7 +347,8 @@ double largest_tension(const Solved& method, const Section& section, EngineMasts
   return most;
 }
 
-void warn_of_values(const Input& in, const Solved& method, const Section& section, EngineMasts& masts, Result& r) {
+void warn_of_values(const Input& in, const Solved& method, const Section& section, EngineMasts& masts,
+                    const Display& display, Result& r) {
   for (std::size_t i = 0; i < masts.guys().size(); ++i) {
     const Guy& given = in.guys[i];
     warn_of_rope({.name = fmt::format("guy {}", masts.guys()[i].name),
@@ -357,13 +358,14 @@ void warn_of_values(const Input& in, const Solved& method, const Section& sectio
                           .breaking_force = given.breaking_force.value_or(0),
                           .stiffness = masts.guys()[i].stiffness},
                   .tension = largest_tension(method, section, masts, i)},
-                 r);
+                 display, r);
   }
 }
 
-void warn_of_guys(const Input& in, const Solved& method, const Section& section, EngineMasts& masts, Result& r) {
+void warn_of_guys(const Input& in, const Solved& method, const Section& section, EngineMasts& masts,
+                  const Display& display, Result& r) {
   if (r.status != Status::ok) return;
-  warn_of_values(in, method, section, masts, r);
+  warn_of_values(in, method, section, masts, display, r);
   const SlackGuys open = slack_guys(in, method, section, masts, false, false),
                   declared = slack_guys(in, method, section, masts, false, true),
                   alone = slack_guys(in, method, section, masts, true, std::nullopt);
@@ -541,7 +543,7 @@ void complete_mast_section(const Input& in, const Solved& method, EngineMasts& m
   if (positions.size() > 1) {
     r.tables.push_back(make_table("positions_exact", "Carriage positions, exact", exact_quantities(), positions));
   }
-  warn_of_guys(in, method, section, masts, r);
+  warn_of_guys(in, method, section, masts, display, r);
   add_words(in, section, r);
   if (!std::isnan(e.N_exact)) add_comparisons(in, governing_output(method), section, e, r);
   if (r.status == Status::ok && !std::isnan(e.sigma_worst_exact)) add_checks(in, method, section, masts, e, r);

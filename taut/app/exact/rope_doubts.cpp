@@ -6,7 +6,7 @@
 
 namespace taut::app {
 
-void warn_of_rope(const MethodRope& rope, Result& r) {
+void warn_of_rope(const MethodRope& rope, const Display& display, Result& r) {
   const auto tell = [&r](std::string words, bool unsafe) {
     unsafe ? warn_unsafe(r, std::move(words)) : r.warnings.push_back(std::move(words));
   };
@@ -17,7 +17,7 @@ void warn_of_rope(const MethodRope& rope, Result& r) {
     for (catalogue::ValueDoubt& one : catalogue::doubts_of(known, rope.own)) tell(std::move(one.words), one.unsafe);
   }
   if (!(rope.own.stiffness > 0)) return;
-  auto strain = catalogue::doubt_of_strain(rope.name, rope.tension, rope.own.stiffness, rope.stiffness_key);
+  auto strain = catalogue::doubt_of_strain(rope.name, rope.tension, rope.own.stiffness, display, rope.stiffness_key);
   if (strain) tell(*std::move(strain), row.has_value() || rope.metal);
 }
 

@@ -4,6 +4,7 @@
 
 #include "taut/calc/result.hpp"
 #include "taut/catalogue/rope_values.hpp"
+#include "taut/units/display.hpp"
 
 /// Values of a method's deck that contradict the rope of the catalogue that it names, as machine decks have them.
 namespace taut::app {
@@ -20,6 +21,6 @@ struct MethodRope {
 
 /// Unsafe warnings of values that no rope of the row has, and of a strain that no steel rope bears. A rope of which the
 /// deck gives the stiffness alone may be of fibre: the strain is a plain warning.
-void warn_of_rope(const MethodRope& rope, Result& r);
+void warn_of_rope(const MethodRope& rope, const Display& display, Result& r);
 
 }  // namespace taut::app

@@ -11,7 +11,7 @@ MethodRope rope(std::optional<std::string> row, const catalogue::OwnValues& own,
 
 Result told(const MethodRope& one) {
   Result r;
-  warn_of_rope(one, r);
+  warn_of_rope(one, Display(), r);
   return r;
 }
 

@@ -18,7 +18,7 @@
 namespace taut::checks {
 namespace {
 
-/// From the vertical: beyond, a force bends the tree more than it presses it.
+/// From the axis of the trunk: beyond, a force bends the tree more than it presses it.
 constexpr double most_lean = std::numbers::pi / 4;
 
 /// Rounds that no carriage is, and the ends of ropes.
@@ -43,8 +43,18 @@ Vector3 force_at(const CheckState& state, const std::string& name) {
   return F;
 }
 
-/// Of the saddle over the terrain; NaN where there is none.
+/// How the deck places a support or sheave by its height over the ground; nullptr: it gives x, y, z.
+const machine::PlaceOverGround* place_over_ground(const machine::Model& model, const std::string& name) {
+  const auto& all = model.over_ground;
+  const auto place = std::find_if(all.begin(), all.end(), [&](const machine::PlaceOverGround& one) {
+    return one.name == name && (one.kind == "support" || one.kind == "sheave" || one.kind == "drum");
+  });
+  return place == all.end() ? nullptr : &*place;
+}
+
+/// Of the saddle: along its trunk where the deck gives that, else vertically over the terrain; NaN where there is none.
 double height_over_ground(const CheckState& state, const std::string& name) {
+  if (const machine::PlaceOverGround* place = place_over_ground(*state.model, name)) return place->over_ground;
   for (const CheckContact& c : state.contacts) {
     if (state.model->reevings[c.reeving].nodes[c.node].name != name) continue;
     return c.place.z() - study::ground_height(state.model->terrain, machine::terrain_x(*state.model, c.place));
@@ -69,6 +79,17 @@ std::optional<double> tree_diameter(const SupportStates& s) {
 
 /// Angle of the force from the vertical, downwards 0.
 double lean_of(const Vector3& F) { return std::atan2(std::hypot(F.x(), F.y()), -F.z()); }
+
+/// Unit vector from the foot to the saddle. A trunk of which the deck does not say that it leans stands upright.
+Vector3 trunk_of(const machine::Model& model, double lean) {
+  return std::sin(lean) * model.terrain_along + std::cos(lean) * Vector3::UnitZ();
+}
+
+/// Angle of the force from the axis of the trunk, towards its foot 0.
+double angle_from_trunk(const Vector3& F, const Vector3& trunk) {
+  const double up = F.dot(trunk);
+  return std::atan2((F - up * trunk).norm(), -up);
+}
 
 const Quantities<SupportStates>& support_quantities() {
   using Row = SupportStates;
@@ -96,9 +117,11 @@ std::string why_none(const SupportStates& s) {
   if (!s.upwards.empty())
     return fmt::format("its ropes pull it upwards ({}), and the table is one of trees that are pressed", s.upwards);
   if (!s.sideways.empty()) {
-    return fmt::format(
-        "its ropes pull it more sideways than downwards ({}), and the table is one of forces along the trunk",
-        s.sideways);
+    const std::string than = s.trunk_lean == 0 ? "downwards"
+                                               : fmt::format("along its trunk, which leans by {:.3g} deg,",
+                                                             std::abs(s.trunk_lean) * 180 / std::numbers::pi);
+    return fmt::format("its ropes pull it more sideways than {} ({}), and the table is one of forces along the trunk",
+                       than, s.sideways);
   }
   if (std::isnan(s.height)) return "its height over the ground is not known: give 'height'";
   return fmt::format("beyond the table of support trees: {}", force_words(s));
@@ -150,8 +173,13 @@ void take(const CheckState& state, SupportStates& support) {
   Vector3 F = force_at(state, request.name);
   for (const std::string& other : request.with) F += force_at(state, other);
   if (F.z() > 0 && support.upwards.empty()) support.upwards = state.words;
-  const bool sideways = F != Vector3::Zero() && lean_of(F) > most_lean;
-  if (sideways && support.sideways.empty()) support.sideways = state.words;
+  const machine::PlaceOverGround* place = place_over_ground(*state.model, request.name);
+  const double trunk_lean = place == nullptr ? 0 : place->lean;
+  const bool sideways = F != Vector3::Zero() && angle_from_trunk(F, trunk_of(*state.model, trunk_lean)) > most_lean;
+  if (sideways && support.sideways.empty()) {
+    support.sideways = state.words;
+    support.trunk_lean = trunk_lean;
+  }
   if (factor * F.norm() <= support.force) return;
   support.force = factor * F.norm();
   support.pull = F;

@@ -15,10 +15,11 @@ struct SupportStates {
   double force = 0;                ///< the largest of all ropes together, with the dynamic factor, N
   Vector3 pull = Vector3::Zero();  ///< there, without the factor, N
   double factor = 1;
-  double height = 0;  ///< of the saddle over the ground, m; NaN: no terrain there
+  double height = 0;  ///< of the saddle over the ground, along its trunk, m; NaN: no terrain there
   std::string where;
-  std::string upwards;   ///< the first state in which the ropes pull it upwards; empty: in none
-  std::string sideways;  ///< the first state in which they pull it more sideways than downwards; empty: in none
+  std::string upwards;    ///< the first state in which the ropes pull it upwards; empty: in none
+  std::string sideways;   ///< the first state in which they pull it more sideways than along its trunk; empty: in none
+  double trunk_lean = 0;  ///< in that state, from the vertical, rad
 };
 std::vector<SupportStates> support_states(const std::vector<SupportCheckRequest>& supports);
 void take(const CheckState& state, SupportStates& support);

@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -5,6 +6,7 @@
 #include <string>
 
 #include "taut/calc/verdict.hpp"
+#include "taut/catalogue/forestry/tree.hpp"
 #include "test/support/machine_decks.hpp"
 
 namespace taut::checks::support_checks_test {
@@ -120,6 +122,68 @@ checks:
 )");
   EXPECT_EQ(to_text(verdict_of(r)->kind), "not_judged") << verdict_of(r)->reason;
   EXPECT_NE(verdict_of(r)->reason.find("more sideways than downwards"), std::string::npos) << verdict_of(r)->reason;
+}
+
+/// A slope of 60 % with a jack on it, its foot at chainage 0, and a weightless rope whose ends lie level, 100 m to both
+/// sides of the saddle and 20 m below it, b `z_end` higher: with 0 the saddle is pressed straight down as in over_jack.
+/// `along`: -1 where the chainage grows against x.
+std::string on_slope(double lean_deg, const std::string& checks, double z_end, int along = 1) {
+  const double lean = lean_deg * std::numbers::pi / 180, x = 14 * std::sin(lean), z = 14 * std::cos(lean);
+  return fmt::format(R"(taut: 1
+machine:
+  terrain: {{x: [-200 m, 200 m], z: [-120 m, 120 m], from: [0 m, 0 m], along: [{}, 0]}}
+  ropes: {{line: {{mass: 0.001 kg/m, stiffness: 20 MN, breaking_force: 900 kN}}}}
+  points: {{a: [{:.12f} m, 0 m, {:.12f} m], b: [{:.12f} m, 0 m, {:.12f} m]}}
+  supports: {{jack: {{at: {{chainage: 0 m, over_ground: 14 m, lean: {} deg}}, friction: 0}}}}
+  reevings: [{{rope: line, path: [{{anchor: a}}, {{over: jack}}, {{anchor: b}}], tension_at_start: 45 kN}}]
+checks:
+  ropes: {{line: {{safety_factor: 2}}}}
+  supports: {{jack: {}}}
+)",
+                     along, along * (x - 100), z - 20, along * (x + 100), z - 20 + z_end, lean_deg, checks);
+}
+
+// By hand: 45 kN give 2 x 45 sin(atan 0.2) = 17.65 kN, the row of 20 kN. The trunk is 14 m long from its foot to the
+// saddle, the lashing at 17 m. Vertically below the saddle, 1.948 m up the slope of 60 %, the ground is only
+// 13.864 - 1.169 = 12.695 m down, which would be a lashing at 15.695 m and a tree that is too thin.
+TEST(SupportChecks, ALeaningTrunkIsAsLongAsTheDeckSays) {
+  const Result r = run_text(on_slope(8, "{tree_diameter: 60 cm}", 0));
+  const auto& t = table_of(r, "support_forces");
+  EXPECT_NEAR(cell(t, 0, "force"), 2 * 45e3 * std::sin(std::atan(0.2)), 10);
+  EXPECT_NEAR(cell(t, 0, "height"), 14, 1e-12);
+  const auto at_lashing = catalogue::support_tree_diameter(cell(t, 0, "force"), 17);
+  ASSERT_TRUE(at_lashing);
+  EXPECT_NEAR(value_of(r, "jack.tree_diameter"), *at_lashing + 0.155, 1e-12);
+  // where the deck gives the place alone, the height is the vertical one
+  std::string placed = on_slope(8, "{tree_diameter: 60 cm}", 0);
+  const std::string at = "{chainage: 0 m, over_ground: 14 m, lean: 8 deg}";
+  const double lean = 8 * std::numbers::pi / 180;
+  placed.replace(placed.find(at), at.size(),
+                 fmt::format("[{:.12f} m, 0 m, {:.12f} m]", 14 * std::sin(lean), 14 * std::cos(lean)));
+  EXPECT_NEAR(cell(table_of(run_text(placed), "support_forces"), 0, "height"),
+              14 * std::cos(lean) - 0.6 * 14 * std::sin(lean), 1e-9);
+}
+
+// The force leans by 8.5 deg towards growing chainage: with b 10 m above the saddle and a 20 m below it the two pulls
+// add up to (100/h - 100/l, 10/h - 20/l), l = hypot(100, 20), h = hypot(100, 10). The foot of a trunk that leans by 38
+// deg lies the other way, so the force stands 46.5 deg off the trunk and bends it; off one that leans by -38 deg it
+// stands 29.5 deg. From the vertical both would be judged. A line whose chainage grows the other way is the same line.
+TEST(SupportChecks, SidewaysCountsFromTheTrunk) {
+  const double low = std::hypot(100, 20), high = std::hypot(100, 10);
+  const double lean = std::atan2(100 / high - 100 / low, 20 / low - 10 / high);
+  ASSERT_NEAR(lean * 180 / std::numbers::pi, 8.51, 0.01);
+  for (const int along : {1, -1}) {
+    const Result away = run_text(on_slope(38, "{tree_diameter: 90 cm}", 30, along)),
+                 with = run_text(on_slope(-38, "{tree_diameter: 90 cm}", 30, along));
+    for (const Result* r : {&away, &with}) EXPECT_NEAR(cell(table_of(*r, "support_forces"), 0, "lean"), lean, 1e-3);
+    // the rope itself lies in the slope, so the verdict is another
+    ASSERT_EQ(away.unmade.size(), 1U);
+    EXPECT_NE(away.unmade[0].find("more sideways than along its trunk, which leans by 38 deg"), std::string::npos)
+        << away.unmade[0];
+    EXPECT_TRUE(with.unmade.empty());
+    EXPECT_EQ(away.find_value("jack.tree_diameter"), nullptr);
+    EXPECT_TRUE(check_of(with, "jack.support_tree").passes);
+  }
 }
 
 }  // namespace taut::checks::support_checks_test

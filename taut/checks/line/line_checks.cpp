@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "taut/base/number.hpp"
 #include "taut/base/suggest.hpp"
 #include "taut/checks/guy/guy_checks.hpp"
 #include "taut/checks/rope/rope_rules.hpp"
@@ -122,7 +123,7 @@ void take_gap(const study::TerrainGap& gap, LineStates& line) {
 
 /// "load path, at rest, x = 40 m, at x = 12 m, 9 m from its fixed end"; the second x along the terrain.
 std::string place_words(const machine::Model& model, const std::string& words, const study::RopeClearance& found) {
-  const std::string place = fmt::format("{}, at x = {:.4g} m", words, terrain_x(model, found.place));
+  const std::string place = fmt::format("{}, at x = {} m", words, place_number(terrain_x(model, found.place), 4));
   return found.to_end ? fmt::format("{}, {:.3g} m from its fixed end", place, *found.to_end) : place;
 }
 
@@ -142,7 +143,7 @@ void take_rounds(const CheckState& state, LineStates& line) {
   const auto take_place = [&](const Vector3& place) {
     const double x = terrain_x(*state.model, place), height = place.z() - study::ground_height(state.model->terrain, x);
     if (std::isnan(height)) return;
-    line.clearance.least(height, fmt::format("{}, at x = {:.4g} m", state.words, x));
+    line.clearance.least(height, fmt::format("{}, at x = {} m", state.words, place_number(x, 4)));
   };
   const auto& all = state.branches;
   const auto same = [](const CheckBranch& a, const CheckBranch& b) {  // pieces of a rope in segments

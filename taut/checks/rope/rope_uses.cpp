@@ -246,6 +246,7 @@ void RopeUses::take_forces(const machine::Model& model, const solve::Equilibrium
     if (state.ropes[i].T_max <= use->tension) continue;
     use->tension = state.ropes[i].T_max;
     use->where = words;
+    use->lasts = false;
   }
   Array<std::map<std::string, int>> met(model.reevings.size());
   Array<std::vector<Turned>> turned(uses_.size());
@@ -277,16 +278,17 @@ void RopeUses::take_motion(int reeving, const solve::RopeExtreme& extreme, bool 
   rope::RopeUse& use = uses_[reeving];
   const solve::Extreme& T = extreme.T;
   const std::string peak_words = fmt::format("{}, t = {:.4g} s", words, T.t_max);
-  const auto at_rest = [&](double tension, const std::string& where) {
+  const auto take_tension = [&](double tension, const std::string& where, bool lasts) {
     if (!(tension > use.tension)) return;  // nor one that is not known
     use.tension = tension;
     use.where = where;
+    use.lasts = lasts;
   };
-  if (slowly) at_rest(T.max, peak_words);
-  at_rest(extreme.T_static, words + ", before it begins");
+  if (slowly) take_tension(T.max, peak_words, false);
+  take_tension(extreme.T_static, words + ", before it begins", false);
   const LastingTension& lasting = lasting_[reeving];
-  at_rest(lasting.largest(),
-          fmt::format("{}, for {:g} s until t = {:.4g} s", words, LastingTension::lasts, lasting.when()));
+  take_tension(lasting.largest(),
+               fmt::format("{}, for {:g} s until t = {:.4g} s", words, LastingTension::lasts, lasting.when()), true);
   use.last = std::max(use.last, lasting.at_end());
   if (lasting.mean() > use.mean) {
     use.mean = lasting.mean();

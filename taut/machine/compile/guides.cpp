@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "taut/base/number.hpp"
 #include "taut/base/suggest.hpp"
 
 namespace taut::machine {
@@ -264,9 +265,9 @@ std::string misplaced_guide(const Model& model, const Array<Pose>& bodies) {
       const std::string& car = model.bodies[body].name;
       const bool on = std::abs(coordinate - guides.away.dot(starts_at(model, node))) <= on_guide;
       return fmt::format(
-          "carriage '{}' comes to rest at x = {:.6g} m, {} '{}', which was taken to {} ('holds: ahead_of {}'): put the "
+          "carriage '{}' comes to rest at x = {} m, {} '{}', which was taken to {} ('holds: ahead_of {}'): put the "
           "carriage somewhere with 'carriage' and 'x', or give '{}' another length",
-          car, bodies[body].position.x() + model.origin.x(),
+          car, place_number(bodies[body].position.x() + model.origin.x()),
           on                   ? "at"
           : held > guides.held ? "beyond"
                                : "before",

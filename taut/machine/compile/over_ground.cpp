@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "taut/base/number.hpp"
 #include "taut/machine/compile/terrain.hpp"
 #include "taut/machine/links/links.hpp"
 
@@ -92,9 +93,10 @@ class Placer {
     if (!height) {
       complaints_.push_back(
           {path + ".at.chainage",
-           fmt::format("there is no terrain at {:.6g} m: it goes from {:.6g} m to {:.6g} m along its line; survey the "
+           fmt::format("there is no terrain at {} m: it goes from {} m to {} m along its line; survey the "
                        "ground there, or choose a chainage within it",
-                       given.chainage, ground_.terrain.front().x, ground_.terrain.back().x)});
+                       place_number(given.chainage), place_number(ground_.terrain.front().x),
+                       place_number(ground_.terrain.back().x))});
       return;
     }
     const Vector3& along = ground_.terrain_along;

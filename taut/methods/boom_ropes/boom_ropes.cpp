@@ -157,11 +157,12 @@ void corrected(const Input& in, const Span<T>& F, const Tensioned<T>& F_0, Sheet
   out.S10_balance_corrected = value(S_10bc);
   if (out.S20_min_corrected > out.S20_min) {
     s.warn([&] {
+      const Display& display = s.display();
       return fmt::format(
-          "C1 = {:.4g} MN/m contradicts the ratio of tension changes {:.3g}: the retraction rope needs S20 > {:.1f} "
-          "kN, not {:.1f} kN. The smaller value is unsafe: the rope would go slack when case {} ({}) is lifted.",
-          // what is needed is rounded up
-          in.extension_stiffness / 1e6, *ratio, std::ceil(out.S20_min_corrected / 100) / 10, out.S20_min / 1e3,
+          "C1 = {} contradicts the ratio of tension changes {:.3g}: the retraction rope needs S20 > {}, not {}. The "
+          "smaller value is unsafe: the rope would go slack when case {} ({}) is lifted.",
+          display.brief(in.extension_stiffness, si::N_per_m.in("MN/m")), *ratio,
+          display.brief(out.S20_min_corrected, si::N, Rounding::up), display.brief(out.S20_min, si::N),
           out.lowest_case + 1, in.cases[out.lowest_case].name);
     });
   }
@@ -242,16 +243,17 @@ void pretension_as_set(const Input& in, const Tensioned<T>& pads, Sheet<T>& s, O
       const Pretension<T> better = settled(set, held, s.named("kappa", si::one, *ratio), "c", s);
       out.S10_set_corrected = value(better.S10);
       out.S20_set_corrected = value(better.S20);
-      by_printed =
-          fmt::format(" (by the printed stiffness {:.2f} and {:.2f} kN)", out.S10_set / 1e3, out.S20_set / 1e3);
+      by_printed = fmt::format(" (by the printed stiffness {} and {})", s.display().brief(out.S10_set, si::N),
+                               s.display().brief(out.S20_set, si::N));
     }
     s.warn([&] {
       const Pretension<double> kept = corrected_pair(out);
+      const auto force = [&](double x) { return s.display().brief(x, si::N); };
       return fmt::format(
-          "S10 = {:.2f} kN and S20 = {:.2f} kN pull section 3 with {:.2f} kN, but its pads hold only {:.2f} kN: it "
-          "slides until {:.2f} and {:.2f} kN are left{}. Tension the ropes so that |2 S10 - S20| stays below f0 G3.",
-          S_10 / 1e3, S_20 / 1e3, std::abs(S_20 - 2 * S_10) / 1e3, std::abs(out.F0_retraction) / 1e3, kept.S10 / 1e3,
-          kept.S20 / 1e3, by_printed);
+          "S10 = {} and S20 = {} pull section 3 with {}, but its pads hold only {}: it slides until {} and {} are "
+          "left{}. Tension the ropes so that |2 S10 - S20| stays below f0 G3.",
+          force(S_10), force(S_20), force(std::abs(S_20 - 2 * S_10)), force(std::abs(out.F0_retraction)),
+          force(kept.S10), force(kept.S20), by_printed);
     });
   }
   if (in.cases.empty()) return;

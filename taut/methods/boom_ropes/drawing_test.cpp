@@ -31,7 +31,7 @@ const Drawing* drawing(const std::vector<Figure>& all, const std::string& name) 
 std::vector<Figure> drawn(const Input& in) {
   Output out;
   EXPECT_TRUE(solve(in, out).ok());
-  return figures(in, out);
+  return figures(in, out, Display());
 }
 
 TEST(BoomDrawing, BoomReachesItsLength) {

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "taut/methods/boom_ropes/sliding.hpp"
 
@@ -50,12 +49,12 @@ void name_governing(const SlidingPoint& p, Output& out) {
 template <class T>
 void warn_of_gaps(const Sliding& q, Sheet<T>& s, const Output& out) {
   for (const SlidingPoint& p : out.grid) {
-    if (!p.ok()) s.warn([&] { return fmt::format("No equilibrium at {}: {}.", place(p), p.reason); });
+    if (!p.ok()) s.warn([&] { return fmt::format("No equilibrium at {}: {}.", place(p, s.display()), p.reason); });
     if (p.ok() && p.S1 < q.minimum_tension) {
-      s.warn([&] { return fmt::format("The extension rope is slack at {}: raise S10.", place(p)); });
+      s.warn([&] { return fmt::format("The extension rope is slack at {}: raise S10.", place(p, s.display())); });
     }
     if (p.ok() && p.S2 < q.minimum_tension) {
-      s.warn([&] { return fmt::format("The retraction rope is slack at {}: raise S20.", place(p)); });
+      s.warn([&] { return fmt::format("The retraction rope is slack at {}: raise S20.", place(p, s.display())); });
     }
   }
 }
@@ -73,9 +72,9 @@ void check_taut(const Sliding& q, Sheet<T>& s, const Output& out) {
 
 }  // namespace
 
-std::string place(const SlidingPoint& p) {
-  return fmt::format("{:.6g} m, {:.6g} deg, {:.6g} kN", p.boom_length, p.luffing_angle * 180 / std::numbers::pi,
-                     p.suspended_weight / 1e3);
+std::string place(const SlidingPoint& p, const Display& display) {
+  return fmt::format("{}, {}, {}", display.quantity(p.boom_length, si::m), display.quantity(p.luffing_angle, si::rad),
+                     display.quantity(p.suspended_weight, si::N));
 }
 
 template <class T>
@@ -94,13 +93,13 @@ Outcome compute_sliding(const Input& in, const Sliding& q, Sheet<T>& s, Output& 
   if (!best) {
     return infeasible(out.grid.empty() ? "sliding: boom_length, luffing_angle and suspended_weight need a value each"
                                        : fmt::format("sliding: no position has an equilibrium; at {}: {}",
-                                                     place(out.grid.front()), out.grid.front().reason));
+                                                     place(out.grid.front(), s.display()), out.grid.front().reason));
   }
   out.governing_point = *best;
   const std::size_t lengths = q.boom_length.size();
   const std::size_t angles = q.luffing_angle.size();
   const Position at{.weight = *best / (lengths * angles), .angle = *best / lengths % angles, .length = *best % lengths};
-  s.note([&] { return fmt::format("Largest cylinder force in amount: {}.", place(out.grid[*best])); });
+  s.note([&] { return fmt::format("Largest cylinder force in amount: {}.", place(out.grid[*best], s.display())); });
   SlidingPoint p;
   const Outcome outcome = slide(in, q, at, s, p);
   name_governing(p, out);

@@ -98,8 +98,8 @@ void add_assumptions(const Input& in, const Output& out, const Display& display,
   }
 }
 
-void add_tables(const Input& in, const Output& out, Result& r) {
-  if (!out.F.empty()) r.tables.push_back(cases_table(in, out));
+void add_tables(const Input& in, const Output& out, const Display& display, Result& r) {
+  if (!out.F.empty()) r.tables.push_back(cases_table(in, out, display));
   if (in.tensioning_steps > 0) {
     r.tables.push_back(tensioning_table("tensioning", "Tensioning the ropes in turn until section 3 slips",
                                         out.F0_retraction, in.tensioning_steps));
@@ -173,16 +173,17 @@ Result run(const Input& in, const Display& display) {
   const Method& m = about();
   Result r = result_of(m, Input::describe(), &in);
   Sheet<Num> s(m.short_source, Input::describe(), &in);
+  s.show_in(display);
   Output out;
   const Outcome outcome = compute(in, s, out);
   r.status = outcome.status;
   r.message = outcome.message;
   r.values = values_of(Output::describe(), &out);
   add_case_values(in, out, r);
-  add_tables(in, out, r);
+  add_tables(in, out, display, r);
   r.comparisons = comparisons(out);
-  r.figures = figures(in, out);
-  if (!outcome.ok()) r.figures.insert(r.figures.begin(), boom_without_answer(in));
+  r.figures = figures(in, out, display);
+  if (!outcome.ok()) r.figures.insert(r.figures.begin(), boom_without_answer(in, display));
   s.move_to(r);
   add_assumptions(in, out, display, r);
   const auto lost = [](const SlidingPoint& p) { return !p.ok(); };
@@ -190,7 +191,7 @@ Result run(const Input& in, const Display& display) {
   if (outcome.ok() && first != out.grid.end()) {
     const auto count = std::count_if(out.grid.begin(), out.grid.end(), lost);
     r.missing.push_back(
-        {"sliding", static_cast<int>(count), static_cast<int>(out.grid.size()), place(*first), first->reason});
+        {"sliding", static_cast<int>(count), static_cast<int>(out.grid.size()), place(*first, display), first->reason});
   }
   r.unjudged = {"extension", "retraction"};  // their strength: the input names no ropes, checks may
   return r;

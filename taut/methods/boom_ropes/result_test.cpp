@@ -189,4 +189,25 @@ TEST(BoomRopesResult, ASlipAngleWithoutAnAnswerIsNotJudged) {
   EXPECT_TRUE(held.unmade.empty()) << "that is an answer";
 }
 
+/// Sentences, titles and captions are in the units of the deck, as tables are.
+TEST(BoomRopesResult, WordsFollowTheDisplay) {
+  const Result r = run(crane(), Display({{"force", "kgf"}, {"length", "cm"}}));
+  ASSERT_EQ(r.status, Status::ok);
+  std::vector<std::string> words = r.warnings;
+  for (const Table& t : r.tables) {
+    if (t.name == "cases") words.push_back(t.title);
+  }
+  for (const Figure& f : r.figures) {
+    if (const auto* drawing = std::get_if<Drawing>(&f)) words.push_back(drawing->caption);
+    if (const auto* plot = std::get_if<Plot>(&f)) words.push_back(plot->caption);
+  }
+  for (const Step& s : r.steps) {
+    if (s.kind == Step::Kind::note) words.push_back(s.words);
+  }
+  for (const std::string& one : words) EXPECT_THAT(one, testing::Not(testing::ContainsRegex("[0-9] (kN|m)[^a-z0-9]")));
+  EXPECT_THAT(words, testing::Contains(testing::HasSubstr("Cases under a pretension of ")));
+  EXPECT_THAT(words, testing::Contains(testing::HasSubstr(" kgf, not ")));
+  EXPECT_THAT(words, testing::Contains(testing::HasSubstr("Luffing angle 52 deg, boom 2100 cm")));
+}
+
 }  // namespace taut::boom_ropes::result_test

@@ -4,6 +4,7 @@
 
 #include "taut/calc/sheet.hpp"
 #include "taut/methods/boom_ropes/boom_ropes.hpp"
+#include "taut/units/display.hpp"
 
 namespace taut::boom_ropes {
 
@@ -43,6 +44,6 @@ template <class T>
 Outcome compute_sliding(const Input& in, const Sliding& q, Sheet<T>& s, Output& out);
 
 /// "21 m, 30 deg, 12 kN": length and angle of the boom, and what hangs on it.
-std::string place(const SlidingPoint& p);
+std::string place(const SlidingPoint& p, const Display& display);
 
 }  // namespace taut::boom_ropes

@@ -3,6 +3,7 @@
 
 #include "taut/calc/figure.hpp"
 #include "taut/methods/friction_drive/friction_drive.hpp"
+#include "taut/units/display.hpp"
 
 namespace taut::friction_drive {
 
@@ -26,7 +27,7 @@ Drawing drive_without_answer(const Input& in);
 Plot arc_plot(const Input& in, const Output& out);
 
 /// Cutting force that the pull takeup_no_slip passes on, over friction.
-Plot friction_plot(const Input& in, const Output& out);
+Plot friction_plot(const Input& in, const Output& out, const Display& display);
 
 /// Pull on the idler that the cutting force asks for, over friction: without slip and by (18).
 Plot pull_plot(const Input& in, const Output& out);

@@ -46,7 +46,7 @@ TEST(FrictionDriveFigures, ArcEndsAtTheBranches) {
 TEST(FrictionDriveFigures, WorkingPointLiesOnTheCurves) {
   const Input in = saw_drive();
   const Output out = solved(in);
-  for (const Plot& p : {friction_plot(in, out), speed_plot(in, out)}) {
+  for (const Plot& p : {friction_plot(in, out, Display()), speed_plot(in, out)}) {
     const Curve& c = p.curves[0];
     std::size_t i = 0;
     while (i + 2 < c.x.size() && c.x[i + 1] < p.marks[0].x) ++i;

@@ -162,7 +162,7 @@ void machine(const Input& in, const Drive<T>& d, Sheet<T>& s, Output& out) {
 template <class T>
 Outcome compute(const Input& in, Sheet<T>& s, Output& out) {
   const Drive<T> d = drive_of(in, s, out);
-  if (!(value(d.e) > value(d.r))) return infeasible(how_to_get_grip(in));
+  if (!(value(d.e) > value(d.r))) return infeasible(how_to_get_grip(in, s.display()));
   const T P_M = initial_tension(d, s, out);
   slip_under_P_M(in, d, P_M, s, out);
   drive_without_slip(in, d, s, out);

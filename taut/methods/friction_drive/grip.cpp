@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "taut/calc/result.hpp"
-#include "taut/math/degree.hpp"
 
 namespace taut::friction_drive {
 namespace {
@@ -46,10 +45,10 @@ std::optional<double> fill_for(const Input& in, double ratio) {
   return fill <= 1 ? std::optional(fill) : std::nullopt;
 }
 
-std::string how_to_get_grip(const Input& in) {
+std::string how_to_get_grip(const Input& in, const Display& display) {
   const double ratio = in.idler_loss * margin;
   std::vector<std::string> ways, lower;
-  if (const auto wrap = wrap_for(in, ratio)) ways.push_back(fmt::format("the wrap above {:.4g} deg", *wrap / degree));
+  if (const auto wrap = wrap_for(in, ratio)) ways.push_back("the wrap above " + display.brief(*wrap, si::rad));
   if (const auto mu = friction_for(in, ratio)) ways.push_back(fmt::format("the friction above {:.3g}", *mu));
   if (const auto fill = fill_for(in, ratio)) ways.push_back(fmt::format("the fill ratio above {:.3g}", *fill));
   if (in.rest_arc > 0) lower.emplace_back("the rest arc");

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "taut/methods/friction_drive/friction_drive.hpp"
+#include "taut/units/display.hpp"
 
 /// What the grip of the driving sheave allows, in plain numbers: for messages, sweeps and plots.
 namespace taut::friction_drive {
@@ -20,7 +21,7 @@ std::optional<double> friction_for(const Input& in, double ratio);
 std::optional<double> fill_for(const Input& in, double ratio);
 
 /// What to change when e does not exceed the idler's loss.
-std::string how_to_get_grip(const Input& in);
+std::string how_to_get_grip(const Input& in, const Display& display);
 
 /// Largest cutting force that `pull` on the idler (N, without the centrifugal share) passes on with the reserve `m`:
 /// pull (e - 1)/(e - 1 + 2 m). Zero when the pull is.

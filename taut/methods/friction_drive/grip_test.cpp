@@ -70,7 +70,7 @@ TEST(FrictionDriveGrip, OnlyALowerSectionFactorHelpsAtOne) {
   Input in = weak();
   in.rest_arc = 0;
   in.section_factor = 1;
-  const std::string words = how_to_get_grip(in);
+  const std::string words = how_to_get_grip(in, Display());
   EXPECT_TRUE(words.ends_with("; lower the section factor")) << words;
 }
 

@@ -126,6 +126,7 @@ Result run(const Input& in, Output& out, const Display& display) {
   Input with_area = in;
   if (rope && !in.rope_area) with_area.rope_area = rope->area;
   Sheet<Num> s(m.short_source, Input::describe(), &with_area);
+  s.show_in(display);
   const Outcome outcome = compute(with_area, s, out);
   s.move_to(r);
   r.status = outcome.status;
@@ -137,7 +138,7 @@ Result run(const Input& in, Output& out, const Display& display) {
     add_comparisons(in, out, r);
     if (rope) check_rope(in, *rope, display, out, r);
     r.unjudged.emplace_back("rope");  // breaking is no limit: checks gives one
-    r.figures = {drive_drawing(in, out), arc_plot(in, out), friction_plot(in, out), pull_plot(in, out),
+    r.figures = {drive_drawing(in, out), arc_plot(in, out), friction_plot(in, out, display), pull_plot(in, out),
                  speed_plot(in, out)};
   } else {
     r.figures = {drive_without_answer(in)};

@@ -31,8 +31,6 @@ using std::sin;
 using std::sqrt;
 using std::tan;
 
-double degrees(double angle) { return angle * 180 / std::numbers::pi; }
-
 /// What all positions share, as quantities of the sheet.
 template <class T>
 struct Mast {
@@ -329,12 +327,16 @@ bool payout(const Input& in, const Mast<T>& m, const Angles<T>& at, const Blocks
 }
 
 template <class T>
-Outcome out_of_range(const Input& in, const T& alpha, const Output& out) {
-  std::string where = in.span ? fmt::format(" with the carriage at x = {:.4g} m (f_x = {:.4g} m)", out.x, out.f_x) : "";
-  return infeasible(fmt::format(
-      "the branch angle is {:.4g} deg{}; the method holds from -60 to 85 deg: change the carriage position, the "
-      "horizontal tension or the chord slope",
-      degrees(value(alpha)), where));
+Outcome out_of_range(const Input& in, const T& alpha, const Sheet<T>& s, const Output& out) {
+  const Display& display = s.display();
+  std::string where = in.span ? fmt::format(" with the carriage at x = {} (f_x = {})", display.brief(out.x, si::m),
+                                            display.brief(out.f_x, si::m))
+                              : "";
+  return infeasible(
+      fmt::format("the branch angle is {}{}; the method holds from {} to {}: change the carriage position, the "
+                  "horizontal tension or the chord slope",
+                  display.brief(value(alpha), si::rad), where, display.brief(least_branch_angle, si::rad),
+                  display.brief(largest_branch_angle, si::rad)));
 }
 
 }  // namespace
@@ -355,7 +357,7 @@ Outcome compute_at(const Input& in, std::size_t index, Sheet<T>& s, Output& out)
   const T alpha = branch_angle(in, index, s, out);
   out.alpha = value(alpha);
   const bool in_range = out.alpha >= least_branch_angle && out.alpha <= largest_branch_angle;
-  if (!in_range) return out_of_range(in, alpha, out);
+  if (!in_range) return out_of_range(in, alpha, s, out);
   const T epsilon = wrap_angle(in, m, alpha, s);
   out.wrap = value(epsilon);
   const Loads<T> at = loads(m, alpha, epsilon, s, out);

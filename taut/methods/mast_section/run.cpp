@@ -314,6 +314,7 @@ Result run(const Input& in, const SecondOrder& second, Solved& found, const Disp
   Result r = result_of(m, Input::describe(), &in);
   Output out;
   Sheet<Num> s(m.short_source, Input::describe(), &in);
+  s.show_in(display);
   const Outcome outcome = solve_positions(in, s, found, out);
   const std::vector<Position>& positions = found.positions;
   s.move_to(r);

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
+#include "taut/base/number.hpp"
 #include "taut/calc/answers.hpp"
 #include "taut/calc/none.hpp"
 #include "taut/checks/checked_parts.hpp"
@@ -50,6 +52,55 @@ Table works_table(const study::CycleRun& run) {
       study::winch_quantities(), rows);
 }
 
+/// The power of all ropes on one drum together, from one place to the next.
+struct NetPower {
+  double power = none;  ///< W; negative: braked
+  std::string phase;
+  double from = none, to = none;  ///< x of the carriage, m
+};
+
+/// Of these winches, over the whole cycle.
+std::vector<NetPower> net_powers(const study::CycleRun& run, const std::vector<std::size_t>& winches) {
+  std::vector<NetPower> all;
+  for (std::size_t i = 0; i < run.answers.size(); ++i) {
+    const study::PhaseAnswer& answer = run.answers[i];
+    double before = none;
+    for (std::size_t p = 0; p < answer.positions.size(); ++p) {
+      if (!answer.positions[p].known) continue;
+      NetPower& here = all.emplace_back(
+          NetPower{.power = 0, .phase = run.phases[i].name, .from = before, .to = answer.positions[p].x});
+      for (const std::size_t w : winches) here.power += answer.works[w].powers[p];
+      before = here.to;
+    }
+  }
+  std::erase_if(all, [](const NetPower& one) { return std::isnan(one.power); });
+  return all;
+}
+
+/// Each drum on which several ropes wind. What one rope lets out under its pull helps to take the other one in, so the
+/// powers of the ropes add up, and the largest ones need not come together. A drum that only brakes has its largest
+/// braked power.
+void add_shared_drums(const study::CycleRun& run, const Display& display, std::vector<std::string>& parts, Result& r) {
+  std::map<std::string, std::vector<std::size_t>> shared;
+  for (std::size_t w = 0; w < run.winches.size(); ++w) {
+    if (!run.winches[w].shared.empty()) shared[run.winches[w].shared].push_back(w);
+  }
+  for (const auto& [drum, winches] : shared) {
+    const std::vector<NetPower> all = net_powers(run, winches);
+    if (all.empty()) continue;
+    const auto [least, most] = std::minmax_element(
+        all.begin(), all.end(), [](const NetPower& a, const NetPower& b) { return a.power < b.power; });
+    const NetPower& net = most->power < 0 ? *least : *most;
+    std::string names;
+    for (const std::size_t w : winches) names += (names.empty() ? "" : " and ") + run.winches[w].name;
+    const std::string when =
+        fmt::format("{}, x = {} to {}", net.phase, display.brief(net.from, si::m), display.brief(net.to, si::m));
+    r.values.push_back(make_value(named(value_kinds(), "WINCH.power_max"), drum, run.ending, net.power,
+                                  fmt::format("largest net power of {}: {} together ({})", drum, names, when)));
+    parts.push_back(fmt::format("{} net power up to {} ({})", drum, display.brief(net.power, si::W), when));
+  }
+}
+
 void add_values(const study::CycleRun& run, const Display& display, Result& r) {
   const auto add = [&](const char* name, const std::string& winch, double v, const std::string& words) {
     r.values.push_back(make_value(named(value_kinds(), name), winch, run.ending, v, words));
@@ -75,6 +126,7 @@ void add_values(const study::CycleRun& run, const Display& display, Result& r) {
     const std::string at_power = std::isnan(power) ? "" : ", power up to " + display.brief(power, si::W);
     parts.push_back(fmt::format("{} pull up to {}{}", name, display.brief(most, si::N), at_power));
   }
+  add_shared_drums(run, display, parts, r);
   for (const study::PhaseAnswer& answer : run.answers) time += answer.time;
   add("cycle_energy", "", energy, about("cycle_energy"));
   if (!std::isnan(time)) add("cycle_time", "", time, about("cycle_time"));
@@ -147,7 +199,8 @@ void add_answer(const study::CycleRun& asked, MachineRun& machine, Result& r) {
   study::Watch watch(machine.progress, "cycle" + run.ending, states_of(run));
   study::solve(machine.model, run, watch,
                [&](const machine::Model& model, const study::LoadPathPoint& point, const study::Phase& phase) {
-                 machine.checked->take(model, point.at, fmt::format("cycle, {}, x = {:.6g} m", phase.name, point.x),
+                 machine.checked->take(model, point.at,
+                                       fmt::format("cycle, {}, x = {} m", phase.name, place_number(point.x)),
                                        checks::analysis_name(run.ending, "cycle"));
                });
   bool complete = true, gives = false;  // friction, energy

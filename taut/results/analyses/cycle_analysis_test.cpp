@@ -307,6 +307,47 @@ analyses:
   EXPECT_LT(value_of(r, "a.main.pull_max"), 20e3);
   EXPECT_NEAR(value_of(r, "a.sky.energy") + value_of(r, "a.main.energy"), value_of(r, "cycle_energy"), 1e-6);
   EXPECT_LT(cell(table_of(r, "cycle"), 1, "a.main.pull"), 20e3);
+  EXPECT_EQ(r.find_value("a.power_max"), nullptr) << "no drum: nothing turns them together";
+}
+
+/// A mainline and a haulback on one drum: what one brakes drives the other, and the drum has to give the rest. Ropes
+/// without weight or stretch are as long as their chords, so the power of a step is -(T dL)/ds v of both, T the mean of
+/// its ends. The largest one is neither that of the mainline nor the sum of both largest ones.
+TEST(CycleAnalysis, RopesOnOneDrumHaveANetPower) {
+  const Result r = run_text(R"(taut: 1
+machine:
+  points: {a: [0 m, 0 m, 30 m], b: [200 m, 0 m, 30 m]}
+  ropes: {sky: {mass: 0 kg/m, stiffness: 20 MN}, main: {mass: 0 kg/m, stiffness: .inf}, hb: {mass: 0 kg/m, stiffness: .inf}}
+  drums: {winch: {at: [200 m, 0 m, 29 m], core_diameter: 0 mm}}
+  sheaves: {tail: {at: [0 m, 0 m, 29 m], diameter: 0 mm}}
+  carriages: {car: {mass: 500 kg, rides: sky, hold: rolling, mainline: main, haulback: hb}}
+  reevings:
+    - {rope: sky, path: [{anchor: a}, {through: car}, {anchor: b}], length: 201 m}
+    - {rope: main, path: [{drum: winch}, {anchor: car}], length: 100 m}
+    - {rope: hb, path: [{drum: winch}, {over: tail}, {anchor: car}], tension_at_start: 5 kN}
+analyses:
+  - cycle: {carriage: car, from: 60 m, to: 150 m, steps: 20, speed: 2 m/s, phases: [{name: in, motion: at_rest, load: 1000 kg}]}
+)");
+  ASSERT_EQ(r.status, Status::ok) << r.message << to_text(r.errors);
+  const Table& steps = table_of(r, "cycle");
+  double most = 0, at = 0;
+  for (std::size_t i = 1; i < steps.rows.size(); ++i) {
+    const auto chord = [&](std::size_t k, double x) {
+      return std::hypot(cell(steps, k, "x") - x, 29 - cell(steps, k, "z"));
+    };
+    const double T = (cell(steps, i, "winch.main.pull") + cell(steps, i - 1, "winch.main.pull")) / 2;
+    const double way = cell(steps, i, "way") - cell(steps, i - 1, "way");
+    const double power = -2 * (T * (chord(i, 200) - chord(i - 1, 200)) + 5e3 * (chord(i, 0) - chord(i - 1, 0))) / way;
+    if (power <= most) continue;
+    most = power;
+    at = cell(steps, i, "x");
+  }
+  EXPECT_NEAR(value_of(r, "winch.power_max"), most, 1e-6 * most);
+  EXPECT_LT(most, 0.3 * value_of(r, "winch.main.power_max"));
+  EXPECT_LT(value_of(r, "winch.hb.power_max"), -9e3);
+  EXPECT_EQ(r.find_value("winch.power_max")->label,
+            fmt::format("largest net power of winch: winch.main and winch.hb together (in, x = {:g} m to {:g} m)",
+                        at - 4.5, at));
 }
 
 }  // namespace cycle_analysis_test

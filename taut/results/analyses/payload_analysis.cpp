@@ -7,6 +7,7 @@
 #include <numeric>
 #include <set>
 
+#include "taut/base/number.hpp"
 #include "taut/calc/answers.hpp"
 #include "taut/calc/none.hpp"
 #include "taut/calc/quantity.hpp"
@@ -226,8 +227,9 @@ void add_slack(const machine::Model& model, const study::PayloadRun& run, Result
     for (const solve::BranchResult& branch : one.point.payload.at.branches) {
       if (!branch.slack || !std::isfinite(run.limits.rope_clearance[as_size(branch.reeving)])) continue;
       if (!told.insert(branch.reeving).second) continue;
-      r.unmade.push_back(checks::slack_words(model.reevings[branch.reeving].name,
-                                             fmt::format("payload{}, x = {:.6g} m", run.ending, one.point.x)));
+      r.unmade.push_back(
+          checks::slack_words(model.reevings[branch.reeving].name,
+                              fmt::format("payload{}, x = {} m", run.ending, place_number(one.point.x))));
       r.warnings.push_back(r.unmade.back());
     }
   }
@@ -334,7 +336,7 @@ void add_results(MachineRun& machine, const study::PayloadRun& run, Result& r) {
     r.warnings.push_back(fmt::format("payload{}, {}: {}", run.ending, run.words, *words));
   }
   for (const study::PayloadPosition& one : run.positions) {
-    const std::string where = fmt::format("payload, x = {:.6g} m", one.point.x);
+    const std::string where = fmt::format("payload, x = {} m", place_number(one.point.x));
     if (!one.support.empty()) {
       r.warnings.push_back(fmt::format("{}: the carriage is on '{}': left out", where, one.support));
       continue;
@@ -371,8 +373,10 @@ void add_results(MachineRun& machine, const study::PayloadRun& run, Result& r) {
     Plot used = used_plot(machine.model, run);
     if (!used.curves.empty()) r.figures.emplace_back(std::move(used));
   }
-  machine.others.push_back({fmt::format("least payload, {:.5g} kg at x = {:.6g} m", worst.mass, least.of_all->point.x),
-                            loaded(run, *least.of_all), worst.at});
+  machine.others.push_back(
+      {fmt::format("least payload, {} at x = {}", machine.display.brief(worst.mass, si::kg.in("t"), Rounding::down),
+                   machine.display.brief(least.of_all->point.x, si::m)),
+       loaded(run, *least.of_all), worst.at});
 }
 
 }  // namespace

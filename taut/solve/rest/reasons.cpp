@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "taut/base/array.hpp"
+#include "taut/base/number.hpp"
 #include "taut/math/index.hpp"
 #include "taut/solve/rest/fed_rope.hpp"
 
@@ -161,9 +162,10 @@ std::string off_the_line(const mechanics::System& s) {
     if (s.coordinate >= x_of(ends[0]) - reach && s.coordinate <= x_of(ends[1]) + reach) return {};
     const double origin = s.layout.coordinate_along.dot(s.model.origin);
     return fmt::format(
-        "'{}' is put at x = {:.6g} m, but its rope runs from x = {:.6g} m ('{}') to {:.6g} m ('{}') "
+        "'{}' is put at x = {} m, but its rope runs from x = {} m ('{}') to {} m ('{}') "
         "there: choose a place between them",
-        car.name, s.coordinate + origin, x_of(ends[0]) + origin, ends[0]->name, x_of(ends[1]) + origin, ends[1]->name);
+        car.name, place_number(s.coordinate + origin), place_number(x_of(ends[0]) + origin), ends[0]->name,
+        place_number(x_of(ends[1]) + origin), ends[1]->name);
   }
   return {};
 }

@@ -2,34 +2,10 @@
 
 #include <fmt/format.h>
 
+#include "taut/base/number.hpp"
+#include "taut/calc/verdict.hpp"
+
 namespace taut::study {
-
-void Missing::lose(const Outcome& outcome, const std::string& where, int states) {
-  if (missing_ == 0) {
-    why_ = outcome;
-    first_ = where;
-  }
-  missing_ += states;
-  places_ += states;
-}
-
-void Missing::take(const Outcome& outcome, const std::string& where) {
-  if (outcome.ok()) {
-    ++places_;
-  } else {
-    lose(outcome, where);
-  }
-}
-
-void Missing::take(const Outcome& outcome, double x) { take(outcome, fmt::format("x = {:.6g} m", x)); }
-
-void Missing::note(Result& r, const std::string& analysis, bool judged) const {
-  if (missing_ == 0) return;
-  if (missing_ == places_) return note_failure(r, why_, fmt::format("{}, {}", analysis, first_));
-  if (judged) r.missing.push_back({analysis, missing_, places_, first_, why_.message});
-  r.warnings.push_back(fmt::format("{}: no equilibrium at {} of {} places, first {}: {}", analysis, missing_, places_,
-                                   first_, why_.message));
-}
 
 void Stretches::take(const std::string& why, const std::string& words, const std::string& analysis) {
   const bool goes_on = open_ && analysis == analysis_;
@@ -63,16 +39,44 @@ std::string Stretches::Stretch::words(const std::string& other) const {
   return states == 1 ? first : fmt::format("{} to {} ({} states)", first, without_common(to, from), states);
 }
 
-std::string Stretches::words() const {
+std::string Stretches::places() const {
   std::string text = all_.front().words({});
   for (std::size_t i = 1; i < all_.size(); ++i) text += "; " + all_[i].words(all_[i - 1].from);
-  return fmt::format("{}: {}", text, why_);
+  return text;
 }
+
+std::string Stretches::words() const { return fmt::format("{}: {}", places(), why_); }
 
 std::string Stretches::words_of_first() const {
   const std::size_t more = all_.size() - 1;
   if (more == 0) return words();
   return fmt::format("{} and on {} more stretch{}: {}", all_.front().words({}), more, more == 1 ? "" : "es", why_);
+}
+
+void Missing::take(const Outcome& outcome, const std::string& where) {
+  ++places_;
+  where_.take(outcome.ok() ? std::string() : outcome.message, where, {});
+  if (outcome.ok()) return;
+  if (missing_ == 0) {
+    why_ = outcome;
+    first_ = where;
+  }
+  ++missing_;
+}
+
+void Missing::take(const Outcome& outcome, double x) { take(outcome, fmt::format("x = {} m", place_number(x))); }
+
+void Missing::note(Result& r, const std::string& analysis, bool judged) const {
+  if (missing_ == 0) return;
+  if (missing_ == places_) return note_failure(r, why_, fmt::format("{}, {}", analysis, first_));
+  const MissingStates missing{.analysis = analysis,
+                              .missing = missing_,
+                              .places = places_,
+                              .first = first_,
+                              .reason = why_.message,
+                              .all = where_.places()};
+  if (judged) r.missing.push_back(missing);
+  r.warnings.push_back(missing_words(missing));
 }
 
 Outcome outcome_of_case(const Result& r) {

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "taut/base/number.hpp"
+
 namespace taut::study {
 
 bool Watch::go_on(const std::string& words) {
@@ -16,7 +18,7 @@ bool Watch::go_on(const std::string& words) {
   return false;
 }
 
-bool Watch::go_on_at(double x) { return ended_ || !ask_ ? !ended_ : go_on(fmt::format("x = {:.6g} m", x)); }
+bool Watch::go_on_at(double x) { return ended_ || !ask_ ? !ended_ : go_on(fmt::format("x = {} m", place_number(x))); }
 
 void Watch::note(Result& r) const {
   if (!ended_ || r.interrupted) return;

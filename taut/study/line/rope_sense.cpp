@@ -57,7 +57,7 @@ std::vector<Winch> winches_of(const machine::Model& m, const machine::Machine& m
     const machine::Reeving& rope = m.reevings[r];
     const auto index = static_cast<int>(r);
     if (rope.closed) {
-      all.push_back({rope.nodes.front().name, index, false, true});
+      all.push_back({rope.nodes.front().name, index, false, true, {}});
       continue;
     }
     const auto on_drum = [&](const machine::Node& n) {
@@ -69,17 +69,19 @@ std::vector<Winch> winches_of(const machine::Model& m, const machine::Machine& m
     const bool mainline =
         carriage && (m.carriages[*carriage].mainline == index || m.carriages[*carriage].haulback == index);
     if (start || (mainline && !end && !rides(rope.nodes.front()))) {
-      all.push_back({rope.nodes.front().name, index, false, false});
+      all.push_back({rope.nodes.front().name, index, false, false, {}});
     }
     if (end || (mainline && !start && !rides(rope.nodes.back()))) {
-      all.push_back({rope.nodes.back().name, index, true, false});
+      all.push_back({rope.nodes.back().name, index, true, false, {}});
     }
   }
   // two ropes that end in one place
   std::map<std::string, int> ropes_at;
   for (const Winch& w : all) ++ropes_at[w.name];
   for (Winch& w : all) {
-    if (ropes_at[w.name] > 1) w.name += "." + m.reevings[w.reeving].name;
+    if (ropes_at[w.name] == 1) continue;
+    if (std::any_of(drums.begin(), drums.end(), [&](const auto& d) { return d.name == w.name; })) w.shared = w.name;
+    w.name += "." + m.reevings[w.reeving].name;
   }
   return all;
 }

@@ -15,6 +15,7 @@ struct Winch {
   int reeving = 0;
   bool at_end = false;
   bool drive = false;
+  std::string shared;  ///< the drum on which other ropes wind too; empty: it has its own
 };
 
 /// Ropes that end on a drum, or have a tension given, or hold the carriage as its mainline or haulback.

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "taut/math/degree.hpp"
 #include "taut/methods/boom_ropes/sliding.hpp"
 
 namespace taut::boom_ropes {
@@ -57,7 +56,7 @@ void add_sections(Drawing& d, const Frame& turn, const Stations& p) {
 }
 
 /// The boom in one position, with its weights.
-Drawing boom(const Input& in, const Sliding& q, const SlidingPoint& g) {
+Drawing boom(const Input& in, const Sliding& q, const SlidingPoint& g, const Display& display) {
   Drawing d;
   d.name = "boom";
   const Frame turn{g.luffing_angle};
@@ -82,18 +81,19 @@ Drawing boom(const Input& in, const Sliding& q, const SlidingPoint& g) {
   d.shapes.emplace_back(DimensionLine{.from = turn(0, 0),
                                       .to = turn(p.head_3, 0),
                                       .offset = 2 * p.height_1,
-                                      .text = fmt::format("L_b = {:.4g} m", g.boom_length)});
+                                      .text = "L_b = " + display.brief(g.boom_length, si::m)});
   return d;
 }
 
-std::string position_words(const SlidingPoint& g) {
-  return fmt::format("Luffing angle {:.4g} deg, boom {:.4g} m", g.luffing_angle / degree, g.boom_length);
+std::string position_words(const SlidingPoint& g, const Display& display) {
+  return fmt::format("Luffing angle {}, boom {}", display.brief(g.luffing_angle, si::rad),
+                     display.brief(g.boom_length, si::m));
 }
 
-Drawing loaded_boom(const Input& in, const Sliding& q, const SlidingPoint& g) {
-  Drawing d = boom(in, q, g);
+Drawing loaded_boom(const Input& in, const Sliding& q, const SlidingPoint& g, const Display& display) {
+  Drawing d = boom(in, q, g, display);
   d.title = "The boom where the cylinder force is largest";
-  d.caption = position_words(g) + "; forces on section 3 and on the cylinder.";
+  d.caption = position_words(g, display) + "; forces on section 3 and on the cylinder.";
   const Frame turn{g.luffing_angle};
   d.shapes.emplace_back(
       turn.force(turn(stations(q, g.boom_length).rear_2, q.offset_cylinder), g.Fh, 0, "F_h", Role::second_force, true));
@@ -109,16 +109,17 @@ void add_pads(Drawing& d, const Frame& turn, double along, double height, double
 }
 
 /// Ropes and pads, the boom laid level and stretched across so that they can be distinguished.
-Drawing ropes(const Sliding& q, const SlidingPoint& g) {
+Drawing ropes(const Sliding& q, const SlidingPoint& g, const Display& display) {
   Drawing d;
+  const double travel = (g.boom_length - q.retracted_length) / 2;
   d.name = "ropes";
   d.title = "Ropes and pads along the boom";
   d.caption = fmt::format(
       "Boom frame, heights stretched. Extension rope from the rear of section 1 over the head of section 2 to the tail "
       "of "
       "section 3 (second branch below it the same way); retraction rope from the front of section 1 over the tail of "
-      "section 2. Overlaps {:.3g} m (2-3) and {:.3g} m (1-2). {}",
-      q.overlap_23 - (g.boom_length - q.retracted_length) / 2, q.overlap_12 - (g.boom_length - q.retracted_length) / 2,
+      "section 2. Overlaps {} (2-3) and {} (1-2). {}",
+      display.brief(q.overlap_23 - travel, si::m), display.brief(q.overlap_12 - travel, si::m),
       g.jamming() ? "The upper rear pad of section 3 carries: its friction jams the section."
                   : "Lower pads carry section 3.");
   d.vertical_scale = 6;
@@ -145,9 +146,9 @@ Drawing ropes(const Sliding& q, const SlidingPoint& g) {
   add_pads(d, level, p.rear_2, p.height_2, g.Mr, "M_r");
   add_pads(d, level, p.head_1, p.height_2, g.Mf, "M_f");
   d.shapes.emplace_back(Label{.at = {.x = (p.rear_3 + p.head_2) / 2, .y = 1.5 * p.height_1},
-                              .text = fmt::format("S_1 = {:.1f} kN", g.S1 / 1e3)});
+                              .text = "S_1 = " + display.brief(g.S1, si::N)});
   d.shapes.emplace_back(Label{.at = {.x = (p.rear_2 + p.rear_3) / 2, .y = -1.5 * p.height_1},
-                              .text = fmt::format("S_2 = {:.1f} kN", g.S2 / 1e3)});
+                              .text = "S_2 = " + display.brief(g.S2, si::N)});
   return d;
 }
 
@@ -207,7 +208,7 @@ Plot plot(std::string name, std::string title, Axis x, Axis y) {
 }
 
 /// One curve per luffing angle, at the governing weight.
-Plot over_length(const Sliding& q, const Output& out, std::string name, std::string title,
+Plot over_length(const Sliding& q, const Output& out, const Display& display, std::string name, std::string title,
                  double SlidingPoint::*member) {
   Plot p = plot(std::move(name), std::move(title), {.label = "boom length", .unit = si::m},
                 {.label = "force", .unit = si::N});
@@ -222,7 +223,7 @@ Plot over_length(const Sliding& q, const Output& out, std::string name, std::str
     }
     std::sort(points.begin(), points.end(), [](const auto& m, const auto& n) { return m.first < n.first; });
     Curve c;
-    c.label = fmt::format("{:.4g} deg", q.luffing_angle[b] / degree);
+    c.label = display.brief(q.luffing_angle[b], si::rad);
     for (const auto& [x, y] : points) {
       c.x.push_back(x);
       c.y.push_back(y);
@@ -230,7 +231,7 @@ Plot over_length(const Sliding& q, const Output& out, std::string name, std::str
     p.curves.push_back(std::move(c));
   }
   const SlidingPoint& g = out.grid[out.governing_point];
-  p.caption = fmt::format("Suspended weight {:.4g} kN.", g.suspended_weight / 1e3);
+  p.caption = fmt::format("Suspended weight {}.", display.brief(g.suspended_weight, si::N));
   p.marks.push_back({g.boom_length, g.*member, "largest F_h", false});
   return p;
 }
@@ -276,17 +277,18 @@ Plot tensioning_plot(const Input& in, const Output& out) {
 
 }  // namespace
 
-std::vector<Figure> figures(const Input& in, const Output& out) {
+std::vector<Figure> figures(const Input& in, const Output& out, const Display& display) {
   std::vector<Figure> all;
   if (in.sliding && std::isfinite(out.Fh)) {
     const Sliding& q = *in.sliding;
     const SlidingPoint& g = out.grid[out.governing_point];
-    all.emplace_back(loaded_boom(in, q, g));
-    all.emplace_back(ropes(q, g));
+    all.emplace_back(loaded_boom(in, q, g, display));
+    all.emplace_back(ropes(q, g, display));
     all.emplace_back(balance("balance", "Forces along section 3 while sliding", sliding_parts(in, q, g)));
-    all.emplace_back(over_length(q, out, "cylinder_force", "Cylinder force against boom length", &SlidingPoint::Fh));
-    all.emplace_back(over_length(q, out, "extension_rope", "S_1 against boom length", &SlidingPoint::S1));
-    all.emplace_back(over_length(q, out, "retraction_rope", "S_2 against boom length", &SlidingPoint::S2));
+    all.emplace_back(
+        over_length(q, out, display, "cylinder_force", "Cylinder force against boom length", &SlidingPoint::Fh));
+    all.emplace_back(over_length(q, out, display, "extension_rope", "S_1 against boom length", &SlidingPoint::S1));
+    all.emplace_back(over_length(q, out, display, "retraction_rope", "S_2 against boom length", &SlidingPoint::S2));
   }
   if (!out.F.empty() && std::isfinite(out.S10_set)) {
     const double F = out.F[out.lowest_case];
@@ -300,7 +302,7 @@ std::vector<Figure> figures(const Input& in, const Output& out) {
   return all;
 }
 
-Drawing boom_without_answer(const Input& in) {
+Drawing boom_without_answer(const Input& in, const Display& display) {
   const Sliding q = in.sliding.value_or(Sliding{});
   const auto first = [](const std::vector<double>& all, double otherwise) {
     return all.empty() ? otherwise : all.front();
@@ -309,9 +311,10 @@ Drawing boom_without_answer(const Input& in) {
   g.boom_length = first(q.boom_length, q.retracted_length);
   g.luffing_angle = first(q.luffing_angle, 0);
   g.suspended_weight = first(q.suspended_weight, 0);
-  Drawing d = boom(in, q, g);
+  Drawing d = boom(in, q, g, display);
   d.title = "Boom as described; no answer was found";
-  d.caption = position_words(g) + ", the first of the deck. This is not an answer: only the weights are known.";
+  d.caption =
+      position_words(g, display) + ", the first of the deck. This is not an answer: only the weights are known.";
   return d;
 }
 

@@ -133,7 +133,7 @@ std::string name_of(Operation operation) {
   return {};
 }
 
-Table cases_table(const Input& in, const Output& out) {
+Table cases_table(const Input& in, const Output& out, const Display& display) {
   std::vector<CaseRow> rows;
   rows.reserve(in.cases.size());
   for (std::size_t i = 0; i < in.cases.size(); ++i) {
@@ -143,11 +143,11 @@ Table cases_table(const Input& in, const Output& out) {
                     .corrected = corrected_tensions(out, out.F[i]),
                     .governs = governs(out, i)});
   }
-  std::string title =
-      fmt::format("Cases under a pretension of {:.4g} and {:.4g} kN", out.S10_set / 1e3, out.S20_set / 1e3);
+  const auto force = [&](double x) { return display.brief(x, si::N); };
+  std::string title = fmt::format("Cases under a pretension of {} and {}", force(out.S10_set), force(out.S20_set));
   if (!std::isnan(out.S10_set_corrected)) {
-    title += fmt::format(", by the corrected stiffness {:.4g} and {:.4g} kN", out.S10_set_corrected / 1e3,
-                         out.S20_set_corrected / 1e3);
+    title += fmt::format(", by the corrected stiffness {} and {}", force(out.S10_set_corrected),
+                         force(out.S20_set_corrected));
   }
   return make_table("cases", std::move(title), case_quantities(), rows);
 }

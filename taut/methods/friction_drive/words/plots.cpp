@@ -52,7 +52,7 @@ Plot arc_plot(const Input& in, const Output& out) {
   return p;
 }
 
-Plot friction_plot(const Input& in, const Output& out) {
+Plot friction_plot(const Input& in, const Output& out, const Display& display) {
   const double top = std::clamp(2 * in.friction, 0.5, 1.5);
   Curve reserve{.label = fmt::format("with the reserve m = {:.3g}", in.grip_reserve),
                 .x = {},
@@ -72,8 +72,8 @@ Plot friction_plot(const Input& in, const Output& out) {
   }
   return {.name = "grip_over_friction",
           .title = "Cutting force passed on over friction",
-          .caption =
-              fmt::format("Idler pulled by takeup_no_slip = {:.4g} kN, idler loss left out.", out.takeup_no_slip / 1e3),
+          .caption = fmt::format("Idler pulled by takeup_no_slip = {}, idler loss left out.",
+                                 display.brief(out.takeup_no_slip, si::N)),
           .x = {.label = "friction mu", .unit = si::one},
           .y = {.label = "cutting force", .unit = si::N},
           .curves = {std::move(reserve), std::move(limit)},
