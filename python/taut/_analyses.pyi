@@ -1,6 +1,6 @@
 """Made from the descriptions by python/tools/make_stub.py; do not edit. `./dev python stub` makes it again.
 
-schema: 16c4b4377134dc97c085597525f26abfe1421546f8bcd785551e3ea6e273277f
+schema: 43200c3e497c9ecac618367114af9533d21eaef59bd1ed175e9b6ff55d1404a6
 """
 
 from collections.abc import Mapping, Sequence
@@ -36,9 +36,9 @@ class Analyses:
         motion: hoist, lower, in, out, at_rest, or a sign for each contact by name: 1 along the path, -1 against it, 0 at
             rest.
         carriage: the carriage that is placed at x.
-        x: m. place of the carriage; the quantity that holds it follows (at least -1000000 m and at most 1000000 m).
-        z: m. height of the carriage; the given length or tension of the rope on which it rides follows (at least -1000000 m
-            and at most 1000000 m).
+        x: m. place of the carriage; the quantity that holds it follows (at least -2e7 m and at most 2e7 m).
+        z: m. height of the carriage; the given length or tension of the rope on which it rides follows (at least -1e7 m and
+            at most 1e7 m).
         along: horizontal direction [x, y] along which its x is measured, from the origin.
         held: true: something besides the ropes holds the carriage at x; false: where it needs a force along its track there
             is no answer. Default: false.
@@ -69,8 +69,8 @@ class Analyses:
         The deck's own analyses are left out; its checks are made. Returns the result, also where there is no answer.
 
         carriage: the carriage that is moved.
-        from_: m. first place of the carriage (at least -1000000 m and at most 1000000 m).
-        to: m. last place (at least -1000000 m and at most 1000000 m).
+        from_: m. first place of the carriage (at least -2e7 m and at most 2e7 m).
+        to: m. last place (at least -2e7 m and at most 2e7 m).
         name: appended to the names of its tables, when a deck has several.
         judge: false: its states do not count for the verdict. Default: true.
         steps: equal steps between them (at least 1 and at most 10000). Default: 96.
@@ -105,8 +105,8 @@ class Analyses:
         The deck's own analyses are left out; its checks are made. Returns the result, also where there is no answer.
 
         carriage: the carriage that carries the payload.
-        from_: m. first place of the carriage (at least -1000000 m and at most 1000000 m).
-        to: m. last place; the same as 'from' for one place (at least -1000000 m and at most 1000000 m).
+        from_: m. first place of the carriage (at least -2e7 m and at most 2e7 m).
+        to: m. last place; the same as 'from' for one place (at least -2e7 m and at most 2e7 m).
         limits: limits, at least one.
         name: appended to the names of its tables, when a deck has several.
         judge: false: its states do not count for the verdict. Default: true.
@@ -173,9 +173,9 @@ class Analyses:
         The deck's own analyses are left out; its checks are made. Returns the result, also where there is no answer.
 
         carriage: the carriage that is moved.
-        from_: m. first place of the carriage in the first phase (at least -1000000 m and at most 1000000 m).
-        to: m. last place in the first phase; phases without places of their own go back and forth (at least -1000000 m and
-            at most 1000000 m).
+        from_: m. first place of the carriage in the first phase (at least -2e7 m and at most 2e7 m).
+        to: m. last place in the first phase; phases without places of their own go back and forth (at least -2e7 m and at
+            most 2e7 m).
         phases: phases in their order.
         name: appended to the names of its tables, when a deck has several.
         judge: false: its states do not count for the verdict. Default: true.
@@ -213,8 +213,8 @@ class Analyses:
         name: appended to the names of its tables, when a deck has several.
         judge: false: its states do not count for the verdict. Default: true.
         carriage: the carriage that is moved; without it the machine as described.
-        from_: m. first place of the carriage (at least -1000000 m and at most 1000000 m).
-        to: m. last place (at least -1000000 m and at most 1000000 m).
+        from_: m. first place of the carriage (at least -2e7 m and at most 2e7 m).
+        to: m. last place (at least -2e7 m and at most 2e7 m).
         steps: equal steps between them (at least 1 and at most 10000). Default: 48.
         along: as for a load path.
         held: as for an equilibrium, at every position. Default: false.
@@ -257,7 +257,7 @@ class Analyses:
         steps: equal steps between them (at least 1 and at most 10000). Default: 20.
         motion: as for an equilibrium.
         carriage: the carriage that is placed at x.
-        x: m. its place (at least -1000000 m and at most 1000000 m).
+        x: m. its place (at least -2e7 m and at most 2e7 m).
         along: as for an equilibrium.
         held: as for an equilibrium. Default: false.
         set: values over the deck for this call alone, by path; a bare number is SI.

@@ -1,6 +1,6 @@
 """Made from the descriptions by python/tools/make_stub.py; do not edit. `./dev python stub` makes it again.
 
-schema: 16c4b4377134dc97c085597525f26abfe1421546f8bcd785551e3ea6e273277f
+schema: 43200c3e497c9ecac618367114af9533d21eaef59bd1ed175e9b6ff55d1404a6
 """
 
 from collections.abc import Mapping, Sequence
@@ -40,7 +40,8 @@ class Parts:
     ) -> Machine:
         """Adds one to `ropes`: properties of ropes.
 
-        rope: id in the catalogue of ropes, as 'taut list ropes' shows it.
+        rope: id in the catalogue of ropes, as 'taut list ropes' shows it, or the properties of one of its ropes: '6x36-IWRC
+            20 mm 1960 MPa'.
         mass: kg/m. mass per unstretched metre (at least 0 kg/m and at most 1e9 kg/m).
         stiffness: N. axial stiffness EA; default for a rope of the catalogue: metallic area times a modulus by
             construction; .inf: inextensible (above 0 MN).

@@ -1,6 +1,6 @@
 """Made from the descriptions by python/tools/make_stub.py; do not edit. `./dev python stub` makes it again.
 
-schema: 16c4b4377134dc97c085597525f26abfe1421546f8bcd785551e3ea6e273277f
+schema: 43200c3e497c9ecac618367114af9533d21eaef59bd1ed175e9b6ff55d1404a6
 """
 
 from collections.abc import Mapping, Sequence
