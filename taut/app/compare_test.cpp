@@ -196,10 +196,11 @@ TEST_F(Compare, AToleranceBelowZeroIsAMistake) {
   for (const std::string key : {"tolerance", "reference_tolerance"}) {
     for (const std::string width : {"-3 %", "-1 kN"}) {
       const std::string reference = key == "tolerance" ? "" : "reference: 9.8 kN, ";
-      const taut::Result r = run(row + reference + key + ": " + width + "}\n");
+      std::string wrong = key;
+      wrong += ": " + width;
+      const taut::Result r = run(fmt::format("{}{}{}}}\n", row, reference, wrong));
       EXPECT_EQ(exit_code(r), 2) << key;
-      EXPECT_NE(to_text(r.errors).find("error: " + key + ": " + width + " is below 0"), std::string::npos)
-          << to_text(r.errors);
+      EXPECT_NE(to_text(r.errors).find("error: " + wrong + " is below 0"), std::string::npos) << to_text(r.errors);
     }
   }
   EXPECT_TRUE(run(row + "tolerance: 0 %}\n").errors.empty());

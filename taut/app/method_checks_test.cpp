@@ -1,5 +1,6 @@
 #include "taut/app/method_checks.hpp"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -219,7 +220,7 @@ TEST(MethodChecks, AValueBesideThatOfARopeIsAMistake) {
                                    {"construction", "6x36-FC"},
                                    {"core", "FC"},
                                    {"rope", own_row}}) {
-    const std::string wrong = key + ": " + value, place = "checks.ropes.return." + key;
+    const std::string wrong = fmt::format("{}: {}", key, value), place = "checks.ropes.return." + key;
     EXPECT_THAT(with(named, wrong), HasSubstr(place));
     EXPECT_THAT(with(chosen, wrong), HasSubstr(place));
   }

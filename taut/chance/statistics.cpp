@@ -167,6 +167,7 @@ Estimate share(const Sample& s, const std::function<Count(std::span<const double
     return c.n > 0 ? c.hits / c.n : none;
   });
   std::vector<Count> each;
+  each.reserve(s.replicates);
   for (std::size_t r = 0; r < s.replicates; ++r) each.push_back(count(replicate(s, r)));
   e.interval = holding_both(e.interval, of_neighbours(each, s.confidence));
   e.interval = {.low = std::max(e.interval.low, 0.), .high = std::min(e.interval.high, 1.)};

@@ -130,6 +130,7 @@ TEST(Statistics, the_interval_of_the_sd_of_a_net_holds_the_truth) {
   for (std::uint64_t seed = 0; seed < seeds; ++seed) {
     const PointSet points(PointKind::sobol, 1, 2048, seed);
     std::vector<double> v;
+    v.reserve(points.size());
     for (std::uint64_t i = 0; i < points.size(); ++i) v.push_back(2 + 2 * points.at(i)[0]);
     const Estimate sd = sample_sd({.values = v, .replicates = points.replicates()});
     held += holds(sd.interval, 2 / std::sqrt(12.));
@@ -149,6 +150,7 @@ TEST(Statistics, the_sd_of_independent_replicates_has_no_bias) {
   for (std::uint64_t seed = 0; seed < seeds; ++seed) {
     const PointSet points(PointKind::random, 1, 32, seed);
     std::vector<double> v;
+    v.reserve(points.size());
     for (std::uint64_t i = 0; i < points.size(); ++i) v.push_back(points.at(i)[0]);
     variance += std::pow(sample_sd({.values = v, .replicates = 16}).value, 2) / seeds;
   }
@@ -209,6 +211,7 @@ TEST(Statistics, a_share_between_two_counts_of_a_net_is_held) {
     for (std::uint64_t seed = 0; seed < seeds; ++seed) {
       const PointSet points(PointKind::sobol, 1, 512, seed);
       std::vector<double> v;
+      v.reserve(points.size());
       for (std::uint64_t i = 0; i < points.size(); ++i) v.push_back(points.at(i)[0]);
       const Sample s{.values = v, .replicates = points.replicates()};
       held += holds(limit_probability(s, {.bound = Bound::at_least, .value = share}).counted.interval, share);

@@ -39,6 +39,7 @@ std::string* name_of_data(Figure& f) {
 
 std::vector<FileName> names_in(Result& r) {
   std::vector<FileName> all;
+  all.reserve(r.tables.size() + r.series.size() + r.figures.size());
   for (Table& t : r.tables) all.push_back({.name = &t.name});
   for (Table& t : r.series) all.push_back({.name = &t.name});
   for (Figure& f : r.figures) {

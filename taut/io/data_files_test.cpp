@@ -38,6 +38,7 @@ Drawing drawing_named(std::string name) {
 
 std::vector<std::string> names_of(const Result& r) {
   std::vector<std::string> all;
+  all.reserve(r.tables.size() + r.series.size() + r.figures.size());
   for (const Table& t : r.tables) all.push_back(t.name);
   for (const Table& t : r.series) all.push_back(t.name);
   for (const Figure& f : r.figures) all.push_back(std::visit([](const auto& one) { return one.name; }, f));

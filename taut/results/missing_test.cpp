@@ -57,8 +57,7 @@ TEST(Missing, HeldCarriageHasAllPlacesInEveryAnalysis) {
        {"load_path: {carriage: car, from: 5 m, to: 95 m, steps: 3, held: true}",
         "envelope: {carriage: car, from: 5 m, to: 95 m, steps: 3, held: true}",
         "payload: {carriage: car, from: 5 m, to: 95 m, steps: 3, held: true, limits: {line: {safety_factor: 3}}}",
-        "sweep: {parameter: 'carriages.car.mass', from: 100 kg, to: 200 kg, steps: 2, carriage: car, x: 30 m, held: "
-        "true}",
+        "sweep: {parameter: carriages.car.mass, from: 100 kg, to: 200 kg, steps: 2, carriage: car, x: 9 m, held: true}",
         "equilibrium: {carriage: car, x: 30 m, held: true}"}) {
     const auto held = run_text(level("", "  - " + one));
     EXPECT_EQ(held.status, Status::ok) << one << held.message << to_text(held.errors);

@@ -204,20 +204,24 @@ struct FilterUse {
 
 std::vector<FilterUse> uses_of(const ListFilter& f) {
   const auto given = [](const std::string& text) { return !text.empty(); };
-  return {{"construction", given(f.construction), {"ropes"}},
-          {"core", given(f.core), {"ropes"}},
-          {"grade", given(f.grade), {"ropes"}},
-          {"min-breaking-force", given(f.min_breaking_force), {"ropes"}},
-          {"min-diameter", given(f.min_diameter), {"ropes"}},
-          {"max-diameter", given(f.max_diameter), {"ropes"}},
-          {"min-area", given(f.min_area), {"ropes", "sections"}},
-          {"shape", given(f.shape), {"sections"}},
-          {"forming", given(f.forming), {"sections"}},
-          {"max-height", given(f.max_height), {"sections"}},
-          {"min-section-modulus", given(f.min_section_modulus), {"sections"}},
-          {"standard", given(f.standard), {"ropes", "sections", "steels"}},
-          {"name", given(f.name), {"methods", "machines", "steels", "rules", "carriages", "yarders", "units"}},
-          {"verified", f.verified_only, {"ropes", "sections", "steels", "rules", "carriages", "yarders"}}};
+  return {{.option = "construction", .given = given(f.construction), .lists = {"ropes"}},
+          {.option = "core", .given = given(f.core), .lists = {"ropes"}},
+          {.option = "grade", .given = given(f.grade), .lists = {"ropes"}},
+          {.option = "min-breaking-force", .given = given(f.min_breaking_force), .lists = {"ropes"}},
+          {.option = "min-diameter", .given = given(f.min_diameter), .lists = {"ropes"}},
+          {.option = "max-diameter", .given = given(f.max_diameter), .lists = {"ropes"}},
+          {.option = "min-area", .given = given(f.min_area), .lists = {"ropes", "sections"}},
+          {.option = "shape", .given = given(f.shape), .lists = {"sections"}},
+          {.option = "forming", .given = given(f.forming), .lists = {"sections"}},
+          {.option = "max-height", .given = given(f.max_height), .lists = {"sections"}},
+          {.option = "min-section-modulus", .given = given(f.min_section_modulus), .lists = {"sections"}},
+          {.option = "standard", .given = given(f.standard), .lists = {"ropes", "sections", "steels"}},
+          {.option = "name",
+           .given = given(f.name),
+           .lists = {"methods", "machines", "steels", "rules", "carriages", "yarders", "units"}},
+          {.option = "verified",
+           .given = f.verified_only,
+           .lists = {"ropes", "sections", "steels", "rules", "carriages", "yarders"}}};
 }
 
 /// Why the filters can't be used there: a list that does not look at one would show all its rows as if they matched.

@@ -21,8 +21,8 @@ using taut_test::value_of;
 struct Jack {
   std::string tension = "100 kN";
   std::string checks = "{height: 9 m}";
-  std::string machine = "";  ///< more keys of the machine
-  std::string reeving = "";  ///< one more
+  std::string machine{};  ///< more keys of the machine
+  std::string reeving{};  ///< one more
 };
 
 /// A rope of no weight over a jack, bent by the same angle on both sides.

@@ -235,18 +235,25 @@ void RopeUses::take_empty(const machine::Model& model, const solve::EquilibriumR
   take_forces(model, state, words);
 }
 
-void RopeUses::take_forces(const machine::Model& model, const solve::EquilibriumResult& state,
-                           const std::string& words) {
+Array<int> RopeUses::uses_in(const machine::Model& model) const {
   Array<int> own(model.reevings.size(), -1);
-  for (std::size_t i = 0; i < model.reevings.size(); ++i) {
+  for (std::size_t i = 0; i < own.size(); ++i) {
     const auto use =
         std::find_if(uses_.begin(), uses_.end(), [&](const auto& one) { return one.name == model.reevings[i].name; });
-    if (use == uses_.end()) continue;
-    own[i] = static_cast<int>(use - uses_.begin());
-    if (state.ropes[i].T_max <= use->tension) continue;
-    use->tension = state.ropes[i].T_max;
-    use->where = words;
-    use->lasts = false;
+    if (use != uses_.end()) own[i] = static_cast<int>(use - uses_.begin());
+  }
+  return own;
+}
+
+void RopeUses::take_forces(const machine::Model& model, const solve::EquilibriumResult& state,
+                           const std::string& words) {
+  const Array<int> own = uses_in(model);
+  for (std::size_t i = 0; i < own.size(); ++i) {
+    if (own[i] < 0 || state.ropes[i].T_max <= uses_[as_size(own[i])].tension) continue;
+    rope::RopeUse& use = uses_[as_size(own[i])];
+    use.tension = state.ropes[i].T_max;
+    use.where = words;
+    use.lasts = false;
   }
   Array<std::map<std::string, int>> met(model.reevings.size());
   Array<std::vector<Turned>> turned(uses_.size());

@@ -61,6 +61,8 @@ class RopeUses {
                           std::vector<Turned> along);
   void add_end(std::size_t reeving, const machine::Model& model, bool at_end);
   void take_forces(const machine::Model& model, const solve::EquilibriumResult& state, const std::string& words);
+  /// Of each rope of the model; -1: it is not asked for.
+  Array<int> uses_in(const machine::Model& model) const;
   void raise_end(std::size_t reeving, const machine::Node& node, bool at_end, double T);
   rope::DrumEnd& drum_end(const machine::Model& model, const solve::DrumResult& d);
   void take_drum(const machine::Model& model, const machine::State& state, const solve::DrumResult& d,

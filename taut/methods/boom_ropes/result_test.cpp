@@ -9,6 +9,7 @@
 #include "taut/math/degree.hpp"
 #include "taut/methods/boom_ropes/boom_ropes.hpp"
 #include "taut/methods/boom_ropes/printed_boom_test.hpp"
+#include "taut/units/display.hpp"
 
 namespace taut::boom_ropes::result_test {
 

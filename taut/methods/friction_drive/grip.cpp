@@ -69,7 +69,9 @@ double reserve_under(double pull, const Input& in, const Output& out) {
   return reserve_of(in.idler_loss * T_2 + in.cutting_force, T_2, out.e, out.c);
 }
 
-bool keeps(double reserve, double m) { return make_check("", reserve, si::one, {Sense::at_least, m, "", ""}).passes; }
+bool keeps(double reserve, double m) {
+  return make_check("", reserve, si::one, {.sense = Sense::at_least, .limit = m, .rule = "", .trust = ""}).passes;
+}
 bool holds(double reserve) { return keeps(reserve, 1); }
 
 double cutting_force_under(double pull, const Input& in, const Output& out) {

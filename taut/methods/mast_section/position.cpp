@@ -9,6 +9,7 @@
 
 #include "taut/base/expects.hpp"
 #include "taut/catalogue/steel.hpp"
+#include "taut/units/display.hpp"
 
 namespace taut::mast_section {
 

@@ -165,6 +165,21 @@ const char* words_of(chance::ParameterState state) {
   return "";
 }
 
+/// A number found, and its standard error, where there are such.
+void add_values(const CaseInput& input, const chance::CalibratedParameter& p, Result& r) {
+  if (p.state != chance::ParameterState::not_identifiable) {
+    r.values.push_back({input.path, p.value, input.unit, "", fmt::format("{}, {}", input.path, words_of(p.state)), {}});
+  }
+  if (!std::isfinite(p.standard_error)) return;
+  r.values.push_back({input.path + ".standard_error",
+                      p.standard_error,
+                      difference_of(input.unit),
+                      "",
+                      "standard error of " + input.path,
+                      {},
+                      true});
+}
+
 void add_parameters(const Calibrating& c, const chance::Calibration& found, Result& r) {
   const Display& display = c.read.deck.display;
   Table t{.name = "calibrated", .title = "The numbers found", .columns = {}, .rows = {}};
@@ -181,19 +196,7 @@ void add_parameters(const Calibrating& c, const chance::Calibration& found, Resu
     const auto end = [&](double x) { return told && !has_interval ? std::string("-") : shown(x); };
     t.rows.push_back({input.path, shown(input.base), told ? shown(p.value) : std::string("-"), end(p.interval.low),
                       end(p.interval.high), std::string(words_of(p.state)), p.note});
-    if (told) {
-      r.values.push_back(
-          {input.path, p.value, input.unit, "", fmt::format("{}, {}", input.path, words_of(p.state)), {}});
-    }
-    if (has_interval) {
-      r.values.push_back({input.path + ".standard_error",
-                          p.standard_error,
-                          difference_of(input.unit),
-                          "",
-                          "standard error of " + input.path,
-                          {},
-                          true});
-    }
+    add_values(input, p, r);
     if (p.state != chance::ParameterState::estimated) {
       warn_unsafe(r, fmt::format("{}: {}{}{}", input.path, words_of(p.state), p.note.empty() ? "" : ": ", p.note));
     }

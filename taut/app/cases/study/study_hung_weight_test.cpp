@@ -19,7 +19,7 @@ using testing::Not;
 
 struct Deck {
   std::string study;
-  std::string sweep = "";    ///< the weight at its end, "-56 kN"; empty: the deck has no sweep
+  std::string sweep{};       ///< the weight at its end, "-56 kN"; empty: the deck has no sweep
   std::string factor = "2";  ///< that the deck asks of the rope; empty: none
   std::string weight = "30 kN";
 

@@ -14,9 +14,7 @@ namespace {
 using taut::Matrix3;
 using taut::machine::ActuatorKind;
 using taut::machine::ActuatorMode;
-using taut::solve::Start;
 using taut::solve::transient;
-using taut::solve::TransientOptions;
 using taut::solve::TransientResult;
 
 machine::Signal constant(double value, const taut::Unit& unit) {

@@ -6,6 +6,7 @@
 
 #include "taut/base/array.hpp"
 #include "taut/machine/compile/drums.hpp"
+#include "taut/math/index.hpp"
 #include "taut/solve/motion/parts/couple.hpp"
 #include "taut/solve/motion/run/run.hpp"
 
