@@ -61,6 +61,11 @@ FrictionDriveExact values_from(const friction_drive::Input& in, const solve::Bel
   e.take_up_exact = s.pull;
   e.T_1_exact = s.T_1;
   e.T_2_exact = s.T_2;
+  if (in.rope_area) {
+    e.sigma_tight_exact = s.T_1 / *in.rope_area;
+  } else if (const auto rope = rope_of(in)) {
+    e.sigma_tight_exact = s.T_1 / rope->area;
+  }
   e.cutting_force_exact = s.load;
   e.slip_arc_exact = s.slip_arc;
   e.arc_used_exact = s.slip_arc / d.working_arc;
@@ -152,14 +157,6 @@ void warn_of_values(const friction_drive::Input& in, const solve::BeltDrive& d, 
   warn_of_rope(rope, display, r);
 }
 
-/// The stress in the tight branch, where the take-up pulls it with more than the method takes.
-void raise_stress(const friction_drive::Input& in, double tension, Result& r) {
-  const auto rope = rope_of(in);
-  for (Value& v : r.values) {
-    if (v.name == "sigma_tight") v.value = std::max(v.value, tension / (in.rope_area ? *in.rope_area : rope->area));
-  }
-}
-
 /// Adds the exact column to the method's result.
 void complete_friction_drive(const friction_drive::Input& in, const friction_drive::Output& out, const Display& display,
                              Result& r) {
@@ -173,7 +170,6 @@ void complete_friction_drive(const friction_drive::Input& in, const friction_dri
   }
   const FrictionDriveExact e = values_from(in, d, s);
   if (const auto rope = rope_of(in)) friction_drive::take_tension(*rope, e.T_1_exact, r);
-  raise_stress(in, e.T_1_exact, r);
   const bool as_asked = std::isfinite(out.takeup_with_idler_loss);
   add_words(in, d, s,
             as_asked ? "as the method says to build" : "the one without slip, as with the idler loss none is enough",
@@ -201,6 +197,8 @@ const Description& FrictionDriveExact::describe() {
     d.field(&Exact::take_up_exact, "take_up_exact", "W_exact", si::N, "pull on the idler while the rope runs");
     d.field(&Exact::T_1_exact, "T_1_exact", "T_1_exact", si::N, "tight branch with this take-up");
     d.field(&Exact::T_2_exact, "T_2_exact", "T_2_exact", si::N, "slack branch with this take-up");
+    d.field(&Exact::sigma_tight_exact, "sigma_tight_exact", "sigma_exact", si::Pa,
+            "stress in the tight branch with this take-up, without bending");
     d.field(&Exact::cutting_force_exact, "cutting_force_exact", "P_exact", si::N,
             "cutting force that the drive transmits; less than given where it slips");
     d.field(&Exact::slip_arc_exact, "slip_arc_exact", "phi_slip", si::rad, "arc on which the rope creeps");

@@ -10,6 +10,7 @@ struct FrictionDriveExact {
   double take_up_exact = friction_drive::not_computed;        ///< N, on the idler while the rope runs
   double T_1_exact = friction_drive::not_computed;            ///< N
   double T_2_exact = friction_drive::not_computed;            ///< N
+  double sigma_tight_exact = friction_drive::not_computed;    ///< Pa, of T_1_exact; of a rope with a known area
   double cutting_force_exact = friction_drive::not_computed;  ///< N, that the drive passes on
   double slip_arc_exact = friction_drive::not_computed;       ///< rad
   double arc_used_exact = friction_drive::not_computed;       ///< slip arc over working arc

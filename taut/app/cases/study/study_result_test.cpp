@@ -150,6 +150,14 @@ TEST(StudyResult, AValueThatCantBeJudgedMattersWhereALimitIsAboutIt) {
   EXPECT_TRUE(study_result(study, data, {}).unmade.empty()) << "of another motion";
 }
 
+/// A case whose rope misses the factor that the deck asks of it.
+FlawedCase below_3() {
+  return {
+      .index = 3,
+      .flaw = {
+          .kind = CaseFlaw::Kind::fails, .check = "sky.safety_factor", .words = "below 3", .sense = Sense::at_least}};
+}
+
 // A limit of the deck itself gives way to that of the study on the same value, breaking does not.
 TEST(StudyResult, ALimitOfTheStudyTakesThePlaceOfTheDecksOwn) {
   Study study = of_cases(100);
@@ -157,10 +165,7 @@ TEST(StudyResult, ALimitOfTheStudyTakesThePlaceOfTheDecksOwn) {
   study.limits = {{.output = 0, .limit = {.bound = chance::Bound::at_least, .value = 2}, .allowed = 0.1}};
   StudyData data;
   data.outputs = {std::vector<double>(100, 2.5)};
-  data.flawed = {
-      {.index = 3,
-       .flaw = {
-           .kind = CaseFlaw::Kind::fails, .check = "sky.safety_factor", .words = "below 3", .sense = Sense::at_least}}};
+  data.flawed = {below_3()};
   EXPECT_TRUE(study_result(study, data, {}).unmade.empty());
   data.flawed[0].flaw.check = "mainline.safety_factor";
   EXPECT_EQ(study_result(study, data, {}).unmade.size(), 1U) << "of another rope";
@@ -243,10 +248,7 @@ TEST(StudyResult, ALimitBeyondBreakingTakesThePlaceOfNoLimitOfTheDeck) {
   study.model.strengths = {{"sky", 20e3}};
   StudyData data;
   data.outputs = {std::vector<double>(10, 10e3)};
-  data.flawed = {
-      {.index = 3,
-       .flaw = {
-           .kind = CaseFlaw::Kind::fails, .check = "sky.safety_factor", .words = "below 3", .sense = Sense::at_least}}};
+  data.flawed = {below_3()};
   for (const auto& [limit, unmade] : {std::pair{20e3, 0U}, std::pair{21e3, 1U}}) {
     study.limits = {{.output = 0, .limit = {.bound = chance::Bound::at_most, .value = limit}, .allowed = 0.9}};
     EXPECT_EQ(study_result(study, data, {}).unmade.size(), unmade) << limit;
@@ -261,10 +263,7 @@ TEST(StudyResult, AWeakerCaseMakesALimitOfTensionTooHigh) {
   study.limits = {{.output = 0, .limit = {.bound = chance::Bound::at_most, .value = 18e3}, .allowed = 0.9}};
   StudyData data;
   data.outputs = {std::vector<double>(10, 10e3)};
-  data.flawed = {
-      {.index = 3,
-       .flaw = {
-           .kind = CaseFlaw::Kind::fails, .check = "sky.safety_factor", .words = "below 3", .sense = Sense::at_least}}};
+  data.flawed = {below_3()};
   EXPECT_TRUE(study_result(study, data, {}).unmade.empty());
   data.weaker = {{"sky", 15e3}};
   EXPECT_EQ(study_result(study, data, {}).unmade.size(), 1U);

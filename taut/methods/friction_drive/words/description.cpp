@@ -53,7 +53,8 @@ void describe_no_slip(Outputs& d) {
 void describe_machine(Outputs& d) {
   d.field(&Output::F_0, "F_0", "F_0", si::N, "tension of each branch at rest under takeup_no_slip");
   d.field(&Output::sigma_0, "sigma_0", "sigma_0", si::Pa, "stress at rest").from("F_0 = A sigma_0");
-  d.field(&Output::sigma_tight, "sigma_tight", "sigma_tight", si::Pa, "stress in the tight branch, without bending");
+  d.field(&Output::sigma_tight, "sigma_tight", "sigma_tight", si::Pa,
+          "stress in the tight branch by the method, whatever the take-up; without bending");
   d.field(&Output::torque, "torque", "M", si::N_m, "torque of the driving sheave at the limit of slip")
       .from("(1), (2)");
   d.field(&Output::torque_working, "torque_working", "M_working", si::N_m, "torque of the cutting force")
