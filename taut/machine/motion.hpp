@@ -35,6 +35,7 @@ struct Drive {
   Signal signal;       ///< NaN: the deck has no signal of this speed, which only a motion needs
   bool brake = false;  ///< true: the brake is set: it holds, against any drive, up to its torque
   double brake_since = -std::numeric_limits<double>::infinity();  ///< time at which it was set, s
+  std::optional<int> by = {};  ///< in a motion: the event of the model that has given kind and signal
 };
 
 /// A brake that holds a drum up to a torque.

@@ -8,8 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
-#include "taut/units/display.hpp"
-#include "taut/units/expression.hpp"
+#include "taut/math/index.hpp"
 
 namespace taut::results {
 namespace {
@@ -17,7 +16,7 @@ namespace {
 using solve::DynamicState;
 using Json = nlohmann::ordered_json;
 
-constexpr int format = 3;
+constexpr int format = 4;
 constexpr double last = 1e9;  ///< s, thirty years: beyond, a time has too few digits left for the steps of a motion
 
 /// What JSON has no number for.
@@ -72,78 +71,118 @@ Matrix3 matrix_in(const Json& j) {
   return m;
 }
 
-Json signal(const machine::Signal& s) {
-  Json j = {{"name", s.name}, {"unit", s.unit.symbol}};
-  if (const auto* constant = std::get_if<double>(&s.law)) j["constant"] = json_number(*constant);
-  if (const auto* moves = std::get_if<machine::Moves>(&s.law)) {
-    Json list = Json::array();
-    for (const machine::Move& m : moves->moves)
-      list.push_back({json_number(m.at), json_number(m.to), json_number(m.over), static_cast<int>(m.change)});
-    j["moves"] = {{"from", json_number(moves->from)}, {"list", std::move(list)}};
+/// What tells one event of a deck from another: of those with the same words each counts once.
+std::string key_of(const machine::Event& event) {
+  if (event.at) return fmt::format("{} at {:.12g} s", event.words, *event.at);
+  const char* sense = event.when->above ? ">" : "<";
+  return fmt::format("{} when {} {} {:.12g}", event.words, event.when->of.name, sense, event.when->threshold);
+}
+
+Json happened(const solve::DynamicState& state, const machine::Model& m) {
+  Json keys = Json::array();
+  for (std::size_t i = 0; i < m.events.size() && i < state.happened.size(); ++i) {
+    if (state.happened[i] != 0) keys.push_back(key_of(m.events[i]));
   }
-  if (const auto* curve = std::get_if<machine::Curve>(&s.law)) {
-    j["curve"] = {{"t", numbers(curve->t)}, {"value", numbers(curve->value)}, {"slopes", numbers(curve->slopes)}};
+  return keys;
+}
+
+/// Which events of the machine have happened. Why it can't go on with one, in words; else empty.
+std::string take_happened(const Json& keys, const machine::Model& m, solve::DynamicState& s) {
+  auto left = keys.get<std::vector<std::string>>();
+  for (const machine::Event& event : m.events) {
+    const auto found = std::find(left.begin(), left.end(), key_of(event));
+    s.happened.push_back(found != left.end() ? 1 : 0);
+    if (found != left.end()) {
+      left.erase(found);
+    } else if (event.at && *event.at < s.t) {
+      return fmt::format(
+          "'{}' at {:.6g} s has not happened in it, and it is of {:.6g} s: give the event a later time, "
+          "or leave it out",
+          event.words, *event.at, s.t);
+    }
   }
-  if (const auto* sine = std::get_if<machine::Sine>(&s.law)) {
-    j["sine"] = numbers({sine->mean, sine->amplitude, sine->omega, sine->phase});
-  }
-  if (const auto* formula = std::get_if<machine::TimeFormula>(&s.law)) j["formula"] = (*formula)->text;
+  return {};
+}
+
+/// A drive in the state, and who gave it: the deck gives it anew from then on.
+Json drive(const machine::Drive& is, const machine::Drive& described, const machine::Model& m, double t) {
+  using machine::DriveKind;
+  const machine::Drive& given = is.by ? m.events[as_size(*is.by)].drive : described;
+  const machine::SignalValue now = machine::at(is.signal, t);
+  Json j;
+  j["is"] = {static_cast<int>(is.kind), json_number(now.value), json_number(now.rate)};
+  if (is.by) j["by"] = key_of(m.events[as_size(*is.by)]);
+  j["let_go"] = is.kind == DriveKind::free && given.kind == DriveKind::held;
+  j["brake_described"] = described.brake;
+  j["brake"] = is.brake;
+  j["brake_since"] = json_number(is.brake_since);
   return j;
 }
 
-machine::Signal signal_in(const Json& j) {
-  machine::Signal s;
-  s.name = j.at("name").get<std::string>();
-  const auto symbol = j.at("unit").get<std::string>();
-  for (const Unit& unit : display_kinds()) {
-    if (unit.symbol == symbol) s.unit = unit;
-  }
-  if (j.contains("constant")) s.law = number_in(j["constant"]);
-  if (j.contains("moves")) {
-    machine::Moves moves;
-    moves.from = number_in(j["moves"].at("from"));
-    for (const Json& m : j["moves"].at("list")) {
-      const int change = m.at(3).get<int>();
-      if (change < 0 || change > static_cast<int>(machine::Change::half_cosine)) throw std::out_of_range("a change");
-      moves.moves.push_back(
-          {number_in(m.at(0)), number_in(m.at(1)), number_in(m.at(2)), static_cast<machine::Change>(change)});
-    }
-    s.law = std::move(moves);
-  }
-  if (j.contains("curve")) {
-    const Json& c = j["curve"];
-    s.law = machine::Curve{
-        .t = numbers_in(c.at("t")), .value = numbers_in(c.at("value")), .slopes = numbers_in(c.at("slopes"))};
-  }
-  if (j.contains("sine")) {
-    const std::vector<double> x = numbers_in(j["sine"]);
-    s.law = machine::Sine{.mean = x.at(0), .amplitude = x.at(1), .omega = x.at(2), .phase = x.at(3)};
-  }
-  if (j.contains("formula")) {
-    auto formula = formula_text(j["formula"].get<std::string>(), "t", si::s.dimension);
-    if (!formula) throw std::out_of_range("a formula");
-    s.law = std::make_shared<const FormulaText>(*std::move(formula));
-  }
-  return s;
-}
-
-Json drives(const std::vector<machine::Drive>& all) {
+/// The drums, or the driven sheaves, of a machine: how it describes their drives, and as a state has them.
+template <class All>
+Json drives(const std::vector<machine::Drive>& state, const All& all, const machine::Model& m, double t) {
   Json list = Json::array();
-  for (const machine::Drive& d : all) {
-    list.push_back({{"kind", static_cast<int>(d.kind)},
-                    {"brake", d.brake},
-                    {"brake_since", json_number(d.brake_since)},
-                    {"signal", signal(d.signal)}});
-  }
+  for (std::size_t i = 0; i < all.size() && i < state.size(); ++i) list.push_back(drive(state[i], all[i].drive, m, t));
   return list;
 }
-std::vector<machine::Drive> drives_in(const Json& j) {
-  std::vector<machine::Drive> all;
-  for (const Json& d : j) {
-    const int kind = d.at("kind").get<int>();
-    if (kind < 0 || kind > static_cast<int>(machine::DriveKind::pull)) throw std::out_of_range("kind of a drive");
-    all.push_back({static_cast<machine::DriveKind>(kind), signal_in(d.at("signal")), d.at("brake").get<bool>()});
-    if (d.contains("brake_since")) all.back().brake_since = number_in(d.at("brake_since"));
+
+/// A drive from a state on. Kind and signal are those of the deck, or of the event that gave them; a brake is as the
+/// state has it, unless the deck describes another one. `anew`: it is no more what it was.
+struct DriveOn {
+  machine::Drive drive;
+  bool anew = false;
+};
+
+tl::expected<DriveOn, std::string> drive_on(const Json& j, const machine::Drive& described, const std::string& name,
+                                            const machine::Model& m, double t) {
+  using machine::DriveKind;
+  DriveOn on{.drive = described};
+  machine::Drive& now = on.drive;
+  if (j.contains("by")) {
+    const auto key = j.at("by").get<std::string>();
+    const auto by = std::find_if(m.events.begin(), m.events.end(), [&](const auto& e) { return key_of(e) == key; });
+    if (by == m.events.end()) {
+      return tl::unexpected(
+          fmt::format("its event '{}' has given '{}' the drive that it has there: leave that event "
+                      "in the deck, also where another one follows it",
+                      key, name));
+    }
+    now.kind = by->drive.kind;
+    now.signal = by->drive.signal;
+    now.by = static_cast<int>(by - m.events.begin());
+  }
+  if (j.at("let_go").get<bool>() && now.kind == DriveKind::held) now.kind = DriveKind::free;
+  const bool brake = j.at("brake").get<bool>();
+  if (described.brake == j.at("brake_described").get<bool>()) {
+    now.brake = brake;
+    now.brake_since = number_in(j.at("brake_since"));
+  }
+  const machine::SignalValue goes = machine::at(now.signal, t);
+  const Json is = {static_cast<int>(now.kind), json_number(goes.value), json_number(goes.rate)};
+  on.anew = is != j.at("is") || now.brake != brake;
+  return on;
+}
+
+/// All drives of the drums, or of the driven sheaves. Why they can't go on, in words; else empty.
+template <class All>
+std::string take_drives(const Json& list, const All& all, const machine::Model& m, solve::DynamicState& s,
+                        std::vector<machine::Drive>& to) {
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    auto on = drive_on(list.at(i), all[i].drive, all[i].name, m, s.t);
+    if (!on) return on.error();
+    to.push_back(std::move(on->drive));
+    s.begins_anew = s.begins_anew || on->anew;
+  }
+  return {};
+}
+
+std::vector<machine::ActuatorMode> modes_in(const Json& list) {
+  std::vector<machine::ActuatorMode> all;
+  for (const Json& mode : list) {
+    const int value = mode.get<int>();
+    if (value < 0 || value > static_cast<int>(machine::ActuatorMode::free)) throw std::out_of_range("mode");
+    all.push_back(static_cast<machine::ActuatorMode>(value));
   }
   return all;
 }
@@ -230,14 +269,7 @@ solve::DynamicState state_in(const Json& j) {
   for (const Json& d : j.at("on_drums"))
     s.on_drums.push_back({number_in(d.at("content")), d.at("layer").get<int>(), numbers_in(d.at("strain"))});
   s.force = numbers_in(j.at("force"));
-  s.happened = j.at("happened").get<std::vector<std::uint8_t>>();
-  s.drum_drive = drives_in(j.at("drum_drive"));
-  s.motor_drive = drives_in(j.at("motor_drive"));
-  for (const Json& mode : j.at("actuator_mode")) {
-    const int value = mode.get<int>();
-    if (value < 0 || value > static_cast<int>(machine::ActuatorMode::free)) throw std::out_of_range("mode");
-    s.actuator_mode.push_back(static_cast<machine::ActuatorMode>(value));
-  }
+  s.actuator_mode = modes_in(j.at("actuator_mode"));
   s.damping_time = numbers_in(j.at("damping_time"));
   if (j.contains("memory")) s.memory = numbers_in(j.at("memory"));
   return s;
@@ -275,6 +307,10 @@ std::vector<Kept> kept_of(const machine::Model& m) {
   for (const machine::Body& body : m.bodies) {
     if (body.free.empty() && body.driven.empty())
       all.push_back({fmt::format("'{}' has another place", body.name), components(body.position)});
+  }
+  for (const machine::Actuator& one : m.actuators) {
+    all.push_back({fmt::format("'{}' begins with another mode: an event sets it from then on", one.name),
+                   {static_cast<double>(one.mode)}});
   }
   for (const machine::Face& face : m.faces) {
     const std::string words = fmt::format("face '{}' has another place", face.name);
@@ -353,10 +389,11 @@ std::string misfit(const solve::DynamicState& s, const Json& j, const machine::M
   const auto same = [&](const char* key, const Json& own) { return j.at("machine").at(key) == own; };
   if (!same("bodies", names(m.bodies)) || s.bodies.size() != m.bodies.size()) return "its bodies are others";
   if (!same("ropes", names(m.reevings)) || s.ropes.size() != m.reevings.size()) return "its ropes are others";
-  if (!same("drums", names(m.drums)) || s.drum_drive.size() != m.drums.size()) return "its drums are others";
-  if (s.motor_drive.size() != m.motors.size()) return "its driven sheaves are others";
-  if (s.actuator_mode.size() != m.actuators.size()) return "its actuators are others";
-  if (s.happened.size() != m.events.size()) return "its events are others";
+  if (!same("drums", names(m.drums))) return "its drums are others";
+  if (!same("motors", names(m.motors))) return "its driven sheaves are others";
+  if (!same("actuators", names(m.actuators)) || s.actuator_mode.size() != m.actuators.size())
+    return "its actuators are others, or stand in another order";
+  if (!same("contacts", names(m.contacts))) return "its contacts are others, or stand in another order";
   for (std::size_t i = 0; i < m.reevings.size(); ++i) {
     const std::size_t nodes = m.reevings[i].nodes.size();
     const auto parts = static_cast<std::size_t>(machine::branch_count(m.reevings[i])) *
@@ -377,20 +414,19 @@ std::string misfit(const solve::DynamicState& s, const Json& j, const machine::M
 std::string to_json(const solve::DynamicState& state, const machine::Model& model, double damping_ratio) {
   Json j;
   j["taut_state"] = format;
-  j["machine"] = {{"bodies", names(model.bodies)},
-                  {"ropes", names(model.reevings)},
-                  {"drums", names(model.drums)},
-                  {"kept", kept(model)},
-                  {"damping", damping(model, damping_ratio)}};
+  j["machine"] = {
+      {"bodies", names(model.bodies)}, {"ropes", names(model.reevings)},          {"drums", names(model.drums)},
+      {"motors", names(model.motors)}, {"actuators", names(model.actuators)},     {"contacts", names(model.contacts)},
+      {"kept", kept(model)},           {"damping", damping(model, damping_ratio)}};
   j["t"] = json_number(state.t);
   j["bodies"] = bodies(state);
   j["ropes"] = ropes(state);
   if (!state.tears.empty()) j["tears"] = tears(state);
   j["on_drums"] = on_drums(state);
   j["force"] = numbers(state.force);
-  j["happened"] = state.happened;
-  j["drum_drive"] = drives(state.drum_drive);
-  j["motor_drive"] = drives(state.motor_drive);
+  j["happened"] = happened(state, model);
+  j["drum_drive"] = drives(state.drum_drive, model.drums, model, state.t);
+  j["motor_drive"] = drives(state.motor_drive, model.motors, model, state.t);
   j["actuator_mode"] = Json::array();
   for (const machine::ActuatorMode mode : state.actuator_mode) j["actuator_mode"].push_back(static_cast<int>(mode));
   j["damping_time"] = numbers(state.damping_time);
@@ -410,6 +446,10 @@ tl::expected<solve::DynamicState, std::string> state_from_json(const std::string
     if (const std::string why = misfit(state, j, model); !why.empty()) {
       return tl::unexpected(fmt::format("it is of another machine: {}", why));
     }
+    std::string why = take_happened(j.at("happened"), model, state);
+    if (why.empty()) why = take_drives(j.at("drum_drive"), model.drums, model, state, state.drum_drive);
+    if (why.empty()) why = take_drives(j.at("motor_drive"), model.motors, model, state, state.motor_drive);
+    if (!why.empty()) return tl::unexpected(why);
     // a state of an earlier version says nothing of it
     if (j.at("machine").contains("damping")) {
       if (const std::string why = damp_anew(j.at("machine").at("damping"), model, damping_ratio, state); !why.empty())

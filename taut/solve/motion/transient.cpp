@@ -385,6 +385,7 @@ TransientResult transient(const machine::Model& described, const TransientOption
     return run.result;
   }
   run.resumed = memory == Remembered::taken;
+  run.begins_anew = run.begins_anew || (options.from && options.from->begins_anew);
   if (!run.resumed && !take_tears(run)) {
     run.result.outcome = infeasible("the state to go on from is damaged: what breaks in it is no part of the machine");
     return run.result;

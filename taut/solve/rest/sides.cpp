@@ -49,9 +49,14 @@ double turn_about(const Vector3& axis, const Vector3& from, const Vector3& to) {
   return std::atan2(axis.dot(a.cross(b)), a.dot(b));
 }
 
-/// How far a rope passes a sheave on the outer side, rad; 0: on the inner one.
-double outside(const machine::Model& model, const machine::State& state, const ContactResult& contact,
-               const RopeAtContact& rope) {
+/// How a rope passes a sheave.
+struct Passing {
+  double outside = 0;       ///< how far on the outer side of its bend, rad; 0: on the inner one
+  bool comes_back = false;  ///< beside itself, nearer than the sheave is wide: neither side is the inner one
+};
+
+Passing passing(const machine::Model& model, const machine::State& state, const ContactResult& contact,
+                const RopeAtContact& rope) {
   const Array<machine::Node>& nodes = model.reevings[contact.reeving].nodes;
   const machine::Node& node = nodes[contact.node];
   const Vector3 centre = machine::in_ground(state, node.at);
@@ -63,10 +68,36 @@ double outside(const machine::Model& model, const machine::State& state, const C
   const double wrap = contact.wrap - 2 * std::numbers::pi * node.turns;
   const double bend = wrap - turn_about(axis, rope.before->end - rope.before->start, in) +
                       turn_about(axis, rope.after->end - rope.after->start, out);
-  if (bend < -hardly_bent) return -bend;
-  if (bend <= std::numbers::pi) return 0;
-  const double width = 2 * node.radius / std::min(in.norm(), out.norm());
-  return std::sin(bend - std::numbers::pi) > std::max(hardly_bent, width) ? bend - std::numbers::pi : 0;
+  if (bend < -hardly_bent) return {.outside = -bend};
+  const double width = std::max(hardly_bent, 2 * node.radius / std::min(in.norm(), out.norm()));
+  const bool beside = std::cos(bend) < 0 && std::abs(std::sin(bend)) <= width;
+  const bool outer = bend > std::numbers::pi && std::sin(bend - std::numbers::pi) > width;
+  return {.outside = outer ? bend - std::numbers::pi : 0, .comes_back = beside};
+}
+
+/// Shows each sheave without a given side that its taut rope passes: see(contact, passing).
+template <class See>
+void each_open(const machine::Model& model, const EquilibriumResult& result, const See& see) {
+  for (const ContactResult& contact : result.contacts) {
+    const machine::Node& node = model.reevings[contact.reeving].nodes[contact.node];
+    if (!node.side_open || contact.state == ContactState::lifted) continue;
+    const RopeAtContact rope = passing_rope(result, contact);
+    if (rope.before == nullptr || rope.after == nullptr || rope.before->slack || rope.after->slack) continue;
+    see(contact, passing(model, result.state, contact, rope));
+  }
+}
+
+/// A sheave at which the rope comes back beside itself and lies on another side than the description has it: either
+/// would do, and an answer must not depend on where its search began.
+std::optional<WrongSide> not_as_described(const machine::Model& described, const machine::Model& model,
+                                          const EquilibriumResult& result) {
+  std::optional<WrongSide> found;
+  each_open(model, result, [&](const ContactResult& contact, const Passing& passes) {
+    const auto side = [&](const machine::Model& m) { return m.reevings[contact.reeving].nodes[contact.node].side; };
+    if (passes.comes_back && side(model) != side(described))
+      found = WrongSide{.reeving = contact.reeving, .node = contact.node};
+  });
+  return found;
 }
 
 /// The state with the rope beside a sheave to be found anew.
@@ -106,14 +137,10 @@ bool has_open_sides(const machine::Model& model) {
 
 std::optional<WrongSide> wrong_side(const machine::Model& model, const EquilibriumResult& result) {
   std::optional<WrongSide> worst;
-  for (const ContactResult& contact : result.contacts) {
-    const machine::Node& node = model.reevings[contact.reeving].nodes[contact.node];
-    if (!node.side_open || contact.state == ContactState::lifted) continue;
-    const RopeAtContact rope = passing_rope(result, contact);
-    if (rope.before == nullptr || rope.after == nullptr || rope.before->slack || rope.after->slack) continue;
-    const double by = outside(model, result.state, contact, rope);
-    if (by > (worst ? worst->by : 0)) worst = WrongSide{.reeving = contact.reeving, .node = contact.node, .by = by};
-  }
+  each_open(model, result, [&](const ContactResult& contact, const Passing& passes) {
+    if (passes.outside > (worst ? worst->by : 0))
+      worst = WrongSide{.reeving = contact.reeving, .node = contact.node, .by = passes.outside};
+  });
   return worst;
 }
 
@@ -133,7 +160,8 @@ EquilibriumResult on_inner_sides(
     tried.push_back(result.state.sides);
     if (!result.outcome.ok() && !best) return result;
     if (!result.outcome.ok()) break;
-    const auto wrong = wrong_side(sided, result);
+    auto wrong = wrong_side(sided, result);
+    if (!wrong) wrong = not_as_described(model, sided, result);
     if (!wrong) return result;
     near = turned_over(sided, result.state, *wrong);
     if (!best || wrong->by < best->second) best = {std::move(result), wrong->by};

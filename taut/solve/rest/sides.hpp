@@ -23,8 +23,9 @@ std::optional<WrongSide> wrong_side(const machine::Model& model, const Equilibri
 
 /// An equilibrium whose open sides follow from the answer and not from the places that the description gives:
 /// `solve` solves a model with its sides, and each sheave that is passed on its outer side takes the other one, the
-/// worst first. Where no side of a sheave is the inner one, where the rope runs nearly straight, the side with the
-/// larger wrap stands; infeasible with the sheave's name where both wraps are negative. The state tells the sides.
+/// worst first. Where a rope comes back beside itself, nearer than the sheave is wide, the side of the description
+/// stands. Where no side of a sheave is the inner one, where the rope runs nearly straight, the side with the larger
+/// wrap stands; infeasible with the sheave's name where both wraps are negative. The state tells the sides.
 EquilibriumResult on_inner_sides(
     const machine::Model& model, const std::optional<machine::State>& start,
     const std::function<EquilibriumResult(const machine::Model&, const std::optional<machine::State>&)>& solve);

@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <vector>
+
 #include "taut/solve/equilibrium.hpp"
 #include "taut/solve/motion/transient.hpp"
 #include "test/support/machines.hpp"
@@ -53,6 +56,33 @@ TEST(Sides, MirroredItIsTheOtherOne) {
     ASSERT_TRUE(r.outcome.ok() && other.outcome.ok()) << r.outcome.message << other.outcome.message;
     EXPECT_NEAR(other.ropes[0].T_max / r.ropes[0].T_max, 1, 1e-9) << diameter;
     for (const std::size_t node : {2U, 3U}) EXPECT_EQ(other.state.sides[0][node], -r.state.sides[0][node]) << diameter;
+  }
+}
+
+// A rope that comes back beside itself, nearer than the sheave is wide, may cross itself or not: both are answers. The
+// one that the description has is taken, from wherever the search begins.
+TEST(Sides, BesideItselfTheDescriptionDecides) {
+  const auto hung = [](int side) {
+    machine::Model m;
+    m.bodies.push_back(body("block", {0.05, 0, 2}, 300, "xz"));
+    std::vector<machine::Node> nodes{anchor("head", {0, 0, 12}), sheave("block", origin, 0.2, side, 1, 0),
+                                     anchor("end", {0.1, 0, 12})};
+    nodes[1].side_open = true;
+    m.reevings.push_back(reeve("hoist", nodes, 20, 0.5 * g, 4e6));
+    return m;
+  };
+  std::vector<EquilibriumResult> all;
+  for (const int side : {-1, 1}) {
+    all.push_back(equilibrium(hung(side)));
+    ASSERT_TRUE(all.back().outcome.ok()) << all.back().outcome.message;
+    EXPECT_EQ(all.back().state.sides[0][1], side);
+  }
+  EXPECT_GT(std::abs(all[0].ropes[0].T_max / all[1].ropes[0].T_max - 1), 1e-5) << "the crossed ropes lean more";
+  for (const std::size_t described : {0U, 1U}) {
+    const EquilibriumResult r = equilibrium(hung(described == 0 ? -1 : 1), {}, all[1 - described].state);
+    ASSERT_TRUE(r.outcome.ok()) << r.outcome.message;
+    EXPECT_EQ(r.state.sides, all[described].state.sides);
+    EXPECT_NEAR(r.ropes[0].T_max / all[described].ropes[0].T_max, 1, 1e-9);
   }
 }
 

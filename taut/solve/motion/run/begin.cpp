@@ -51,6 +51,19 @@ double back_from_rounds(const Line& line, const Values& v, const DynamicState::R
   return length;
 }
 
+/// A motion that goes on with branches of another shape would begin with a jump of their tension.
+Outcome keeps_its_shape(const machine::Model& model, const Line& line, const LineValues& is,
+                        const DynamicState::Rope& start, std::size_t branch) {
+  const bool goes_on = !start.passed.empty() && branch < start.leaves.size();
+  if (!goes_on || is.gone == 0 || line.segment >= 0) return {};
+  const bool hung = start.leaves[branch] != Vector3::Zero();
+  if (hung == sags(line, is)) return {};
+  const machine::Reeving& rope = model.reevings[line.reeving];
+  return infeasible(fmt::format("rope '{}' {} between '{}' and '{}' in the motion before: give the 'branches' of that",
+                                rope.name, hung ? "hung as a catenary" : "was straight", rope.nodes[line.from].name,
+                                rope.nodes[line.to].name));
+}
+
 void place_lines(const DynamicState& start, Built& built) {
   Mechanism& m = built.mechanism;
   const machine::Model& model = *m.model;
@@ -74,6 +87,8 @@ void place_lines(const DynamicState& start, Built& built) {
     line.L = start_length(m, start, static_cast<int>(i)) +
              back_from_rounds(m.lines[i], v, start.ropes[m.lines[i].reeving], own, line.t);
     line.gone = own < whole.size() && whole[own] == 0 ? 0 : 1;
+    built.outcome = keeps_its_shape(model, m.lines[i], line, start.ropes[m.lines[i].reeving], own);
+    if (!built.outcome.ok()) return;
     if (m.lines[i].part) set_places(start, line, m.model->reevings[m.lines[i].reeving], m.lines[i]);
     line.e = length_of(m.lines[i], line.l) / line.L - 1;
     if (line.e > most_strain) {

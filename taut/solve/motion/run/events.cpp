@@ -34,7 +34,9 @@ std::string contact_name(const Run& run, const Contact& contact) {
   return run.model.reevings[contact.reeving].nodes[contact.node].name;
 }
 
+/// What counts from a time on only has no value before.
 bool holds(const Run& run, const Values& v, const machine::Condition& condition) {
+  if (v.t < condition.of.since) return false;
   const double value = observe(run, v, condition.of);
   return condition.above ? value > condition.threshold : value < condition.threshold;
 }
@@ -98,7 +100,8 @@ void stop_at_brake(Run& run, int drum, const Values& v) {
   }
 }
 
-bool apply_event(Run& run, Values& v, const machine::Event& event) {
+bool apply_event(Run& run, Values& v, std::size_t index) {
+  const machine::Event& event = run.model.events[index];
   switch (event.kind) {
     case machine::EventKind::breaks:
       break_rope(run, v, event);
@@ -125,6 +128,7 @@ bool apply_event(Run& run, Values& v, const machine::Event& event) {
       // what drives it is one thing, what holds it another: a brake opens by its own event
       drive.kind = event.drive.kind;
       drive.signal = event.drive.signal;
+      drive.by = static_cast<int>(index);
       if (lets_go && drive.kind == machine::DriveKind::torque) turn_with_rope(run, v, event.index);
       note(run, v.t, "drive", drive.brake ? event.words + ", its brake stays set" : event.words);
       break;
@@ -312,7 +316,7 @@ bool happen(Run& run, Values& v, bool& stop) {
     if (!due) continue;
     run.happened[i] = 1;
     any = true;
-    stop = apply_event(run, v, event) || stop;
+    stop = apply_event(run, v, i) || stop;
   }
   if (any) fade(run, v.t, v);
   return any;

@@ -123,7 +123,8 @@ StepEnd try_step(Run& run, double h, double t, const Tries& tries) {
   return solve_step(run.m, s, run.before, t, run.now, run.w, run.newton);
 }
 
-/// From which side the rope comes next, what drums hold.
+/// From which side the rope comes next, what drums hold. What a drum gives, as it turns or as the free rope swings off
+/// it, comes with the strain in which it lies there.
 void commit_contacts(Run& run) {
   for (std::size_t i = 0; i < run.m.contacts.size(); ++i) {
     const Contact& contact = run.m.contacts[i];
@@ -131,10 +132,11 @@ void commit_contacts(Run& run) {
     is.slip_mean = (is.slipped - run.before.contacts[i].slipped) / run.scheme.h;
     const int from = is.flow >= 0 ? contact.in : contact.out;
     const int other = is.flow >= 0 ? contact.out : contact.in;
-    is.entry = from >= 0 ? from : contact.drum >= 0 ? -1 : other;
+    is.entry = from >= 0 ? from : other;
     if (contact.drum < 0) continue;
     OnDrumValues& end = run.now.on_drums[contact.on_drum];
     end.content = content_at(run, contact, run.now);
+    if (end.content < run.before.on_drums[contact.on_drum].content) is.entry = -1;
     if (is.entry < 0) is.lambda = 1 + end.strain[end.layer - 1];
   }
 }

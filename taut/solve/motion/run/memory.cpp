@@ -206,12 +206,11 @@ Array<double> memory_of(Run& run) {
 Remembered take_memory(Run& run, const Array<double>& memory) {
   run.L_first.resize(run.m.lines.size());
   run.tight_first.resize(run.m.lines.size());
-  if (memory.empty()) return Remembered::other;
   const Array<double> head = head_of(run);
-  if (memory.size() < head.size()) return Remembered::damaged;
-  if (!std::equal(head.begin(), head.end(), memory.begin())) return Remembered::other;
-  std::size_t next = head.size();
-  const std::size_t measures = next + static_cast<std::size_t>(head[1]);
+  if (memory.empty() || memory.front() != layout) return Remembered::other;
+  if (memory.size() < head.size() || !(memory[1] >= 0 && memory[1] <= static_cast<double>(memory.size())))
+    return Remembered::damaged;
+  const std::size_t numbers = head.size(), measures = numbers + static_cast<std::size_t>(memory[1]);
   if (memory.size() <= measures) return Remembered::damaged;
   const double most = static_cast<double>(memory.size()) / per_measure;
   if (!(memory[measures] >= 0 && memory[measures] <= most)) return Remembered::damaged;
@@ -221,10 +220,12 @@ Remembered take_memory(Run& run, const Array<double>& memory) {
   for (std::size_t i = breaks; i < memory.size(); i += 3) {
     if (!(memory[i] >= 0 && memory[i] < static_cast<double>(run.m.lines.size()))) return Remembered::damaged;
   }
+  take_measures(run, memory, measures + 1, kept);
+  if (!std::equal(head.begin(), head.end(), memory.begin())) return Remembered::other;
+  std::size_t next = numbers;
   auto see = [&](double& x) { x = memory[next++]; };
   Walk walk(see);
   walk_run(walk, run);
-  take_measures(run, memory, measures + 1, kept);
   for (next = breaks; next < memory.size(); next += 3) {
     run.breaking.push_back({static_cast<int>(memory[next]), memory[next + 1], memory[next + 2]});
   }
