@@ -15,8 +15,7 @@
 namespace taut::checks {
 namespace {
 
-constexpr double rough = 0.1;       ///< m; a terrain is not surveyed better
-constexpr double of_forces = 1e-6;  ///< a force on the ground is none to this share of the machine's largest one
+constexpr double rough = 0.1;  ///< m; a terrain is not surveyed better
 
 /// Whether the deck asks for the clearance of a rope: then its check tells where it is not known.
 bool asks_clearance(const std::optional<ChecksRequest>& checks, const std::string& rope) {
@@ -178,14 +177,10 @@ bool Judge::holds_uplift(const std::string& anchor) const {
 
 /// The engine holds a foot both ways, the ground only what presses on it.
 void Judge::take_footings(const machine::Model& m, const solve::EquilibriumResult& e, const std::string& words) {
-  std::vector<Vector3> forces;
-  double largest = 0;
-  for (const solve::RopeResult& rope : e.ropes) largest = std::max(largest, rope.T_max);
-  for (const Footing& one : footings_) largest = std::max(largest, forces.emplace_back(force_on(one, m, e)).norm());
-  for (std::size_t i = 0; i < footings_.size(); ++i) {
-    const Footing& one = footings_[i];
-    const double uplift = forces[i].z();
-    if (!(uplift > of_forces * largest) || holds_uplift(one.name)) continue;
+  const double rounding = force_rounding(m, e);
+  for (const Footing& one : footings_) {
+    const double uplift = force_on(one, m, e).z();
+    if (!(uplift > rounding) || holds_uplift(one.name)) continue;
     const std::string what = one.of.empty() ? fmt::format("the joint of '{}'", one.name)
                                             : fmt::format("the foot of {} at '{}'", fmt::join(one.of, ", "), one.name);
     warn(one.name + " pulled up",

@@ -20,11 +20,11 @@ Words both(Words first, const Words& second) {
   return first;
 }
 
-/// `payload` and `governing` stand behind the carriage's place.
+/// `payload`, `governing` and what limits the bend at supports stand behind the carriage's place.
 Words payload_words() {
   constexpr std::ptrdiff_t behind_place = 3;
   Words all = load_path_words();
-  const Words own = words_of(study::payload_quantities());
+  const Words own = both(words_of(study::payload_quantities()), prefixed("ROPE.SUPPORT.", {held_angle_words()}));
   all.insert(all.begin() + behind_place, own.begin(), own.end());
   return all;
 }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 namespace taut::structure {
 namespace {
@@ -31,20 +32,14 @@ struct WallStress {
   double axial, across, own;
 };
 
-WallClass wall_class(const char* name, double side, double t, double yield, double N, const WallStress& stress) {
-  const double epsilon = epsilon_of(yield), c = side - 3 * t;
-  const double bends = stress.across + stress.own;
-  double alpha = 1, psi = 1;
-  if (stress.axial <= 0 && bends == 0) {
-    alpha = 0;  // pulled, or without any stress
-    psi = -std::numeric_limits<double>::infinity();
-  } else if (bends > 0) {
-    alpha = std::clamp((1 + N / (2 * c * t * yield) + stress.across / bends) / 2, 0.0, 1.0);
-    const double alike = stress.axial + stress.across, most = alike + stress.own;
-    psi = most > 0 ? (alike - stress.own) / most : -std::numeric_limits<double>::infinity();
-  }
+WallClass wall_class(const char* name, double slenderness, double yield, double alpha, const WallStress& stress) {
+  const double epsilon = epsilon_of(yield), never = -std::numeric_limits<double>::infinity();
+  // the most pressed of both walls, at its ends; psi of one that is pressed nowhere
+  const double alike = stress.axial + stress.across, most = alike + stress.own;
+  const double psi = most > 0 ? (alike - stress.own) / most : never;
   WallClass w{.wall = name,
-              .slenderness = c / t,
+              .slenderness = slenderness,
+              .alpha = alpha,
               .limit_1 = limit_by_alpha(396, 36, epsilon, alpha),
               .limit_2 = limit_by_alpha(456, 41.5, epsilon, alpha),
               .limit_3 = 0,
@@ -53,6 +48,53 @@ WallClass wall_class(const char* name, double side, double t, double yield, doub
   w.limit_3 = std::max(std::isinf(psi) ? psi * psi : limit_by_psi(epsilon, psi), w.limit_2);
   w.value = class_of(w.slenderness, w.limit_1, w.limit_2, w.limit_3);
   return w;
+}
+
+/// A thin box under yield stress by the lengths of the middle lines of its walls, m.
+struct ThinBox {
+  double web, flange;
+};
+
+/// How far the more pressed web and flange are pressed, from the edge that they share, m.
+struct Pressed {
+  double web, flange;
+};
+
+/// Where the neutral axis crosses both of two opposite walls: the pressed length of the more pressed one. `own` bends
+/// them in their plane, `other` is the length of the walls between them, of which one is pressed and one pulled; n =
+/// N/(t f_y). Empty where the axis does not cross both.
+///
+/// With their cuts at z_1 and z_2 from their middles, d = z_2 - z_1: N = -2 t f_y (z_1 + z_2), M_own = t f_y (K -
+/// d^2/2) with K = other side + side^2/2 - n^2/8, M_across = t f_y other d.
+std::optional<double> across_opposite(double side, double other, double n, double own, double across) {
+  if (std::abs(n) > 2 * side) return std::nullopt;
+  const double K = side * (other + side / 2) - n * n / 8;
+  const double d = 2 * K * across / (other * own + std::sqrt(square(other * own) + 2 * K * square(across)));
+  if (std::abs(n) / 4 + d / 2 > side / 2) return std::nullopt;
+  return side / 2 + n / 4 + d / 2;
+}
+
+/// Where a pull leaves but a corner pressed: q of the web and p of the flange, p + q = L = web + flange - |n|/2. M_y =
+/// t f_y (L (web - L) + 2 L p - p^2) grows with p and M_z = t f_y (L flange - p^2) falls. A moment ratio beyond that of
+/// the ends of p has the neutral axis along a wall: that wall counts as pressed as a whole.
+Pressed at_corner(const ThinBox& box, double n, double M_y, double M_z) {
+  const double L = box.web + box.flange - std::abs(n) / 2;
+  if (L <= 0) return {box.web, box.flange};  // more than all of it can bear
+  const double a = M_y - M_z, b = L * M_z, c = L * (M_z * (box.web - L) - M_y * box.flange);
+  const auto beyond = [&](double p) { return (a * p + 2 * b) * p + c; };  // M_z M_y(p) - M_y M_z(p)
+  const double least = std::max(0.0, L - box.web), most = std::min(box.flange, L);
+  if (beyond(most) <= 0) return {L - most, box.flange};
+  if (beyond(least) >= 0) return {box.web, least};
+  const double p = std::clamp(-c / (b + std::sqrt(std::max(b * b - a * c, 0.0))), least, most);
+  return {L - p, p};
+}
+
+/// In the plastic state under N, with moments in the ratio of M_y and M_z grown up to it; one of them is not 0.
+Pressed pressed_in(const ThinBox& box, double n, double M_y, double M_z) {
+  if (const auto web = across_opposite(box.web, box.flange, n, M_y, M_z)) return {*web, box.flange};
+  if (const auto flange = across_opposite(box.flange, box.web, n, M_z, M_y)) return {box.web, *flange};
+  if (n >= 0) return {box.web, box.flange};  // but a corner, or less, is pulled
+  return at_corner(box, n, M_y, M_z);
 }
 
 }  // namespace
@@ -90,9 +132,21 @@ std::vector<WallClass> wall_classes(const SectionRow& r, double yield, const Cro
              .limit_3 = 90 * e2,
              .value = class_of(slenderness, 50 * e2, 70 * e2, 90 * e2)}};
   }
-  const double axial = f.N / r.area, y = std::abs(f.M_y) / r.W_el_y, z = std::abs(f.M_z) / r.W_el_z;
-  return {wall_class("web", r.height, t, yield, f.N, {.axial = axial, .across = z, .own = y}),
-          wall_class("flange", r.width, t, yield, f.N, {.axial = axial, .across = y, .own = z})};
+  const double M_y = std::abs(f.M_y), M_z = std::abs(f.M_z);
+  const double axial = f.N / r.area, y = M_y / r.W_el_y, z = M_z / r.W_el_z;
+  const ThinBox box{.web = r.height - t, .flange = r.width - t};
+  Pressed pressed{0, 0};
+  if (M_y > 0 || M_z > 0) {
+    pressed = pressed_in(box, f.N / (t * yield), M_y / (M_y + M_z), M_z / (M_y + M_z));
+  } else if (f.N > 0) {
+    pressed = {box.web, box.flange};
+  }
+  const auto wall = [&](const char* name, double side, double length, const WallStress& stress) {
+    const double c = side - 3 * t;  // flat, between corners that reach t beyond the middle lines of the walls across
+    return wall_class(name, c / t, yield, std::clamp((length - t) / c, 0.0, 1.0), stress);
+  };
+  return {wall("web", r.height, pressed.web, {.axial = axial, .across = z, .own = y}),
+          wall("flange", r.width, pressed.flange, {.axial = axial, .across = y, .own = z})};
 }
 
 WallClass section_class(const SectionRow& r, double yield, const CrossForces& f) {

@@ -23,6 +23,7 @@ CrossForces operator+(const CrossForces& a, const CrossForces& b);
 struct WallClass {
   std::string wall;        ///< "tube" (D/t), "web" (walls along the height), "flange" (along the width)
   double slenderness = 0;  ///< D/t, or c/t with c = side - 3 t
+  double alpha = 1;        ///< of a box: the part of its flat width that is pressed in the plastic state
   double limit_1 = 0, limit_2 = 0, limit_3 = 0;  ///< largest slenderness of classes 1, 2, 3
   int value = 1;                                 ///< 1 to 4
 };
@@ -36,9 +37,12 @@ int class_of(double slenderness, double limit_1, double limit_2, double limit_3)
 /// is pressed in the plastic state and the ratio psi of the elastic stresses at its ends:
 ///   1, 2: alpha > 0.5: 396, 456 epsilon/(13 alpha - 1); else 36, 41.5 epsilon/alpha
 ///   3:    psi > -1: 42 epsilon/(0.67 + 0.33 psi); else 62 epsilon (1 - psi) sqrt(-psi)
-/// 33, 38, 42 epsilon where the whole wall is pressed alike; 72, 83, 124 epsilon in plain bending. alpha = (1 + N/(2 c
-/// t f_y))/2 of a wall that bends in its own plane; moments across it press it alike and raise alpha by their share in
-/// the stresses of both, at most to 1. psi is of the forces as they stand. Tension (N < 0) helps both.
+/// 33, 38, 42 epsilon where the whole wall is pressed alike; 72, 83, 124 epsilon in plain bending.
+///
+/// alpha is that of the plastic neutral axis of a thin box, in closed form, under N as it is and M_y, M_z grown in
+/// their ratio up to the plastic state; of two like walls the more pressed one counts. Under one moment it is 1 of the
+/// wall across and (1 + N/(2 c t f_y))/2 of the walls that bend in their plane, N < 0 in tension. A wall along the
+/// neutral axis counts as pressed as a whole. psi is of the forces as they stand.
 std::vector<WallClass> wall_classes(const catalogue::SectionRow& r, double yield, const CrossForces& f);
 
 /// The worst of its walls; ties: the nearer one to the next class.

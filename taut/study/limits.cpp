@@ -7,6 +7,7 @@
 
 #include "taut/base/array.hpp"
 #include "taut/solve/drives.hpp"
+#include "taut/study/line/bend_onto.hpp"
 #include "taut/study/load_path.hpp"
 
 namespace taut::study {
@@ -62,10 +63,11 @@ void add_supports(const machine::Model& model, const PayloadLimits& limits, cons
       add(LimitKind::break_angle, angle, limits.break_angle, limits.break_angle - angle);
     }
     if (holds) continue;
+    const double onto = bend_onto(model, r, c);
     if (std::isfinite(limits.least_break_angle)) {
-      add(LimitKind::least_break_angle, c.wrap, limits.least_break_angle, c.wrap - limits.least_break_angle);
+      add(LimitKind::least_break_angle, onto, limits.least_break_angle, onto - limits.least_break_angle);
     }
-    if (limits.lift_off) add(LimitKind::lift_off, c.wrap, 0, c.state == solve::ContactState::lifted ? -1 : c.wrap);
+    if (limits.lift_off) add(LimitKind::lift_off, onto, 0, c.state == solve::ContactState::lifted ? -1 : onto);
   }
 }
 

@@ -27,8 +27,9 @@ struct PayloadLimits {
   Array<double> rope_clearance;  ///< [reeving]: least height of the rope above the terrain within rope_between, m;
                                  ///< -infinity: none. Empty: no limits
   RopeWindow rope_between;
-  /// Largest and least angle by which a rope may bend over a support on the ground, rad. On one that holds it down it
-  /// may bend as little as it will.
+  /// Largest and least angle by which a rope may bend over a support on the ground, rad. The largest counts all of its
+  /// bend, the least what holds it there (line/bend_onto.hpp). On one that holds it down it may bend as little as it
+  /// will.
   double break_angle = std::numeric_limits<double>::infinity();
   double least_break_angle = -std::numeric_limits<double>::infinity();
   bool lift_off = false;                               ///< true: no rope may pull a support upwards or lift off it
@@ -69,7 +70,7 @@ struct LimitState {
   LimitKind kind = LimitKind::none;
   std::optional<int> reeving = std::nullopt;  ///< the rope to which it refers
   std::optional<int> node = std::nullopt;     ///< the node of a pull, break angle or lift-off
-  double value = 0;  ///< of lift_off: the angle by which the rope bends over the support, 0 where it has lifted off
+  double value = 0;  ///< of lift_off: the angle by which the rope is bent onto the support, 0 where it has lifted off
   double limit = 0;
   double margin = 1;   ///< < 0: exceeded. Relative to the limit; lengths relative to the height of the body (at least 1
                        ///< m); angles and lift-off in rad

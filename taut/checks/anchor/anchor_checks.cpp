@@ -133,7 +133,7 @@ void add_footing(const CheckState& state, Vector3& F, AnchorStates& anchor) {
     return;
   }
   const Vector3 force = force_on(*anchor.footing, *state.model, *state.rest);
-  if (force.z() > 0) {
+  if (force.z() > force_rounding(*state.model, *state.rest)) {
     F = beams ? F + force : force;
   } else if (F.norm() == 0 && anchor.uplift < 0) {
     anchor.uplift = 0;
@@ -255,7 +255,9 @@ void add_anchor_checks(const std::vector<AnchorStates>& anchors, Result& r) {
     }
     const bool pressed = s.force == 0 && s.uplift == 0;
     if (s.force == 0 && !(pressed && one.uplift && !one.strength && !one.angle)) {
-      r.unmade.push_back(fmt::format("{} is not checked: no load case of the deck pulls at it", one.name));
+      r.unmade.push_back(
+          fmt::format("{} is not checked: no load case of the deck pulls {}", one.name,
+                      s.footing ? "it up, and what only presses it or pulls it aside is not counted" : "at it"));
       r.warnings.push_back(r.unmade.back());
       continue;
     }

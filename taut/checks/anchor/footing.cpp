@@ -9,6 +9,10 @@
 namespace taut::checks {
 namespace {
 
+constexpr double of_forces = 1e-6;   ///< of the largest force of a machine: to which its balance is known
+constexpr double of_length = 1e-12;  ///< strain of a beam that its ends' rounding, 1e-16 of their places, may leave
+                                     ///< where these are up to 10^4 times its length
+
 /// Whether it turns about its origin, which the ground holds.
 bool turns_on_joint(const machine::Body& body) {
   const auto moves = [](const auto& way) { return way.along != Vector3::Zero(); };
@@ -60,6 +64,20 @@ Vector3 force_on(const Footing& footing, const machine::Model& model, const solv
     if (model.bodies[b].name == footing.name && turns_on_joint(model.bodies[b])) force -= state.reactions[b];
   }
   return force;
+}
+
+double force_rounding(const machine::Model& model, const solve::EquilibriumResult& state) {
+  double largest = 0, stiffest = 0;
+  for (const solve::RopeResult& rope : state.ropes) largest = std::max(largest, rope.T_max);
+  for (const Vector3& reaction : state.reactions) largest = std::max(largest, reaction.norm());
+  for (const solve::BeamResult& beam : state.beams) largest = std::max(largest, beam.base_force.norm());
+  for (const auto& pieces : state.state.beams) {
+    for (const machine::PieceState& piece : pieces) largest = std::max(largest, piece.force.norm());
+  }
+  for (const machine::Beam& beam : model.beams) {
+    for (const auto& piece : beam.pieces) stiffest = std::max(stiffest, piece.rod.section.EA);
+  }
+  return std::max(of_forces * largest, of_length * stiffest);
 }
 
 }  // namespace taut::checks

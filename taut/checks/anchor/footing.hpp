@@ -23,4 +23,8 @@ std::vector<Footing> footings_of(const machine::Machine& described, const machin
 /// holds, as while guys are put up, 0.
 Vector3 force_on(const Footing& footing, const machine::Model& model, const solve::EquilibriumResult& state);
 
+/// A force on the ground up to which it is none, but what rounding leaves, N: of the largest force of the state, and of
+/// the stiffest beam for the rounding of its ends.
+double force_rounding(const machine::Model& model, const solve::EquilibriumResult& state);
+
 }  // namespace taut::checks

@@ -95,7 +95,40 @@ TEST(Footing, OneThatIsPressedHoldsNothing) {
   EXPECT_EQ(verdict_of(r)->kind, VerdictKind::passes) << verdict_of(r)->reason << to_text(r.errors);
   EXPECT_EQ(check_of(r, "f1.anchor_uplift").value, 0);
   const Result strong = run_text(tripod("  anchors: {f1: {strength: 30 kN}}\n"));
-  EXPECT_THAT(strong.unmade, Contains(HasSubstr("f1 is not checked: no load case of the deck pulls at it")));
+  EXPECT_THAT(strong.unmade, Contains(HasSubstr("f1 is not checked: no load case of the deck pulls it up")));
+}
+
+/// A level strut between two walls that warms up and cools down pulls and presses them, but not upwards: what rounding
+/// leaves of that is no pull. At its reference temperature no force at all is larger.
+TEST(Footing, ALevelStrutIsNotPulledUpByRounding) {
+  const auto strut = [](const std::string& mass, const std::string& anchors) {
+    return run_text(R"(taut: 1
+machine:
+  temperature: 10 degC
+  points: {a: [0 m, 0 m, 1 m], b: [4 m, 0 m, 1 m], c: [0 m, 5 m, 1 m], d: [4 m, 5 m, 1 m]}
+  beams:
+    s: {from: a, to: b, section: CHS 168.3x8, steel: S355, top: hinge, base: hinge)" +
+                    mass + R"(}
+    u: {from: c, to: d, section: RHS 300x200x8, steel: S355, top: clamped)" +
+                    mass + R"(}
+analyses: [sweep: {parameter: temperature, from: -20 degC, to: 50 degC, steps: 7}]
+checks:
+  masts: {s: {load_factor: 1.35}, u: {load_factor: 1.35}}
+)" + anchors);
+  };
+  const std::string four =
+      "  anchors: {a: {strength: 1 MN, angle: 20 deg}, b: {strength: 1 MN, angle: 20 deg},\n"
+      "            c: {strength: 1 MN, angle: 20 deg}, d: {strength: 1 MN, angle: 20 deg}}\n";
+  EXPECT_THAT(strut(", mass: 0 kg/m", "").unsafe, IsEmpty());
+  for (const char* mass : {", mass: 0 kg/m", ""}) {
+    const Result r = strut(mass, four);
+    EXPECT_EQ(verdict_of(r)->kind, VerdictKind::not_judged) << verdict_of(r)->reason << to_text(r.errors);
+    for (const char* point : {"a", "b", "c", "d"}) {
+      EXPECT_THAT(r.unmade, Contains(fmt::format("{} is not checked: no load case of the deck pulls it up, and what "
+                                                 "only presses it or pulls it aside is not counted",
+                                                 point)));
+    }
+  }
 }
 
 TEST(Footing, WhatIsOfRopesIsNotAskedOfIt) {

@@ -8,6 +8,7 @@
 #include "taut/checks/guy/guy_checks.hpp"
 #include "taut/checks/rope/rope_rules.hpp"
 #include "taut/math/index.hpp"
+#include "taut/study/line/bend_onto.hpp"
 #include "taut/study/line/rope_clearance.hpp"
 #include "taut/study/load_path.hpp"
 
@@ -88,18 +89,33 @@ bool pulls_up(const CheckContact& c, const machine::Node& node) {
   return c.lifts || (!upright && !aside && c.force.z() > 0);
 }
 
-/// The angle between the rope's directions before and behind a support, rad: out of the plane of a round too, where the
-/// wrap about its axis sees only a part. 0 where a side bears nothing.
-double bend_in_space(const CheckState& state, const CheckContact& c) {
+/// A rope before and behind a support: its directions along the path.
+struct Passing {
   Vector3 in = Vector3::Zero(), out = Vector3::Zero();
+  bool bears = false;  ///< on both sides
+};
+
+Passing passing(const CheckState& state, const CheckContact& c) {
+  Passing p;
+  const CheckBranch *before = nullptr, *behind = nullptr;
   for (const CheckBranch& b : state.branches) {
     if (b.reeving != c.reeving) continue;
-    if (b.to == c.node) in = -b.on_end;  // of a rope in pieces the last one
-    if (b.from == c.node && out == Vector3::Zero()) out = b.on_start;
+    if (b.to == c.node) before = &b;  // of a rope in pieces the last one
+    if (b.from == c.node && behind == nullptr) behind = &b;
   }
-  const double sizes = in.norm() * out.norm();
-  return sizes > 0 ? std::atan2(in.cross(out).norm(), in.dot(out)) : 0;
+  if (before == nullptr || behind == nullptr) return p;
+  const auto along = [](const Vector3& pull, const CheckBranch& b) {
+    return pull == Vector3::Zero() ? Vector3(b.end - b.start) : pull;
+  };
+  p.in = along(-before->on_end, *before);
+  p.out = along(behind->on_start, *behind);
+  p.bears = before->on_end != Vector3::Zero() && behind->on_start != Vector3::Zero();
+  return p;
 }
+
+/// The angle between the rope's directions before and behind a support, rad: out of the plane of a round too, where the
+/// wrap about its axis sees only a part. 0 where a side bears nothing.
+double bend_in_space(const Passing& p) { return p.bears ? std::atan2(p.in.cross(p.out).norm(), p.in.dot(p.out)) : 0; }
 
 void take_bends(const CheckState& state, LineStates& line) {
   const auto& nodes = state.model->reevings[line.reeving].nodes;
@@ -109,10 +125,12 @@ void take_bends(const CheckState& state, LineStates& line) {
     if (c.reeving != line.reeving) continue;
     for (LineStates::Bend& bend : line.bends) {
       if (nodes[c.node].name != bend.support) continue;
-      bend.most.largest(c.lifts ? c.wrap : std::max(c.wrap, bend_in_space(state, c)), state.words);
+      const Passing rope = passing(state, c);
+      bend.most.largest(c.lifts ? c.wrap : std::max(c.wrap, bend_in_space(rope)), state.words);
       // how little the empty line bends is a rule for lines at rest; in motion it may, but must not lift off
       const bool up = pulls_up(c, nodes[c.node]);
-      if (!state.moves || up) bend.least.least(up ? -std::abs(c.wrap) : c.wrap, state.words);
+      const double onto = study::bend_onto(nodes[c.node], c.wrap, rope.in, rope.out);
+      if (!state.moves || up) bend.least.least(up ? -std::abs(onto) : onto, state.words);
     }
   }
 }

@@ -269,6 +269,50 @@ checks:
   EXPECT_FALSE(bend.passes);
 }
 
+/// A bend in plan does not hold the rope on a point. By hand, without mass: 14.04 deg in plan, and upright only
+/// atan(0.2/50) + atan(0.2/sqrt(60^2 + 15^2)) = 0.2292 + 0.1853 deg. A thin round there bends it as little about its
+/// level axis, which lies across the line in plan.
+TEST(LineChecks, ABendInPlanDoesNotHoldTheRopeOnASupport) {
+  const auto run_over = [](const std::string& diameter) {
+    return run_text(R"(taut: 1
+machine:
+  ropes: {r: {mass: 0 kg/m, stiffness: .inf, breaking_force: 600 kN, diameter: 24 mm}}
+  points: {a: [-50 m, 0 m, 9.8 m], b: [60 m, 15 m, 9.8 m]}
+  supports: {s1: {at: [0 m, 0 m, 10 m], friction: 0, diameter: )" +
+                    diameter + R"(}}
+  reevings: [{name: r, rope: r, path: [{anchor: a}, {over: s1}, {anchor: b}], tension_at_start: 100 kN}]
+analyses: [{equilibrium: {}}]
+checks:
+  ropes: {r: {safety_factor: 3}}
+  lines: {r: {break_angles: true}}
+)");
+  };
+  constexpr double degree = std::numbers::pi / 180;
+  const double upright = std::atan(0.2 / 50) + std::atan(0.2 / std::hypot(60, 15));
+  const Result point = run_over("0 mm");
+  EXPECT_NEAR(check_of(point, "r.s1.least_break_angle").value, upright, 1e-6 * upright);
+  EXPECT_FALSE(check_of(point, "r.s1.least_break_angle").passes);
+  EXPECT_NEAR(check_of(point, "r.s1.break_angle").value, 14.04 * degree, 0.01 * degree) << "all of it may be too much";
+  EXPECT_NEAR(check_of(run_over("1 mm"), "r.s1.least_break_angle").value, upright, 0.02 * degree);
+}
+
+/// On a slope, in one upright plane, it is all of the bend: atan(40/50) - atan(30/50).
+TEST(LineChecks, TheLeastBendOnASlopeIsAllOfIt) {
+  const Result r = run_text(R"(taut: 1
+machine:
+  ropes: {r: {mass: 0 kg/m, stiffness: .inf, breaking_force: 600 kN, diameter: 24 mm}}
+  points: {a: [-30 m, -40 m, -40 m], b: [30 m, 40 m, 30 m]}
+  supports: {s1: {at: [0 m, 0 m, 0 m], friction: 0, diameter: 0 mm}}
+  reevings: [{name: r, rope: r, path: [{anchor: a}, {over: s1}, {anchor: b}], tension_at_start: 100 kN}]
+analyses: [{equilibrium: {}}]
+checks:
+  ropes: {r: {safety_factor: 3}}
+  lines: {r: {break_angles: true}}
+)");
+  EXPECT_NEAR(check_of(r, "r.s1.least_break_angle").value, std::atan(0.8) - std::atan(0.6), 1e-9);
+  EXPECT_NEAR(check_of(r, "r.s1.break_angle").value, std::atan(0.8) - std::atan(0.6), 1e-9);
+}
+
 /// The rule of the least bend is one for the empty line, which the loaded one does not show.
 TEST(LineChecks, TheLeastBendNeedsTheEmptyLine) {
   const std::string deck = R"(taut: 1

@@ -26,5 +26,7 @@ std::vector<QuantityWords> cycle_words();
 std::vector<QuantityWords> tensioning_words();
 std::vector<QuantityWords> least_tension_words();
 std::vector<QuantityWords> sweep_words();
+/// The column of a payload's table behind `payload` and `governing`, one for each support at which it counts.
+QuantityWords held_angle_words();
 
 }  // namespace taut::results

@@ -25,6 +25,29 @@
 namespace taut::results {
 namespace {
 
+/// A support of a rope at which a limit counts, as columns name it.
+std::string support_name(const machine::Model& model, const study::LimitState& limit) {
+  const machine::Reeving& rope = model.reevings[*limit.reeving];
+  return fmt::format("{}.{}.", rope.name, rope.nodes[*limit.node].name);
+}
+
+/// The angle of each support that `least_break_angle` limits, which is not all of the rope's bend there: by the prefix
+/// of its column, and by place.
+std::map<std::string, std::vector<double>> held_angles(const study::PayloadRun& run) {
+  std::map<std::string, std::vector<double>> all;
+  for (std::size_t i = 0; i < run.positions.size(); ++i) {
+    const study::PayloadPosition& p = run.positions[i];
+    if (!p.answered()) continue;
+    for (const study::LimitState& limit : p.states) {
+      if (limit.kind != study::LimitKind::least_break_angle) continue;
+      std::vector<double>& angles = all[support_name(*p.model, limit)];
+      angles.resize(run.positions.size(), none);
+      angles[i] = limit.value;
+    }
+  }
+  return all;
+}
+
 Table payload_table(const machine::Model& model, const study::PayloadRun& run) {
   constexpr std::ptrdiff_t behind_place = 3;  // x, z, clearance
   Table t{.name = "payload" + run.ending,
@@ -33,8 +56,11 @@ Table payload_table(const machine::Model& model, const study::PayloadRun& run) {
           .rows = {}};
   std::vector<Column> own;
   add_columns(own, study::payload_quantities());
+  const auto held = held_angles(run);
+  for (const auto& [support, angles] : held) add_columns(own, prefixed(support, {held_angle_words()}));
   t.columns.insert(t.columns.begin() + behind_place, own.begin(), own.end());
-  for (const study::PayloadPosition& p : run.positions) {
+  for (std::size_t i = 0; i < run.positions.size(); ++i) {
+    const study::PayloadPosition& p = run.positions[i];
     std::vector<Cell> row = {p.point.x, none, none};
     if (p.answered()) {
       row = load_path_cells(
@@ -44,6 +70,7 @@ Table payload_table(const machine::Model& model, const study::PayloadRun& run) {
     }
     std::vector<Cell> cells;
     add_cells(cells, study::payload_quantities(), p);
+    for (const auto& [support, angles] : held) cells.emplace_back(angles[i]);
     row.insert(row.begin() + behind_place, cells.begin(), cells.end());
     row.resize(t.columns.size(), none);
     t.rows.push_back(std::move(row));
@@ -380,6 +407,13 @@ void add_results(MachineRun& machine, const study::PayloadRun& run, Result& r) {
 }
 
 }  // namespace
+
+QuantityWords held_angle_words() {
+  return {.name = "least_break_angle",
+          .symbol = "",
+          .unit = si::rad,
+          .words = "angle by which the rope is bent onto the support, where 'least_break_angle' limits it"};
+}
 
 void add_answer(const study::PayloadRun& asked, MachineRun& machine, Result& r) {
   study::PayloadRun run = asked;

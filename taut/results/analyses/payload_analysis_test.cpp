@@ -470,4 +470,41 @@ TEST(PayloadAnalysis, AStateThatOneDirectionOfFrictionDoesNotHoldIsNotJudged) {
   EXPECT_EQ(other.missing[0].first, "x = 140 m");
 }
 
+/// Over a point that is a corner in plan too: the limit counts the bend that presses the rope on it, and the table
+/// shows that. A nearly level rope with T on both sides that presses with F is bent by 2 asin(F/(2 T)) there.
+TEST(PayloadAnalysis, ABendInPlanDoesNotKeepTheRopeInItsSaddle) {
+  const auto run_over = [](const std::string& diameter, const std::string& limit) {
+    return run_text(R"(taut: 1
+machine:
+  ropes: {r: {mass: 2 kg/m, stiffness: .inf, breaking_force: 600 kN, diameter: 24 mm}}
+  points: {a: [-50 m, 8.75 m, 8 m], b: [200 m, 0 m, 15 m]}
+  supports: {s1: {at: [0 m, 0 m, 10 m], friction: 0, diameter: )" +
+                    diameter + R"(}}
+  carriages: {c: {mass: 50 kg, rides: r}}
+  reevings:
+    - {name: r, rope: r, path: [{anchor: a}, {over: s1}, {through: c}, {anchor: b}], tension_at_end: 150 kN}
+analyses:
+  - payload: {carriage: c, from: 100 m, to: 150 m, steps: 2, held: true,
+              limits: {least_break_angle: )" +
+                    limit + R"(, r: {tension: 200 kN}}}
+checks: {ropes: {r: {safety_factor: 3}}}
+)");
+  };
+  for (const char* diameter : {"0 mm", "200 mm"}) {
+    SCOPED_TRACE(diameter);
+    const Result r = run_over(diameter, "3 deg");
+    EXPECT_EQ(verdict_of(r)->kind, taut::VerdictKind::fails) << verdict_of(r)->reason << to_text(r.errors);
+    const Table& t = table_of(r, "payload");
+    ASSERT_EQ(t.rows.size(), 3U);
+    for (std::size_t i = 0; i < t.rows.size(); ++i) {
+      EXPECT_EQ(text_cell(t, i, "governing"), "least break angle at 's1'");
+      const double F = -cell(t, i, "r.s1.Fz"), T = cell(t, i, "r.s1.T_in");
+      const double angle = cell(t, i, "r.s1.least_break_angle");
+      EXPECT_NEAR(angle, 2 * std::asin(F / (2 * T)), 0.01 * angle);
+      EXPECT_LT(angle, 3 * M_PI / 180);
+      EXPECT_GT(cell(t, i, "r.s1.wrap"), 9 * M_PI / 180) << "the friction's angle, all of the bend";
+    }
+  }
+}
+
 }  // namespace payload_analysis_test
