@@ -11,6 +11,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "taut/calc/shown.hpp"
 #include "taut/machine/rounds.hpp"
 #include "taut/machine/state.hpp"
 #include "taut/rope/tangent.hpp"
@@ -129,18 +130,19 @@ std::optional<double> straight_way(const machine::Model& model, const machine::S
   return way;
 }
 
-void add_short_ropes(const machine::Model& model, std::vector<std::string>& warnings) {
+void add_short_ropes(const machine::Model& model, const Display& display, std::vector<std::string>& warnings) {
   const machine::State state = machine::initial_state(model);
   for (const machine::Reeving& rope : model.reevings) {
     if (rope.closed || rope.put_up || rope.given != machine::Given::length || std::isinf(rope.stiffness)) continue;
     const auto way = straight_way(model, state, rope);
     const double length = rope.value * (1 + rope.thermal_strain);
     if (!way || !(length < *way)) continue;
+    const auto [is, needs] = brief_apart(length, *way, si::m, display);
     warnings.push_back(
-        fmt::format("rope '{}' is shorter than its way: {:.6g} m of rope for {:.6g} m from '{}' to '{}'; it has to "
-                    "stretch by {:.3g} %, which takes {:.4g} kN",
-                    rope.name, length, *way, rope.nodes.front().name, rope.nodes.back().name, 100 * (*way / length - 1),
-                    rope.stiffness * (*way / length - 1) / 1e3));
+        fmt::format("rope '{}' is shorter than its way: {} of rope for {} from '{}' to '{}'; it has to stretch by "
+                    "{:.3g} %, which takes {}",
+                    rope.name, is, needs, rope.nodes.front().name, rope.nodes.back().name, 100 * (*way / length - 1),
+                    display.brief(rope.stiffness * (*way / length - 1), si::N)));
   }
 }
 
@@ -324,7 +326,7 @@ std::vector<std::string> absurd_machine(const MachineDeck& deck, const machine::
   add_unused(all, "ropes", "rope", "is on no path", m.ropes, warnings);
   add_unused(all, "bodies", "body", "is used by nothing", m.bodies, warnings);
   add_unused(all, "signals", "signal", "is used by nothing", m.signals, warnings);
-  add_short_ropes(model, warnings);
+  add_short_ropes(model, deck.display, warnings);
   add_flat_ropes(model, warnings);
   add_smooth_saddles(m, warnings);
   add_motionless(deck, warnings);
@@ -355,7 +357,7 @@ std::vector<std::string> dragged_astray(const machine::Machine& given, const mac
   return warnings;
 }
 
-std::vector<std::string> absurd_answers(const std::vector<results::Answer>& answers) {
+std::vector<std::string> absurd_answers(const std::vector<results::Answer>& answers, const Display& display) {
   DeepSag worst;
   for (const results::Answer& answer : answers) {
     note_spans(answer, worst);
@@ -363,9 +365,10 @@ std::vector<std::string> absurd_answers(const std::vector<results::Answer>& answ
   }
   if (worst.rope.empty()) return {};
   return {
-      fmt::format("rope '{}' sags by {:.4g} m between '{}' and '{}', {:.4g} m apart ({}): more than half the span; "
-                  "is its length, or its tension, meant so?",
-                  worst.rope, worst.sag, worst.from, worst.to, worst.span, worst.state)};
+      fmt::format("rope '{}' sags by {} between '{}' and '{}', {} apart ({}): more than half the span; is its length, "
+                  "or its tension, meant so?",
+                  worst.rope, display.brief(worst.sag, si::m), worst.from, worst.to, display.brief(worst.span, si::m),
+                  worst.state)};
 }
 
 }  // namespace taut::app

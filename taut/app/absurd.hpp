@@ -18,6 +18,6 @@ std::vector<std::string> absurd_machine(const MachineDeck& deck, const machine::
 std::vector<std::string> dragged_astray(const machine::Machine& given, const machine::Model& model);
 
 /// A rope that sags by more than half its span in one of the states found: the worst one.
-std::vector<std::string> absurd_answers(const std::vector<results::Answer>& answers);
+std::vector<std::string> absurd_answers(const std::vector<results::Answer>& answers, const Display& display);
 
 }  // namespace taut::app

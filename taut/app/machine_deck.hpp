@@ -43,7 +43,12 @@ struct MachineDeck {
 
   /// What its checks see of it; it outlives that.
   operator checks::CheckedDeck() const {
-    return {.machine = machine, .analyses = analyses, .checks = checks, .asked = asked, .chosen = chosen};
+    return {.machine = machine,
+            .analyses = analyses,
+            .checks = checks,
+            .asked = asked,
+            .chosen = chosen,
+            .display = display};
   }
 };
 

@@ -220,7 +220,7 @@ checks::AskedChecks resolve_checks(const checks::ChecksRequest& request, const s
 }
 
 void add_method_checks(const checks::ChecksRequest& request, const checks::AskedChecks& asked,
-                       const std::vector<rope::RopeUse>& ropes, Result& r) {
+                       const std::vector<rope::RopeUse>& ropes, const Display& display, Result& r) {
   if (r.status != Status::ok) return;
   for (std::size_t k = 0; k < request.ropes.size(); ++k) {
     const checks::RopeCheckRequest& one = request.ropes[k];
@@ -231,7 +231,7 @@ void add_method_checks(const checks::ChecksRequest& request, const checks::Asked
       judge_own_factor(use, r);
     }
   }
-  checks::add_method_masts(request.masts, r);
+  checks::add_method_masts(request.masts, display, r);
   // a rope whose strength `checks` judges is judged
   for (const rope::RopeUse& use : ropes) {
     const bool judged = std::any_of(r.checks.begin(), r.checks.end(),

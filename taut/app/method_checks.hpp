@@ -29,6 +29,6 @@ checks::AskedChecks resolve_checks(const checks::ChecksRequest& request, const s
 
 /// Adds the checks of the ropes, groups all, and refuses what rests on unverified numbers where the deck says so.
 void add_method_checks(const checks::ChecksRequest& request, const checks::AskedChecks& asked,
-                       const std::vector<rope::RopeUse>& ropes, Result& r);
+                       const std::vector<rope::RopeUse>& ropes, const Display& display, Result& r);
 
 }  // namespace taut::app

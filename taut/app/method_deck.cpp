@@ -23,6 +23,7 @@ const Description& MethodBlocks::describe() {
 std::vector<rope::RopeUse> MethodDeck::ropes(const Result* r) const {
   std::vector<rope::RopeUse> all = method->ropes(input, r);
   for (rope::RopeUse& use : all) {
+    use.display = display;
     if (const auto row = chosen.find(use.name); row != chosen.end()) use.rope = row->second;
   }
   return all;
@@ -36,7 +37,7 @@ Result MethodDeck::calculate() const {
   Result r = method->run(input, display);
   if (r.status == Status::ok) r.answers = method->answers(input, r, display);
   if (!r.figures.empty()) r.key_figure = std::visit([](const auto& one) { return one.name; }, r.figures.front());
-  if (blocks.checks) add_method_checks(*blocks.checks, asked, ropes(&r), r);
+  if (blocks.checks) add_method_checks(*blocks.checks, asked, ropes(&r), display, r);
   std::erase_if(r.unjudged, [&](const std::string& part) {
     return std::any_of(r.checks.begin(), r.checks.end(), [&](const Check& c) { return judges(c, part); });
   });

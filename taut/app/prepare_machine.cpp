@@ -72,16 +72,16 @@ void load_terrain(const io::Node& input, machine::Machine& machine, Diagnostics&
   }
 }
 
-void note_missing(const study::LoadPathRun& one, Result& r) {
+void note_missing(const study::LoadPathRun& one, const Display& display, Result& r) {
   study::Missing missing;
   for (const study::LoadPathPart& part : one.parts) {
     const auto& first = part.result.points.front();
     if (part.result.outcome.ok() && !first.at.outcome.ok()) {
       r.warnings.push_back(
-          fmt::format("load path, x = {} m: {}: left out", place_number(first.x), first.at.outcome.message));
+          fmt::format("load path, x = {}: {}: left out", display.brief(first.x, si::m), first.at.outcome.message));
       continue;
     }
-    for (const auto& point : part.result.points) missing.take(point.at.outcome, point.x);
+    for (const auto& point : part.result.points) missing.take(point.at.outcome, point.x, display);
   }
   missing.note(r, fmt::format("load path{}, {}", one.ending, one.words), one.judged);
 }
@@ -105,12 +105,12 @@ void solve_states(const MachineDeck& deck, results::MachineRun& run, Result& r) 
   }
   for (study::LoadPathRun& one : run.paths) {
     if (r.interrupted) break;
-    study::Watch watch(run.progress, "load path" + one.ending, one.way.steps + 1);
+    study::Watch watch(run.progress, "load path" + one.ending, one.way.steps + 1, run.display);
     study::solve(run.model, one, watch);
-    if (const auto words = study::left_out_words(run.model, one.way)) {
+    if (const auto words = study::left_out_words(run.model, one.way, run.display)) {
       r.warnings.push_back(fmt::format("load path{}, {}: {}", one.ending, one.words, *words));
     }
-    note_missing(one, r);
+    note_missing(one, run.display, r);
     warn_of_senses(deck.machine, run.model, one, r);
     watch.note(r);
   }
@@ -231,7 +231,7 @@ Result described(const MachineDeck& deck, const machine::Model& model, bool repo
   r.method_title = "Machine";
   if (report) {
     r.given = given_of(MachineDeck::describe(), &deck);
-    r.assumptions = results::assumptions_of(deck.machine);
+    r.assumptions = results::assumptions_of(deck.machine, deck.display);
     r.warnings = absurd_machine(deck, model);
     for (std::string& text : dragged_astray(deck.machine, model)) warn_unsafe(r, std::move(text));
   }
@@ -240,15 +240,15 @@ Result described(const MachineDeck& deck, const machine::Model& model, bool repo
   }
   results::add_rope_stiffness(deck.machine, r);
   results::warn_of_rope_values(deck.machine, deck.chosen, r);
-  if (auto text = survey_warning(model)) warn_unsafe(r, *std::move(text));
+  if (auto text = survey_warning(model, deck.display)) warn_unsafe(r, *std::move(text));
   return r;
 }
 
 /// What holds its ropes and bears its loads otherwise than one may think.
 void warn_of_machine(const MachineDeck& deck, const results::MachineRun& run, const PutUpStates& states, Result& r) {
-  for (std::string& text : results::held_tension_warnings(deck.machine, run.model))
+  for (std::string& text : results::held_tension_warnings(deck.machine, run.model, run.display))
     r.warnings.push_back(std::move(text));
-  for (std::string& text : results::fixed_load_warnings(run.model)) warn_unsafe(r, std::move(text));
+  for (std::string& text : results::fixed_load_warnings(run.model, run.display)) warn_unsafe(r, std::move(text));
   for (results::LoadAcross& one : results::load_across_warnings(run.model))
     one.unsafe ? warn_unsafe(r, std::move(one.text)) : r.warnings.push_back(std::move(one.text));
   for (std::string& text : results::fixed_guy_warnings(run.model, deck.machine.reevings.size()))
@@ -257,7 +257,8 @@ void warn_of_machine(const MachineDeck& deck, const results::MachineRun& run, co
   if (!run.judges) return;
   if (states.stands_on_guys) {
     results::note_fallen(run.model, deck.machine.reevings.size(), *states.stands_on_guys, r);
-    if (auto text = results::unbalanced_guys(deck.machine, *states.stands_on_guys)) r.warnings.push_back(*text);
+    if (auto text = results::unbalanced_guys(deck.machine, *states.stands_on_guys, run.display))
+      r.warnings.push_back(*text);
   }
   if (!run.tells) return;
   add_pulls(deck, r);
@@ -328,7 +329,8 @@ Result compute(const MachineDeck& deck, machine::Model model, study::AskedAll as
   results::append(more, r);
   if (run.checked) run.checked->payloads.add_checks(r);
   if (report) {
-    for (std::string& words : absurd_answers(results::answers_of(run))) r.warnings.push_back(std::move(words));
+    for (std::string& words : absurd_answers(results::answers_of(run), run.display))
+      r.warnings.push_back(std::move(words));
   }
   SweptVerdict swept = judge_apart(deck, run, r);
   if (run.judges) checks::add_checks(deck, run.model, *run.checked, r);

@@ -182,13 +182,15 @@ void read_terrain(std::string_view csv, const std::string& file, machine::descri
   TerrainReader(file, terrain, mistakes).read(csv);
 }
 
-std::optional<std::string> survey_warning(const machine::Model& model) {
+std::optional<std::string> survey_warning(const machine::Model& model, const Display& display) {
   const machine::OffLine& off = model.terrain_off_line;
   if (off.rows == 0) return std::nullopt;
   return fmt::format(
-      "terrain: {} of the {} rows of the survey {} off the line by more than the corridor, row {} the most, by {:.3g} "
-      "m at {:.4g} m along the line; their heights are taken for the ground under the line",
-      off.rows, model.terrain.size(), off.rows == 1 ? "is" : "are", off.farthest, off.distance, off.chainage);
+      "terrain: {} of the {} rows of the survey {} off the line by more than the corridor, row {} the most, by {} at "
+      "{} "
+      "along the line; their heights are taken for the ground under the line",
+      off.rows, model.terrain.size(), off.rows == 1 ? "is" : "are", off.farthest, display.brief(off.distance, si::m),
+      display.brief(off.chainage, si::m));
 }
 
 }  // namespace taut::app

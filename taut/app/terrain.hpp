@@ -19,6 +19,6 @@ void read_terrain(std::string_view csv, const std::string& file, machine::descri
                   Diagnostics& mistakes);
 
 /// Of rows of a survey that lie off the line in plan by more than the corridor; none where there are none.
-std::optional<std::string> survey_warning(const machine::Model& model);
+std::optional<std::string> survey_warning(const machine::Model& model, const Display& display);
 
 }  // namespace taut::app

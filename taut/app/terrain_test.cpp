@@ -153,7 +153,7 @@ TEST(Terrain, LooksAtTheCorridorInEachState) {
   const std::string state = "analyses: [{equilibrium: {carriage: car, x: 100 m}}]\n";
   const Result plain = taut_test::run_text(text(state + safe + "}\n"));
   ASSERT_EQ(plain.unsafe.size(), 1U) << plain.message;
-  EXPECT_NE(plain.unsafe[0].find("is 13.2 m off the line"), std::string::npos) << plain.unsafe[0];
+  EXPECT_NE(plain.unsafe[0].find("is 13.23 m off the line"), std::string::npos) << plain.unsafe[0];
   EXPECT_TRUE(plain.unmade.empty());
   const Result check = taut_test::run_text(text(state + safe + ", lines: {skyline: {least_clearance: 5 m}}}\n"));
   EXPECT_EQ(check.unmade.size(), 1U);

@@ -61,7 +61,7 @@ TEST(VerdictDeck, EveryStateCountsAndAskedMeansMade) {
       {.deck = line(strong, 250, middle),
        .kind = "fails",
        .verdict_class = "",
-       .reason = "the rope is 250 m long and its ends are 270.007 m apart",
+       .reason = "the rope is 250 m long and its ends are 270.01 m apart",
        .exit = 4},
       {.deck = line("{mass: 1.6 kg/m, stiffness: 26.6 MN}", 272, std::string(middle) + factor),
        .kind = "not_judged",

@@ -21,6 +21,28 @@ int digits_apart(const Check& c, const Display& display, int least) {
   return digits;
 }
 
+std::pair<std::string, std::string> brief_apart(const Check& c, const Display& display) {
+  std::pair text{display.brief(c.value, c.unit), display.brief(c.limit, c.unit)};
+  if (text.first != text.second) return text;
+  constexpr int more_digits = 5;  // than the brief ones
+  const int digits = digits_apart(c, display, more_digits);
+  const auto exactly = [&](double x) {
+    const std::string unit = display.unit(c.unit), number = short_number(display.from_si(x, c.unit), digits);
+    return unit.empty() || !std::isfinite(x) ? number : fmt::format("{} {}", number, unit);
+  };
+  return {exactly(c.value), exactly(c.limit)};
+}
+
+std::pair<std::string, std::string> brief_apart(double one, double other, const Unit& unit, const Display& display) {
+  Check c;
+  c.value = one;
+  c.limit = other;
+  c.unit = unit;
+  c.passes = one == other;
+  if (c.passes) return {display.brief(one, unit), display.brief(other, unit)};
+  return brief_apart(c, display);
+}
+
 Display display_of(const Result& r) {
   std::map<std::string, std::string> units;
   for (const auto& [kind, unit] : r.display) {

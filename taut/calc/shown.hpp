@@ -1,5 +1,6 @@
 #pragma once
 #include <string>
+#include <utility>
 
 #include "taut/calc/result.hpp"
 #include "taut/units/display.hpp"
@@ -13,6 +14,12 @@ bool shown_below(double a, double b);
 /// The significant digits, `least` or more, with which the value of a check that fails reads differently from its
 /// limit. `least` for a check that passes, and where one of the two is no number.
 int digits_apart(const Check& c, const Display& display, int least);
+
+/// Two numbers as Display::brief has them, with more digits where they would read the same and differ.
+std::pair<std::string, std::string> brief_apart(double one, double other, const Unit& unit, const Display& display);
+
+/// The same for the value and the limit of a check; of one that passes they may read the same.
+std::pair<std::string, std::string> brief_apart(const Check& c, const Display& display);
 
 /// The units in which a report and its CSV files show the numbers of a result: those of its `display`, else each unit's
 /// own unit of print. Units of `display` that fit nothing are left out.

@@ -28,20 +28,10 @@ std::string listed(const std::vector<std::string>& names) {
 }  // namespace
 
 std::string against_limit(const Check& c, const Display& display) {
-  std::pair text{display.brief(c.value, c.unit), display.brief(c.limit, c.unit)};
-  if (std::isnan(c.value)) {
-    text.first = "no number";
-  } else if (text.first == text.second) {
-    constexpr int more_digits = 5;  // than the brief ones
-    const int digits = digits_apart(c, display, more_digits);
-    const auto exactly = [&](double x) {
-      const std::string unit = display.unit(c.unit), number = short_number(display.from_si(x, c.unit), digits);
-      return unit.empty() || !std::isfinite(x) ? number : fmt::format("{} {}", number, unit);
-    };
-    text = {exactly(c.value), exactly(c.limit)};
-  }
-  return fmt::format("{}, limit {} {}{}: {}", text.first, c.sense == Sense::at_most ? "at most" : "at least",
-                     text.second, c.where.empty() ? "" : fmt::format(" ({})", c.where), c.rule);
+  const auto [value, limit] = brief_apart(c, display);
+  return fmt::format("{}, limit {} {}{}: {}", std::isnan(c.value) ? "no number" : value,
+                     c.sense == Sense::at_most ? "at most" : "at least", limit,
+                     c.where.empty() ? "" : fmt::format(" ({})", c.where), c.rule);
 }
 
 std::vector<std::string> unsafe_of(const Result& r) {

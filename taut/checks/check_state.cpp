@@ -195,12 +195,12 @@ std::string span_words(const machine::Model& m, int reeving, int from, int to) {
   return fmt::format("{} between {} and {}", rope.name, rope.nodes[from].name, rope.nodes[to].name);
 }
 
-std::string gap_words(const std::string& what, const study::TerrainGap& gap) {
+std::string gap_words(const std::string& what, const study::TerrainGap& gap, const Display& display) {
+  const auto length = [&](double x) { return display.brief(x, si::m); };
   return fmt::format(
-      "{}: its clearance is not judged on {:.4g} m, where there is no terrain ({:.4g} m before its first place, {:.4g} "
-      "m "
-      "behind its last one): give the ground under all of it",
-      what, gap.missing(), gap.before, gap.after);
+      "{}: its clearance is not judged on {}, where there is no terrain ({} before its first place, {} behind its last "
+      "one): give the ground under all of it",
+      what, length(gap.missing()), length(gap.before), length(gap.after));
 }
 
 std::string slack_words(const std::string& rope, const std::string& where) {

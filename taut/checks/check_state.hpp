@@ -10,6 +10,7 @@
 #include "taut/solve/equilibrium.hpp"
 #include "taut/solve/motion/transient.hpp"
 #include "taut/study/line/rope_clearance.hpp"
+#include "taut/units/display.hpp"
 
 namespace taut::checks {
 
@@ -84,7 +85,7 @@ inline constexpr std::string_view put_up_analysis = "installation";
 std::string span_words(const machine::Model& model, int reeving, int from, int to);
 
 /// Why a clearance that is asked for is not judged everywhere: "skyline: its clearance is not judged on 12 m ...".
-std::string gap_words(const std::string& what, const study::TerrainGap& gap);
+std::string gap_words(const std::string& what, const study::TerrainGap& gap, const Display& display);
 
 /// Behind an answer of an analysis with `judge: false`.
 inline constexpr const char* not_judged_words = "left out of the verdict";

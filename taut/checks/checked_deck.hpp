@@ -9,6 +9,7 @@
 #include "taut/checks/checks_deck.hpp"
 #include "taut/machine/description/machine.hpp"
 #include "taut/study/analyses.hpp"
+#include "taut/units/display.hpp"
 
 namespace taut::checks {
 
@@ -19,6 +20,7 @@ struct CheckedDeck {
   const std::optional<ChecksRequest>& checks;
   const AskedChecks& asked;                                 ///< as resolve() has found them
   const std::map<std::string, catalogue::RopeRow>& chosen;  ///< rows of the ropes that a design has put in
+  const Display& display;                                   ///< units of the sentences of the result
 };
 
 }  // namespace taut::checks

@@ -19,9 +19,14 @@ std::string held_words(const std::string& words) { return words + ", held by fri
 }  // namespace
 
 CheckedParts::CheckedParts(const CheckedDeck& given, const machine::Model& model)
-    : deck(std::make_shared<const CheckedDeck>(given)), judge(given, model), ropes(given, model) {
+    : deck(std::make_shared<const CheckedDeck>(given)),
+      judge(given, model),
+      ropes(given, model),
+      drives(given.display),
+      payloads(given.display) {
   for (const machine::Reeving& one : model.reevings) reevings.push_back(one.name);
   carriages = carriage_states(given, model);
+  for (CarriageStates& one : carriages) one.display = given.display;
   if (!given.checks) return;
   guys = guy_states(given.checks->guys, given, model);
   anchors = anchor_states(given.checks->anchors, given.machine, model);
@@ -29,6 +34,11 @@ CheckedParts::CheckedParts(const CheckedDeck& given, const machine::Model& model
   masts = mast_states(given.checks->masts, given, model);
   supports = support_states(given.checks->supports);
   yarders = yarder_states(given.checks->yarders, model);
+  for (GuyStates& one : guys) one.display = given.display;
+  for (AnchorStates& one : anchors) one.tree.display = given.display;
+  for (LineStates& one : lines) one.display = given.display;
+  for (SupportStates& one : supports) one.display = given.display;
+  for (YarderLineStates& one : yarders) one.display = given.display;
 }
 
 bool CheckedParts::any_shown() const {
@@ -242,9 +252,10 @@ void CheckedParts::take(const machine::Model& model, const solve::TransientResul
     judge.take_share(model.reevings[i], ropes.of(i).tension, ropes.of(i).where);
     if (!any_shown() || e.T.max <= (1 + unseen_share) * T_in_moments[i]) continue;
     unseen.push_back(
-        fmt::format("{}: the peak of {}, {:.4g} kN at t = {:.4g} s, lies between output steps, which have at most "
-                    "{:.4g} kN: anchors, lines, masts, supports and winches need a shorter output_step",
-                    words, model.reevings[i].name, e.T.max / 1e3, e.T.t_max, T_in_moments[i] / 1e3));
+        fmt::format("{}: the peak of {}, {} at t = {:.4g} s, lies between output steps, which have at most {}: "
+                    "anchors, lines, masts, supports and winches need a shorter output_step",
+                    words, model.reevings[i].name, deck->display.brief(e.T.max, si::N), e.T.t_max,
+                    deck->display.brief(T_in_moments[i], si::N)));
   }
   if (guys.empty()) return;
   const CheckState begins = state_of(model, motion, motion.frames.front(), {}, {});

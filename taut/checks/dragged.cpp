@@ -279,9 +279,9 @@ bool may_pull(const machine::Model& m, int drum) {
          });
 }
 
-std::string against(double torque, bool back) {
+std::string against(double torque, bool back, const Display& display) {
   if (torque == 0) return ", which turns freely: set its brake, or give a drive";
-  return fmt::format(" {} its torque of {:.4g} kN m", back ? "against" : "along with", std::abs(torque) / 1e3);
+  return fmt::format(" {} its torque of {}", back ? "against" : "along with", display.brief(std::abs(torque), si::N_m));
 }
 
 }  // namespace
@@ -357,13 +357,14 @@ void Dragged::take_drums(const Moment& now, std::map<Which, Way>& gives) const {
     const bool led = now.is_led(&Together::drum, i), sure = by_torque && !led;
     const auto on = [&](const machine::Node& node) { return node.drum == d; };
     if (!sure && !now.loads_drag(now.hung_on_ropes(on), led, 0)) continue;
-    const std::string pull = fmt::format(" against its pull of {:.4g} kN", is.T / 1e3);
+    const std::string pull = " against its pull of " + display_.brief(is.T, si::N);
     gives[{by_pull ? Kind::pulling_drum : Kind::drum, d}] = {
         .least = drum.core_radius,
         .speed = is.speed,
         .name = drum.name,
-        .words = fmt::format("{} the load drags '{}' at {:.3g} m/s{}", now.words, drum.name, std::abs(is.speed),
-                             by_pull ? pull : against(is.torque, is.power < 0))};
+        .words = fmt::format("{} the load drags '{}' at {}{}", now.words, drum.name,
+                             display_.brief(std::abs(is.speed), si::m_per_s),
+                             by_pull ? pull : against(is.torque, is.power < 0, display_))};
   }
 }
 
@@ -384,8 +385,9 @@ void Dragged::take_motors(const Moment& now, std::map<Which, Way>& gives) const 
     gives[{Kind::motor, k}] = {.least = radius,
                                .speed = is.speed,
                                .name = name,
-                               .words = fmt::format("{} the load drags '{}' at {:.3g} m/s{}", now.words, name,
-                                                    std::abs(is.speed), against(is.torque, is.power < 0))};
+                               .words = fmt::format("{} the load drags '{}' at {}{}", now.words, name,
+                                                    display_.brief(std::abs(is.speed), si::m_per_s),
+                                                    against(is.torque, is.power < 0, display_))};
   }
 }
 
@@ -398,13 +400,13 @@ void Dragged::take_cylinders(const Moment& now, std::map<Which, Way>& gives) con
     const Hung hung = now.hung_on_cylinder(i);
     if (!(bears ? now.loads_drag(hung, now.is_led(&Together::cylinder, i), 0) : now.loads_fall(hung))) continue;
     const std::string holds =
-        bears ? fmt::format(" against its force of {:.4g} kN", std::abs(is.F) / 1e3) : ", which moves freely";
+        bears ? " against its force of " + display_.brief(std::abs(is.F), si::N) : ", which moves freely";
     gives[{Kind::cylinder, static_cast<int>(i)}] = {
         .least = least_share * is.length,
         .speed = is.speed,
         .name = cylinder.name,
-        .words =
-            fmt::format("{} the load drags '{}' at {:.3g} m/s{}", now.words, cylinder.name, std::abs(is.speed), holds)};
+        .words = fmt::format("{} the load drags '{}' at {}{}", now.words, cylinder.name,
+                             display_.brief(std::abs(is.speed), si::m_per_s), holds)};
   }
 }
 
@@ -427,8 +429,8 @@ void Dragged::take_supports(const Moment& now, std::map<Which, Way>& gives) cons
         .least = node.radius,
         .speed = is.flow,
         .name = node.name,
-        .words = fmt::format("{} '{}' slips over '{}' at {:.3g} m/s, and its load falls: the friction does not hold it",
-                             now.words, rope.name, node.name, std::abs(is.flow))};
+        .words = fmt::format("{} '{}' slips over '{}' at {}, and its load falls: the friction does not hold it",
+                             now.words, rope.name, node.name, display_.brief(std::abs(is.flow), si::m_per_s))};
   }
 }
 

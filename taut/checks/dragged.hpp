@@ -5,6 +5,7 @@
 
 #include "taut/machine/model.hpp"
 #include "taut/solve/motion/transient.hpp"
+#include "taut/units/display.hpp"
 
 namespace taut::checks {
 
@@ -14,6 +15,8 @@ namespace taut::checks {
 /// tight.
 class Dragged {
  public:
+  explicit Dragged(Display display = {}) : display_(std::move(display)) {}
+
   /// A moment of a motion, `time` after the one before, s.
   void take_moment(const machine::Model& model, const solve::TransientFrame& moment, double time,
                    const std::string& words);
@@ -37,6 +40,7 @@ class Dragged {
   void take_supports(const Moment& now, std::map<Which, Way>& gives) const;
   static bool still_so(const machine::Model& model, const solve::DynamicState& end, const Which& which, double speed);
 
+  Display display_;
   std::map<Which, Way> ways_;  ///< of what gives way now
 };
 

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <utility>
 
+#include "taut/calc/shown.hpp"
 #include "taut/calc/verdict.hpp"
 #include "taut/checks/guy/guy_checks.hpp"
 #include "taut/solve/drives.hpp"
@@ -159,7 +160,7 @@ void check_capacities(const machine::Model& m, const Array<solve::DrumResult>& e
 
 /// A cylinder at its force limit no longer does what its speed, force or law asks of it.
 void check_cylinders(const machine::Model& m, const solve::TransientFrame& frame, const std::string& when,
-                     std::map<std::string, std::string>& told) {
+                     const Display& display, std::map<std::string, std::string>& told) {
   constexpr double rounding = 1e-9;
   for (std::size_t i = 0; i < frame.actuators.size(); ++i) {
     const machine::Actuator& law = m.actuators[i];
@@ -167,12 +168,12 @@ void check_cylinders(const machine::Model& m, const solve::TransientFrame& frame
     const double bears = std::abs(frame.actuators[i].F);
     if (bears < (1 - rounding) * law.force_limit) continue;
     const bool at_limit = bears <= (1 + rounding) * law.force_limit;
-    told.try_emplace(
-        law.name, at_limit ? fmt::format("{}: '{}' is at its force limit of {:.4g} kN: it gives way to its load", when,
-                                         law.name, law.force_limit / 1e3)
-                           : fmt::format("{}: '{}' bears {:.4g} kN, more than its force limit of {:.4g} kN: it is "
-                                         "locked",
-                                         when, law.name, bears / 1e3, law.force_limit / 1e3));
+    const auto [force, limit] = brief_apart(bears, law.force_limit, si::N, display);
+    told.try_emplace(law.name, at_limit
+                                   ? fmt::format("{}: '{}' is at its force limit of {}: it gives way to its load", when,
+                                                 law.name, display.brief(law.force_limit, si::N))
+                                   : fmt::format("{}: '{}' bears {}, more than its force limit of {}: it is locked",
+                                                 when, law.name, force, limit));
   }
 }
 
@@ -253,8 +254,8 @@ void DriveUses::keep_flange(const machine::Model& m, const solve::DrumResult& d)
                                                       : "give its 'length_on_drum'";
   unmade_.try_emplace(drum.name + ".capacity",
                       fmt::format("{}.capacity is not checked: whether the rope stays within the flange of "
-                                  "{:.4g} mm is not known: {}",
-                                  drum.name, drum.flange_diameter * 1e3, missing));
+                                  "{} is not known: {}",
+                                  drum.name, display_.brief(drum.flange_diameter, si::m.in("mm")), missing));
 }
 
 /// A drum turns one way: all ropes that run on it or off it have to agree on which. At rest they are asked as they run
@@ -334,9 +335,9 @@ void DriveUses::keep_free(const machine::Drum& drum, double torque, const std::s
   if (torque == 0) return;
   unmade_.try_emplace(
       drum.name + ".free",
-      fmt::format("{}: nothing holds '{}', whose brake is open, against the {:.4g} kN m of its rope: set "
-                  "the brake, or give a drive",
-                  words, drum.name, torque / 1e3));
+      fmt::format("{}: nothing holds '{}', whose brake is open, against the {} of its rope: set the brake, "
+                  "or give a drive",
+                  words, drum.name, display_.brief(torque, si::N_m)));
 }
 
 void DriveUses::take(const machine::Model& m, const solve::EquilibriumResult& state, const std::string& words) {
@@ -376,7 +377,7 @@ void DriveUses::take_bound(const machine::Model& m, const solve::EquilibriumResu
 
 void DriveUses::take_moment(const machine::Model& m, const solve::TransientFrame& frame, const std::string& words) {
   const std::string when = fmt::format("{}, t = {:.4g} s", words, frame.t);
-  check_cylinders(m, frame, when, yielding_);
+  check_cylinders(m, frame, when, display_, yielding_);
   const auto drums = solve::drums(m, frame);
   const double time = frame.t - last_moment_;
   last_moment_ = frame.t;
@@ -431,7 +432,8 @@ void DriveUses::keep_slip(const machine::Node& node, double slipped, double limi
   if (slipped <= largest.slipped) return;
   largest = {.slipped = slipped,
              .limit = limit,
-             .words = fmt::format("{}: the rope slips on '{}' by {:.3g} m{}", words, node.name, slipped, share),
+             .words = fmt::format("{}: the rope slips on '{}' by {}{}", words, node.name,
+                                  display_.brief(slipped, si::m), share),
              .where = words};
 }
 
@@ -480,14 +482,14 @@ void DriveUses::take_brakes(const machine::Model& m, const solve::TransientResul
           m.drums[d].name,
           fmt::format(
               "{}, t = {:.4g} s: the brake of '{}' is released, or set anew, before it has stopped the drum: its "
-              "rope runs at {:.3g} m/s then; it does not hold, or is set for too short a time",
-              words, *slips.let_go, m.drums[d].name, slips.speed));
+              "rope runs at {} then; it does not hold, or is set for too short a time",
+              words, *slips.let_go, m.drums[d].name, display_.brief(slips.speed, si::m_per_s)));
     }
     if (slips.way <= least_slip * 2 * std::numbers::pi * m.drums[d].core_radius) continue;
     unbraked_.try_emplace(m.drums[d].name,
                           fmt::format("{}, t = {:.4g} s: '{}' slips in its brake, which is set and had stopped it, by "
-                                      "{:.3g} m of rope: it does not hold",
-                                      words, slips.since, m.drums[d].name, slips.way));
+                                      "{} of rope: it does not hold",
+                                      words, slips.since, m.drums[d].name, display_.brief(slips.way, si::m)));
   }
   for (std::size_t d = 0; d < motion.state.drum_drive.size(); ++d) {
     const machine::Drive& drive = motion.state.drum_drive[d];
@@ -498,9 +500,9 @@ void DriveUses::take_brakes(const machine::Model& m, const solve::TransientResul
                                   : std::string("is set from the start");
     unbraked_.try_emplace(
         m.drums[d].name,
-        fmt::format("{}: '{}' still turns when the motion ends, its rope at {:.3g} m/s, though its brake {}: it does "
-                    "not hold, or the motion is too short",
-                    words, m.drums[d].name, speed, since));
+        fmt::format("{}: '{}' still turns when the motion ends, its rope at {}, though its brake {}: it does not "
+                    "hold, or the motion is too short",
+                    words, m.drums[d].name, display_.brief(speed, si::m_per_s), since));
   }
 }
 

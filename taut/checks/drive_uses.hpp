@@ -2,6 +2,7 @@
 #include <map>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "taut/base/array.hpp"
@@ -17,6 +18,8 @@ namespace taut::checks {
 /// docs/theory/drives.md.
 class DriveUses {
  public:
+  explicit DriveUses(Display display = {}) : display_(display), dragged_(std::move(display)) {}
+
   /// `words`: which state it is, "sweep, drive.friction = 0.2".
   void take(const machine::Model& model, const solve::EquilibriumResult& state, const std::string& words);
   /// One of the bounds of a running machine, for the senses in which ropes may creep over their supports: the grip and
@@ -53,6 +56,7 @@ class DriveUses {
   void keep_layer(const machine::Model& m, const solve::DrumResult& d, const std::string& words);
   void keep_flange(const machine::Model& m, const solve::DrumResult& d);
 
+  Display display_;
   std::map<std::string, Check> worst_;
   std::map<std::string, std::string> unmade_;  // checks that lack a number: why
   struct Slip {

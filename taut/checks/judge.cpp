@@ -6,8 +6,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "taut/base/number.hpp"
 #include "taut/calc/none.hpp"
+#include "taut/calc/shown.hpp"
 #include "taut/catalogue/rope_values.hpp"
 #include "taut/catalogue/trust.hpp"
 #include "taut/checks/described.hpp"
@@ -24,7 +24,8 @@ constexpr double of_largest = 1e-9;    ///< a rope carries tension from this sha
 constexpr double on_own_limit = 1e-6;  ///< a state of a payload lies on a limit to this share of it
 
 /// Words for a rope that is shorter than the distance of its ends, with both lengths; else empty.
-std::string too_short(const machine::Model& m, const solve::EquilibriumResult& e, std::size_t reeving) {
+std::string too_short(const machine::Model& m, const solve::EquilibriumResult& e, std::size_t reeving,
+                      const Display& display) {
   if (m.reevings[reeving].closed) return {};
   const auto own = [&](const auto& s) { return as_size(s.reeving) == reeving; };
   const auto first = std::find_if(e.branches.begin(), e.branches.end(), own);
@@ -33,11 +34,13 @@ std::string too_short(const machine::Model& m, const solve::EquilibriumResult& e
   const double apart = (last->end - first->start).norm();
   const double length = e.ropes[reeving].unstretched;
   if (length >= apart) return {};
-  return fmt::format("; the rope is {:.6g} m long and its ends are {:.6g} m apart", length, apart);
+  const auto [is, needs] = brief_apart(length, apart, si::m, display);
+  return fmt::format("; the rope is {} long and its ends are {} apart", is, needs);
 }
 
 /// Words for a carriage that has left the span in which its rope's path has it; empty when it is there.
-std::string beside_its_span(const machine::Model& m, const machine::State& state, const machine::Carriage& car) {
+std::string beside_its_span(const machine::Model& m, const machine::State& state, const machine::Carriage& car,
+                            const Display& display) {
   const auto& nodes = m.reevings[car.reeving].nodes;
   const auto n = static_cast<std::size_t>(car.node);
   const std::size_t after = n + static_cast<std::size_t>(car.rollers);
@@ -48,8 +51,8 @@ std::string beside_its_span(const machine::Model& m, const machine::State& state
   const Vector3& place = state.bodies[car.body].position;
   const double passed = (place - before).dot(way);
   if (way.norm() == 0 || (passed >= 0 && passed <= way.squaredNorm())) return {};
-  return fmt::format("carriage {} stands at x = {} m, not between '{}' and '{}', where its rope's path has it",
-                     car.name, place_number(place.x()), nodes[n - 1].name, nodes[after].name);
+  return fmt::format("carriage {} stands at x = {}, not between '{}' and '{}', where its rope's path has it", car.name,
+                     display.brief(place.x(), si::m), nodes[n - 1].name, nodes[after].name);
 }
 
 /// Angle by which a body is turned from where the deck has it, rad.
@@ -163,19 +166,18 @@ void Judge::warn_of_pulled(const machine::Model& m, const machine::Node& node, c
   std::string text;
   if (node.support == Vector3::Zero()) {  // held down, or an axis that stands upright
     text = fmt::format(
-        "{}: the rope presses away from '{}' on the side that it is given with {:.4g} kN; give the other 'side', or "
-        "none",
-        words, node.name, force.norm() / 1e3);
+        "{}: the rope presses away from '{}' on the side that it is given with {}; give the other 'side', or none",
+        words, node.name, deck_->display.brief(force.norm(), si::N));
   } else if (machine::rides(m, node)) {
     text = fmt::format(
-        "{}: the rope presses '{}' downwards with {:.4g} kN: it would lift off its rope. Load the carriage more, hang "
-        "the load lower or between the rollers, or slacken the rope",
-        words, node.name, force.norm() / 1e3);
+        "{}: the rope presses '{}' downwards with {}: it would lift off its rope. Load the carriage more, hang the "
+        "load lower or between the rollers, or slacken the rope",
+        words, node.name, deck_->display.brief(force.norm(), si::N));
   } else {
     text = fmt::format(
-        "{}: the rope pulls '{}' upwards with {:.4g} kN; it would lift off. Set the support higher, slacken the rope, "
-        "or say 'uplift: hold' where a guard holds it",
-        words, node.name, force.z() / 1e3);
+        "{}: the rope pulls '{}' upwards with {}; it would lift off. Set the support higher, slacken the rope, or "
+        "say 'uplift: hold' where a guard holds it",
+        words, node.name, deck_->display.brief(force.z(), si::N));
   }
   warn(node.name + " pulled", text, true, force.norm());
 }
@@ -225,9 +227,9 @@ void Judge::take_places(const machine::Model& m, const solve::EquilibriumResult&
     const double angle = turned_by(m, e, b);
     if (angle <= fallen_angle) continue;
     warn(m.bodies[b].name + " fallen",
-         fmt::format("{}: '{}' comes to rest turned by {:.3g} deg from where the deck has it: it falls over, or begins "
-                     "far from its place; hold it by more ropes, or put it where it is meant to stand",
-                     words, m.bodies[b].name, angle * 180 / std::numbers::pi),
+         fmt::format("{}: '{}' comes to rest turned by {} from where the deck has it: it falls over, or begins far "
+                     "from its place; hold it by more ropes, or put it where it is meant to stand",
+                     words, m.bodies[b].name, deck_->display.brief(angle, si::rad)),
          true, angle);
   }
   take_spans(m, e.state, {}, words);
@@ -237,7 +239,7 @@ void Judge::take_spans(const machine::Model& m, const machine::State& state, con
                        const std::string& words) {
   for (const machine::Carriage& car : m.carriages) {
     if (broken.contains(m.reevings[car.reeving].name)) continue;
-    const std::string where = beside_its_span(m, state, car);
+    const std::string where = beside_its_span(m, state, car, deck_->display);
     if (!where.empty()) warn(car.name + " beside", fmt::format("{}: {}", words, where), true);
   }
 }
@@ -260,7 +262,7 @@ void Judge::take_put_up(const machine::Model& m, const solve::EquilibriumResult&
 void Judge::take_ropes(const machine::Model& m, const solve::EquilibriumResult& e, const std::string& words) {
   for (std::size_t i = 0; i < m.reevings.size(); ++i) {
     RopeWorst& worst = take_tension(m.reevings[i], e.ropes[i].T_max, words);
-    if (worst.where_of_share == words) worst.where_of_share += too_short(m, e, i);
+    if (worst.where_of_share == words) worst.where_of_share += too_short(m, e, i, deck_->display);
   }
 }
 
@@ -512,8 +514,8 @@ void Judge::add_values(Result& r) const {
       r.warnings.push_back(one.text);
     }
   }
-  off_groove_.add_warnings(r);
-  two_blocked_.add_warnings(r);
+  off_groove_.add_warnings(r, deck_->display);
+  two_blocked_.add_warnings(r, deck_->display);
   r.preface = preface_;
 }
 

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "taut/base/number.hpp"
 #include "taut/calc/none.hpp"
+#include "taut/calc/shown.hpp"
 #include "taut/checks/described.hpp"
 #include "taut/checks/judge.hpp"
 #include "taut/study/line/rope_clearance.hpp"
@@ -125,7 +125,8 @@ void Judge::warn_of_buried(const machine::Model& m, const std::string& words) {
       if (anchor || node.at.body != machine::ground) continue;
       const double height = node.at.at.z() - study::ground_height(m.terrain, terrain_x(m, node.at.at));
       if (!(height < -rough)) continue;
-      warn(node.name + " buried", fmt::format("{}: '{}' is {:.3g} m below the ground", words, node.name, -height), true,
+      warn(node.name + " buried",
+           fmt::format("{}: '{}' is {} below the ground", words, node.name, deck_->display.brief(-height, si::m)), true,
            -height);
     }
   }
@@ -162,8 +163,9 @@ void Judge::warn_of_sunk(const machine::Model& m, const machine::State& state, c
     if (!(lowest.height < -rough)) continue;
     const std::string& name = m.bodies[b].name;
     warn(name + " sunk",
-         fmt::format("{}: {} of '{}' is {:.3g} m below the ground", words, lowest.what, name, -lowest.height), true,
-         -lowest.height);
+         fmt::format("{}: {} of '{}' is {} below the ground", words, lowest.what, name,
+                     deck_->display.brief(-lowest.height, si::m)),
+         true, -lowest.height);
   }
 }
 
@@ -184,26 +186,27 @@ void Judge::take_footings(const machine::Model& m, const solve::EquilibriumResul
     const std::string what = one.of.empty() ? fmt::format("the joint of '{}'", one.name)
                                             : fmt::format("the foot of {} at '{}'", fmt::join(one.of, ", "), one.name);
     warn(one.name + " pulled up",
-         fmt::format("{}: {} is pulled up with {:.4g} kN: it must be anchored to hold it; 'uplift' or 'strength' of "
+         fmt::format("{}: {} is pulled up with {}: it must be anchored to hold it; 'uplift' or 'strength' of "
                      "'checks: anchors: {}' says what it holds",
-                     words, what, uplift / 1e3, one.name),
+                     words, what, deck_->display.brief(uplift, si::N), one.name),
          true, uplift);
   }
 }
 
 void Judge::add_heights(Result& r) const {
+  const auto length = [&](double x) { return deck_->display.brief(x, si::m); };
   const auto add = [&](const std::map<std::string, Height>& all, const char* name) {
     const Height* least = nullptr;
     for (const auto& [part, one] : all) {
       if (!std::isfinite(one.value)) continue;
       if (least == nullptr || one.value < least->value) least = &one;
       if (one.value >= 0) continue;
-      Check c = make_check(part + ".ground", one.value, si::m,
-                           {.sense = Sense::at_least,
-                            .limit = 0,
-                            .rule = fmt::format("{} is {:.4g} m below the ground at x = {} m", one.part, -one.value,
-                                                place_number(one.x)),
-                            .trust = "user"});
+      Check c = make_check(
+          part + ".ground", one.value, si::m,
+          {.sense = Sense::at_least,
+           .limit = 0,
+           .rule = fmt::format("{} is {} below the ground at x = {}", one.part, length(-one.value), length(one.x)),
+           .trust = "user"});
       c.utilisation = std::numeric_limits<double>::quiet_NaN();  // a limit of 0 m is no measure
       c.part = part;
       c.limits = false;
@@ -214,7 +217,7 @@ void Judge::add_heights(Result& r) const {
     const ValueKind& kind = named(value_kinds(), name);
     r.values.push_back(make_value(
         kind, "", "", least->value,
-        fmt::format("{}: {} at x = {} m ({})", kind.about.words, least->part, place_number(least->x), least->where)));
+        fmt::format("{}: {} at x = {} ({})", kind.about.words, least->part, length(least->x), least->where)));
   };
   add(carriages_, "clearance_min");
   add(rope_heights_, "rope_clearance_min");
@@ -230,10 +233,11 @@ void Judge::add_off_line(Result& r) const {
     const OffLine& off = found->second;
     const bool asked =
         asks_clearance(deck_->checks, rope.name) || limits_clearance(deck_->analyses, *model_, rope.name);
+    const auto [distance, corridor] = brief_apart(off.distance, terrain->corridor, si::m, deck_->display);
     std::string words = fmt::format(
-        "terrain: rope '{}' is {:.3g} m off the line of the terrain in plan, at {:.4g} m along it ({}), more than the "
-        "corridor of {:.3g} m; {}: give 'between' two points of the rope, or a survey of the ground under it",
-        rope.name, off.distance, off.x, off.where, terrain->corridor,
+        "terrain: rope '{}' is {} off the line of the terrain in plan, at {} along it ({}), more than the corridor of "
+        "{}; {}: give 'between' two points of the rope, or a survey of the ground under it",
+        rope.name, distance, deck_->display.brief(off.x, si::m), off.where, corridor,
         asked ? "its clearance is not judged, as the ground under the line is not the ground under the rope"
               : "the ground under the line is taken for the ground under the rope");
     if (!asked) {
@@ -250,8 +254,8 @@ void Judge::add_gaps(Result& r) const {
   constexpr double to_anchor = 6;  // m
   for (const auto& [car, beyond] : beyond_) {
     std::vector<std::string> where;
-    if (beyond.before > 0) where.push_back(fmt::format("{:.4g} m before the first place", beyond.before));
-    if (beyond.after > 0) where.push_back(fmt::format("{:.4g} m behind the last place", beyond.after));
+    if (beyond.before > 0) where.push_back(deck_->display.brief(beyond.before, si::m) + " before the first place");
+    if (beyond.after > 0) where.push_back(deck_->display.brief(beyond.after, si::m) + " behind the last place");
     warn_unsafe(r, fmt::format("{} stands up to {} of the terrain: its height is not judged there; give the ground "
                                "under all of its way",
                                car, fmt::join(where, " and up to ")));
@@ -261,7 +265,7 @@ void Judge::add_gaps(Result& r) const {
     const auto found = gaps_.find(rope);
     if (found == gaps_.end() || asks_clearance(deck_->checks, rope)) continue;
     const study::TerrainGap& gap = found->second;
-    if (std::max(gap.before, gap.after) > to_anchor) warn_unsafe(r, gap_words(rope, gap));
+    if (std::max(gap.before, gap.after) > to_anchor) warn_unsafe(r, gap_words(rope, gap, deck_->display));
   }
 }
 

@@ -247,8 +247,8 @@ void Judge::take_ways_of_feet(const machine::Model& m, const solve::TransientFra
     const double way = (is.point - stood->second).norm();
     if (first || way <= dragged_way) continue;
     warn(m.bodies[contact.body].name + " dragged",
-         fmt::format("{}: '{}' is dragged {:.3g} m from where it stood: the friction of '{}' does not hold it", words,
-                     m.bodies[contact.body].name, way, contact.name),
+         fmt::format("{}: '{}' is dragged {} from where it stood: the friction of '{}' does not hold it", words,
+                     m.bodies[contact.body].name, deck_->display.brief(way, si::m), contact.name),
          true, way);
   }
 }
@@ -259,9 +259,9 @@ void Judge::take_lean(const machine::Model& m, const solve::TransientFrame& mome
   const double lean = leans_by(turned_to(m, moment, body));
   if (lean <= fallen_angle) return;
   warn(name + " fallen",
-       fmt::format("{}: '{}' has tipped over, or begins far from where it works: it leans {:.3g} deg from where the "
+       fmt::format("{}: '{}' has tipped over, or begins far from where it works: it leans {} from where the "
                    "deck has it; where that is its work, describe it in the middle of its range",
-                   words, name, lean * 180 / std::numbers::pi),
+                   words, name, deck_->display.brief(lean, si::rad)),
        true, lean);
 }
 

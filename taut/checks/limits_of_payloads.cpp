@@ -4,9 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <utility>
 
+#include "taut/calc/shown.hpp"
 #include "taut/catalogue/rule.hpp"
 #include "taut/math/index.hpp"
 
@@ -15,12 +15,11 @@ namespace {
 
 constexpr double rounding = 1e-6;  ///< relative: a state on a limit keeps it
 
-/// A value and a limit of that kind, "1.2 m", "84 kN".
-std::string amount(study::LimitKind kind, double value) {
+/// Of a value and a limit of that kind.
+const Unit& unit_of(study::LimitKind kind) {
   using Kind = study::LimitKind;
-  if (kind == Kind::pull) return fmt::format("{:.4g} kN", value / 1e3);
-  if (kind == Kind::clearance || kind == Kind::rope_clearance) return fmt::format("{:.4g} m", value);
-  return fmt::format("{:.4g} deg", value * 180 / std::numbers::pi);
+  if (kind == Kind::pull) return si::N;
+  return kind == Kind::clearance || kind == Kind::rope_clearance ? si::m : si::rad;
 }
 
 /// A tension has its own check, and so has what a carriage is rated for.
@@ -84,11 +83,10 @@ void LimitsOfPayloads::take_strength(const machine::Reeving& rope, const std::st
   for (Payload& one : payloads_) {
     for (RopeSeen& seen : one.ropes) {
       const bool weaker = seen.name == rope.name && rope.breaking_force < seen.strength * (1 - rounding);
-      if (weaker && seen.weaker.empty()) {
-        seen.weaker =
-            fmt::format("its breaking force is {:.4g} kN in '{}', and the payload's limit is that of {:.4g} kN",
-                        rope.breaking_force / 1e3, words, seen.strength / 1e3);
-      }
+      if (!weaker || !seen.weaker.empty()) continue;
+      const auto [force, strength] = brief_apart(rope.breaking_force, seen.strength, si::N, display_);
+      seen.weaker = fmt::format("its breaking force is {} in '{}', and the payload's limit is that of {}", force, words,
+                                strength);
     }
   }
 }
@@ -103,10 +101,11 @@ void LimitsOfPayloads::take_others(const machine::Model& m, const solve::Equilib
     Exceeded& worst = one.exceeded[limit];
     if (state.margin >= worst.margin) continue;
     worst.margin = state.margin;
+    const auto [has, most] = brief_apart(state.value, state.limit, unit_of(state.kind), display_);
     worst.words = fmt::format(
         "the payload limits the {} to {}, and '{}' has {}: a payload keeps its limits in its own states; "
         "give this one under 'checks' too, or give that analysis 'judge: false'",
-        limit, amount(state.kind, state.limit), words, amount(state.kind, state.value));
+        limit, most, words, has);
     if (state.kind == study::LimitKind::lift_off) {
       worst.words = fmt::format(
           "the payload allows no {}, which '{}' has: a payload keeps its limits in its own "
@@ -169,10 +168,11 @@ void LimitsOfPayloads::add_checks(Result& r) const {
         if (rope.elsewhere.T > rope.own * (1 + rounding)) c.where = rope.elsewhere.where;
         c.limits = rope.moving.T <= limit * (1 + rounding);
         if (!c.limits) {
+          const auto [most, has] = brief_apart(limit, rope.moving.T, si::N, display_);
           r.warnings.push_back(
-              fmt::format("{}: the payload's limit, {:.4g} kN, is one of a rope at rest, and '{}' has {:.4g} kN: "
+              fmt::format("{}: the payload's limit, {}, is one of a rope at rest, and '{}' has {}: "
                           "judge the rope by 'checks: {{ropes: {{{}: ...}}}}'",
-                          rope.name, limit / 1e3, rope.moving.where, rope.moving.T / 1e3, rope.name));
+                          rope.name, most, rope.moving.where, has, rope.name));
         }
         r.checks.push_back(std::move(c));
       };

@@ -2,6 +2,7 @@
 #include <limits>
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "taut/calc/result.hpp"
@@ -9,6 +10,7 @@
 #include "taut/solve/equilibrium.hpp"
 #include "taut/solve/motion/transient.hpp"
 #include "taut/study/payload.hpp"
+#include "taut/units/display.hpp"
 
 namespace taut::checks {
 
@@ -17,6 +19,8 @@ namespace taut::checks {
 /// against those of other payloads where it has none of that kind for that part.
 class LimitsOfPayloads {
  public:
+  explicit LimitsOfPayloads(Display display = {}) : display_(std::move(display)) {}
+
   /// Before any state is shown. `model`: of the machine.
   void add(const study::PayloadRun& run, const machine::Model& model);
   /// States from here on are those of the payload with this ending.
@@ -73,6 +77,7 @@ class LimitsOfPayloads {
   void take_others(const machine::Model& model, const solve::EquilibriumResult& state, const std::string& words,
                    Payload& one) const;
 
+  Display display_;
   std::vector<Payload> payloads_;
   const std::string* running_ = nullptr;
 };

@@ -59,12 +59,13 @@ void OffGroove::take(const machine::Model& m, const solve::TransientFrame& frame
   }
 }
 
-void OffGroove::add_warnings(Result& r) const {
+void OffGroove::add_warnings(Result& r, const Display& display) const {
   for (const auto& [place, worst] : worst_) {
-    const double angle = std::asin(std::min(worst.sine, 1.0)) / degree;
-    warn_unsafe(r, fmt::format("{}: {} runs {:.3g} deg out of the plane of '{}': no groove holds it (throats open {:g} "
-                               "deg at most); turn the 'axis' or guide the rope",
-                               worst.where, place.first, angle, place.second, widest_throat));
+    const double angle = std::asin(std::min(worst.sine, 1.0));
+    warn_unsafe(r, fmt::format("{}: {} runs {} out of the plane of '{}': no groove holds it (throats open {} at most); "
+                               "turn the 'axis' or guide the rope",
+                               worst.where, place.first, display.brief(angle, si::rad), place.second,
+                               display.brief(widest_throat * degree, si::rad)));
   }
 }
 

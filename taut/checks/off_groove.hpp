@@ -20,7 +20,7 @@ class OffGroove {
   void take(const machine::Model& model, const solve::TransientFrame& frame, const std::set<std::string>& broken,
             const std::string& words);
   /// One unsafe warning for each rope and round, with the state in which it is worst.
-  void add_warnings(Result& r) const;
+  void add_warnings(Result& r, const Display& display = {}) const;
 
  private:
   struct Worst {

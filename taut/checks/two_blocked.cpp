@@ -66,17 +66,18 @@ void TwoBlocked::take(const machine::Model& m, const machine::State& state, cons
   }
 }
 
-void TwoBlocked::add_warnings(Result& r) const {
+void TwoBlocked::add_warnings(Result& r, const Display& display) const {
+  const auto length = [&](double x) { return display.brief(x, si::m); };
   for (const auto& [names, worst] : worst_) {
-    warn_unsafe(
-        r, fmt::format("{}: '{}' and '{}' run into each other: centres {:.3g} m apart, {:.3g} m less than both radii",
-                       worst.where, names.first, names.second, worst.distance, -worst.gap));
+    warn_unsafe(r, fmt::format("{}: '{}' and '{}' run into each other: centres {} apart, {} less than both radii",
+                               worst.where, names.first, names.second, length(worst.distance), length(-worst.gap)));
   }
   for (const auto& [names, worst] : ends_) {
     warn_unsafe(
-        r, fmt::format("{}: '{}' runs into '{}': the free rope between them is {:.3g} m long, less than the radius; "
-                       "{:.3g} m to its centre",
-                       worst.where, names.second, names.first, worst.gap, worst.distance));
+        r,
+        fmt::format("{}: '{}' runs into '{}': the free rope between them is {} long, less than the radius; {} to its "
+                    "centre",
+                    worst.where, names.second, names.first, length(worst.gap), length(worst.distance)));
   }
 }
 

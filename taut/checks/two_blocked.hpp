@@ -21,7 +21,7 @@ class TwoBlocked {
             const std::string& words);
 
   /// Each pair at its worst, as an unsafe warning.
-  void add_warnings(Result& r) const;
+  void add_warnings(Result& r, const Display& display = {}) const;
 
  private:
   struct Worst {

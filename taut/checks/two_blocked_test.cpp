@@ -75,9 +75,10 @@ machine::Model weight(double below) {
 // The free rope is as long as the weight is below; a weight without a round was drawn in until no rope was left.
 TEST(TwoBlocked, AWeightIsDrawnIntoItsSheave) {
   EXPECT_EQ(at_rest(weight(0.21)), "");
-  EXPECT_EQ(at_rest(weight(0.1)),
-            "there: 'eye' runs into 'head': the free rope between them is 0.1 m long, less than the radius; 0.224 m to "
-            "its centre");
+  EXPECT_EQ(
+      at_rest(weight(0.1)),
+      "there: 'eye' runs into 'head': the free rope between them is 0.1 m long, less than the radius; 0.2236 m to "
+      "its centre");
   machine::Model built = weight(0.1);
   built.bodies[0].free.clear();
   EXPECT_EQ(at_rest(built), "") << "neither of them moves";

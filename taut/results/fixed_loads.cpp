@@ -171,7 +171,7 @@ std::vector<std::string> fixed_guy_warnings(const machine::Model& model, std::si
   return all;
 }
 
-std::vector<std::string> fixed_load_warnings(const machine::Model& model) {
+std::vector<std::string> fixed_load_warnings(const machine::Model& model, const Display& display) {
   Array<Vector3> sums(model.bodies.size(), Vector3::Zero());
   for (const machine::Load& load : model.loads) sums[load.at.body] += load.force;
   std::vector<std::string> all;
@@ -179,15 +179,15 @@ std::vector<std::string> fixed_load_warnings(const machine::Model& model) {
     const machine::Body& body = model.bodies[i];
     if (!machine::stands_fast(body) || model.is_on_screw(static_cast<int>(i))) continue;
     if (body.mass > 0 && hangs(model, static_cast<int>(i))) {
-      all.push_back(fmt::format(
-          "'{}' cannot move, and hangs on ropes that do not feel its mass of {:.4g} kg: say what is 'free' of it",
-          body.name, body.mass));
+      all.push_back(
+          fmt::format("'{}' cannot move, and hangs on ropes that do not feel its mass of {}: say what is 'free' of it",
+                      body.name, display.brief(body.mass, si::kg)));
     }
     if (sums[i].norm() == 0) continue;
     all.push_back(
-        fmt::format("'{}' cannot move, and bears its load of {:.4g} kN by itself: no rope feels it; say what is 'free' "
+        fmt::format("'{}' cannot move, and bears its load of {} by itself: no rope feels it; say what is 'free' "
                     "where the ropes have to hold the body",
-                    body.name, sums[i].norm() / 1e3));
+                    body.name, display.brief(sums[i].norm(), si::N)));
   }
   return all;
 }

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "taut/machine/model.hpp"
+#include "taut/units/display.hpp"
 
 namespace taut::results {
 
@@ -10,7 +11,7 @@ namespace taut::results {
 /// beam feels them. One sentence for each body; a driven body, and a section of a beam, are none of them. A body hangs
 /// where all its ropes lead up from it, as the deck describes it, by more than 45 deg: guys lead down from a tower, and
 /// less steeply up from an anchor.
-std::vector<std::string> fixed_load_warnings(const machine::Model& model);
+std::vector<std::string> fixed_load_warnings(const machine::Model& model, const Display& display = {});
 
 /// A sentence of a load that its own body bears.
 struct LoadAcross {

@@ -132,8 +132,8 @@ void write_beams(Sheet<Num>& s, const MachineRun& run) {
     const auto& section = run.model.beams[i].pieces.front().rod.section;
     const bool stressed = !std::isnan(worst->points[worst->most_stressed].stress);
     const solve::BeamPoint& p = worst->points[stressed ? worst->most_stressed : worst->most_bent];
-    s.section(fmt::format("Beam {}: its most {} section, {:.4g} m from its base ({})", run.model.beams[i].name,
-                          stressed ? "stressed" : "bent", p.s, when));
+    s.section(fmt::format("Beam {}: its most {} section, {} from its base ({})", run.model.beams[i].name,
+                          stressed ? "stressed" : "bent", run.display.brief(p.s, si::m), when));
     const Num N = s.named("N", si::N, std::abs(p.N)), M = s.named("M", si::N_m, p.M);
     if (stressed) write_stress(s, section, p, N, M);
     if (worst->compression > 0 && std::isfinite(worst->least_factor())) {

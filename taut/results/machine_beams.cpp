@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "taut/calc/shown.hpp"
 #include "taut/catalogue/section_search.hpp"
 #include "taut/catalogue/steel.hpp"
 #include "taut/catalogue/trust.hpp"
@@ -48,33 +49,37 @@ void add_fact(const std::string& beam, const std::string& where, Check check, Re
 }
 
 /// A stress without its torsion says nothing of a limit that it keeps.
-void tell_left_out(const machine::description::Beam& given, const checks::WorstOf& torsion, Result& r) {
+void tell_left_out(const machine::description::Beam& given, const checks::WorstOf& torsion, const Display& display,
+                   Result& r) {
   if (std::isnan(torsion.value)) return;
-  const std::string words = fmt::format(
-      "{}: the stress does not contain its torsion of {:.4g} kN m ({}): give the section's 'W_t', or 'round: true'",
-      given.name, torsion.value / 1e3, torsion.when);
+  const std::string words =
+      fmt::format("{}: the stress does not contain its torsion of {} ({}): give the section's 'W_t', or 'round: true'",
+                  given.name, display.brief(torsion.value, si::N_m), torsion.when);
   if (given.steel) r.unmade.push_back(words);
   r.warnings.push_back(words);
 }
 
 /// A stress that is known only between that of a round section and that in the corner of a box: `yield` of its steel,
 /// Pa; NaN: it has no limit here.
-void tell_corner(const machine::description::Beam& given, const checks::BeamWorst& worst, double yield, Result& r) {
+void tell_corner(const machine::description::Beam& given, const checks::BeamWorst& worst, double yield,
+                 const Display& display, Result& r) {
   const checks::WorstOf& corner = worst.stress_in_corner;
   constexpr double told = 1 + 1e-6;  // of two numbers that are printed
   if (!(corner.value > worst.stress.value * told) || corner.value <= yield || worst.stress.value > yield) return;
+  const auto [round, box] = brief_apart(worst.stress.value, corner.value, si::Pa, display);
   const std::string words = fmt::format(
-      "{}: the stress of {:.4g} MPa is that of a round section; in the corner of a box it is up to {:.4g} MPa ({}): "
-      "give 'round: true', or where its walls are by 'strong'",
-      given.name, worst.stress.value / 1e6, corner.value / 1e6, corner.when);
+      "{}: the stress of {} is that of a round section; in the corner of a box it is up to {} ({}): give 'round: "
+      "true', or where its walls are by 'strong'",
+      given.name, round, box, corner.when);
   if (given.steel) r.unmade.push_back(words);
   r.warnings.push_back(words);
 }
 
-void check_stress(const machine::description::Beam& given, const checks::BeamWorst& worst, Result& r) {
+void check_stress(const machine::description::Beam& given, const checks::BeamWorst& worst, const Display& display,
+                  Result& r) {
   const checks::WorstOf& stress = worst.stress;
   if (std::isnan(stress.value)) return;
-  if (!given.steel) return tell_corner(given, worst, std::nan(""), r);
+  if (!given.steel) return tell_corner(given, worst, std::nan(""), display, r);
   const auto steel = catalogue::find_steel(*given.steel);
   if (!steel) return;
   double yield = catalogue::yield(*steel);
@@ -84,10 +89,10 @@ void check_stress(const machine::description::Beam& given, const checks::BeamWor
     const auto own = row ? catalogue::yield(*steel, row->thickness) : catalogue::Found<double>(yield);
     if (row && own) {
       yield = *own;
-      where = fmt::format("t = {:.4g} mm", row->thickness * 1e3);
+      where = "t = " + display.brief(row->thickness, si::m.in("mm"));
     }
   }
-  tell_corner(given, worst, yield, r);
+  tell_corner(given, worst, yield, display, r);
   const std::string trust = catalogue::trust_words(*steel);
   add_fact(given.name, stress.when,
            make_check(given.name + ".stress_max", stress.value, si::Pa,
@@ -137,7 +142,8 @@ void tell_swing(const checks::WorstOf& swings, Result& r) {
   if (std::find(r.warnings.begin(), r.warnings.end(), words) == r.warnings.end()) r.warnings.push_back(words);
 }
 
-void add_worst(const machine::description::Beam& given, const checks::BeamWorst& worst, Result& r) {
+void add_worst(const machine::description::Beam& given, const checks::BeamWorst& worst, const Display& display,
+               Result& r) {
   const auto add = [&](const char* key, const checks::WorstOf& w) {
     if (std::isnan(w.value)) return;
     const QuantityWords& about = named(solve::beam_quantities(), key).about;
@@ -151,8 +157,8 @@ void add_worst(const machine::description::Beam& given, const checks::BeamWorst&
   add("top_displacement", worst.top_displacement);
   add("N_cr", worst.N_cr);
   add("alpha_cr", worst.alpha_cr);
-  check_stress(given, worst, r);
-  tell_left_out(given, worst.torsion_left_out, r);
+  check_stress(given, worst, display, r);
+  tell_left_out(given, worst.torsion_left_out, display, r);
   check_buckling(given, worst.alpha_cr, r);
   tell_swing(worst.swings, r);
 }
@@ -207,7 +213,7 @@ void add_beam_values(const machine::Machine& machine, const MachineRun& run, Res
     const auto given = std::find_if(machine.beams.begin(), machine.beams.end(),
                                     [&](const auto& one) { return one.name == run.model.beams[i].name; });
     if (given == machine.beams.end()) continue;
-    add_worst(*given, run.checked->judge.beams()[i], r);
+    add_worst(*given, run.checked->judge.beams()[i], run.display, r);
     add_base(*given, run, i, r);
     warn_of_sense(*given, run, i, r);
     if (!given->section) continue;

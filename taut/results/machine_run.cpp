@@ -4,7 +4,6 @@
 
 #include <algorithm>
 
-#include "taut/base/number.hpp"
 #include "taut/calc/shown.hpp"
 #include "taut/checks/checked_parts.hpp"
 
@@ -24,9 +23,9 @@ std::string state_words(const char* kind, const std::string& ending, const std::
 }
 
 /// "load path, haulback -1, x = 100 m", "sag, haulback -1, x = 100 m": a place of a load path by the name of the path.
-std::string place_words(const study::LoadPathRun& one, const study::LoadPathPoint& point) {
-  return fmt::format("{}, {}, x = {} m", checks::analysis_words(one.ending, "load path"), one.words,
-                     place_number(point.x));
+std::string place_words(const study::LoadPathRun& one, const study::LoadPathPoint& point, const Display& display) {
+  return fmt::format("{}, {}, x = {}", checks::analysis_words(one.ending, "load path"), one.words,
+                     display.brief(point.x, si::m));
 }
 
 }  // namespace
@@ -40,7 +39,7 @@ std::vector<Answer> answers_of(const MachineRun& run) {
     for (const study::LoadPathPart& part : one.parts) {
       for (const auto& point : part.result.points) {
         if (!point.at.outcome.ok()) continue;
-        all.push_back({&part.model, &point.at, &point, place_words(one, point), one.judged});
+        all.push_back({&part.model, &point.at, &point, place_words(one, point, run.display), one.judged});
       }
     }
   }
@@ -116,7 +115,8 @@ void show_answers(const MachineRun& run, checks::CheckedParts& checked) {
     for (const study::LoadPathPart& part : one.parts) {
       for (const auto& point : part.result.points) {
         if (!point.at.outcome.ok()) continue;
-        checked.take(part.model, point.at, place_words(one, point), checks::analysis_name(one.ending, "load_path"));
+        checked.take(part.model, point.at, place_words(one, point, run.display),
+                     checks::analysis_name(one.ending, "load_path"));
       }
     }
   }

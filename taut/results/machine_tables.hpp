@@ -32,6 +32,6 @@ void add_drive_values(const MachineRun& run, Result& r);
 void warn_of_friction(const machine::Model& model, Result& r);
 
 /// What the calculation takes for granted, the carriages' models by name.
-std::vector<std::string> assumptions_of(const machine::Machine& machine);
+std::vector<std::string> assumptions_of(const machine::Machine& machine, const Display& display = {});
 
 }  // namespace taut::results

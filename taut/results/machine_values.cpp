@@ -68,7 +68,7 @@ void add_values(const MachineRun& run, Result& r) {
   add_drive_values(run, r);
 }
 
-std::vector<std::string> assumptions_of(const machine::Machine& m) {
+std::vector<std::string> assumptions_of(const machine::Machine& m, const Display& display) {
   std::vector<std::string> all = {
       "Ropes are elastic catenaries between tangent points, without bending stiffness; weight per unstretched length; "
       "the "
@@ -124,7 +124,7 @@ std::vector<std::string> assumptions_of(const machine::Machine& m) {
         "Guys are put up on the unloaded machine with its bodies held where they are given; then their "
         "lengths are kept.");
   }
-  for (std::string& text : tension_assumptions(m)) all.push_back(std::move(text));
+  for (std::string& text : tension_assumptions(m, display)) all.push_back(std::move(text));
   for (std::string& text : beam_assumptions(m)) all.push_back(std::move(text));
   return all;
 }

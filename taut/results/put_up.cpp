@@ -124,7 +124,8 @@ void note_fallen(const machine::Model& model, std::size_t first_guy, const study
   r.warnings.push_back(std::move(text));
 }
 
-std::optional<std::string> unbalanced_guys(const machine::Machine& machine, const study::PutUpMoment& stand) {
+std::optional<std::string> unbalanced_guys(const machine::Machine& machine, const study::PutUpMoment& stand,
+                                           const Display& display) {
   if (!stand.state.outcome.ok()) return std::nullopt;
   std::vector<std::string> all;
   for (const auto& guy : machine.guys) {
@@ -132,8 +133,8 @@ std::optional<std::string> unbalanced_guys(const machine::Machine& machine, cons
     if (!T) continue;
     const double more = *T / guy.install->tension - 1;
     if (std::abs(more) <= in_balance) continue;
-    all.push_back(fmt::format("'{}' has {:.4g} kN in place of {:.4g} kN ({:+.0f} %)", guy.name, *T / 1e3,
-                              guy.install->tension / 1e3, 100 * more));
+    all.push_back(fmt::format("'{}' has {} in place of {} ({:+.0f} %)", guy.name, display.brief(*T, si::N),
+                              display.brief(guy.install->tension, si::N), 100 * more));
   }
   if (all.empty()) return std::nullopt;
   return fmt::format(
@@ -142,39 +143,40 @@ std::optional<std::string> unbalanced_guys(const machine::Machine& machine, cons
       fmt::join(all, ", "));
 }
 
-std::vector<std::string> tension_assumptions(const machine::Machine& machine) {
+std::vector<std::string> tension_assumptions(const machine::Machine& machine, const Display& display) {
+  const auto force = [&](double x) { return display.quantity(x, si::N); };
   std::vector<std::string> all;
   for (const auto& rope : machine.reevings) {
     for (const HeldTension& held : held_tensions(rope)) {
       all.push_back(
-          fmt::format("Rope {}: its tension at its {} is held at {:.6g} kN in every state at rest, as by a "
-                      "counterweight or a winch "
-                      "that holds its pull; a motion begins with it.",
-                      name_of(rope), end_name(held.at_end), held.tension / 1000));
+          fmt::format("Rope {}: its tension at its {} is held at {} in every state at rest, as by a counterweight "
+                      "or a winch that holds its pull; a motion begins with it.",
+                      name_of(rope), end_name(held.at_end), force(held.tension)));
     }
     if (!rope.install) continue;
     const bool at_end = rope.install->at == machine::description::BaseTensionAt::end;
     all.push_back(fmt::format(
-        "Rope {}: put up {} with {:.6g} kN at its {}, at the machine's temperature; its unstretched length is kept in "
+        "Rope {}: put up {} with {} at its {}, at the machine's temperature; its unstretched length is kept in "
         "all other states.",
         name_of(rope),
         rope.install->with.empty() ? "empty" : fmt::format("with {}", fmt::join(rope.install->with, ", ")),
-        rope.install->tension / 1000, end_name(at_end)));
+        force(rope.install->tension), end_name(at_end)));
   }
   for (const auto& one : machine.take_up) {
     if (!one.screw) continue;
     const bool stays = one.keeps == machine::description::ScrewKeeps::place;
-    all.push_back(stays ? fmt::format("The screw of {} pulls {:.6g} kN where it is set: at rest, at the machine's "
+    all.push_back(stays ? fmt::format("The screw of {} pulls {} where it is set: at rest, at the machine's "
                                       "temperature, without its loads. {} stays there in all other states.",
-                                      one.body, *one.screw / 1000, one.body)
-                        : fmt::format("The screw of {} pulls {:.6g} kN in every state, as a ram does that keeps its "
+                                      one.body, force(*one.screw), one.body)
+                        : fmt::format("The screw of {} pulls {} in every state, as a ram does that keeps its "
                                       "force.",
-                                      one.body, *one.screw / 1000));
+                                      one.body, force(*one.screw)));
   }
   return all;
 }
 
-std::vector<std::string> held_tension_warnings(const machine::Machine& machine, const machine::Model& model) {
+std::vector<std::string> held_tension_warnings(const machine::Machine& machine, const machine::Model& model,
+                                               const Display& display) {
   std::vector<std::string> all;
   for (std::size_t i = 0; i < machine.reevings.size(); ++i) {
     const auto& rope = machine.reevings[i];
@@ -187,9 +189,9 @@ std::vector<std::string> held_tension_warnings(const machine::Machine& machine, 
       const machine::Node& end = held.at_end ? nodes.back() : nodes.front();
       if (can_hold(machine, model, end)) continue;
       all.push_back(fmt::format(
-          "tension_at_{} of '{}': the tension at '{}' is held at {:.6g} kN in every state at rest, and no drum or "
-          "take-up is there; for a line with fixed ends give install: {{tension: {:.6g} kN, at: {}}}",
-          end_name(held.at_end), name, end.name, held.tension / 1000, held.tension / 1000, end_name(held.at_end)));
+          "tension_at_{0} of '{1}': the tension at '{2}' is held at {3} in every state at rest, and no drum or take-up "
+          "is there; for a line with fixed ends give install: {{tension: {3}, at: {0}}}",
+          end_name(held.at_end), name, end.name, display.quantity(held.tension, si::N)));
     }
   }
   return all;

@@ -6,6 +6,7 @@
 #include "taut/calc/result.hpp"
 #include "taut/machine/description/machine.hpp"
 #include "taut/study/put_up.hpp"
+#include "taut/units/display.hpp"
 
 namespace taut::checks {
 struct CheckedParts;
@@ -29,13 +30,15 @@ void show_stand_on_guys(const machine::Machine& machine, const study::PutUpMomen
 void note_fallen(const machine::Model& model, std::size_t first_guy, const study::PutUpMoment& stand, Result& r);
 
 /// Names the guys that have another tension there than they are put up with: they are not in balance.
-std::optional<std::string> unbalanced_guys(const machine::Machine& machine, const study::PutUpMoment& stand);
+std::optional<std::string> unbalanced_guys(const machine::Machine& machine, const study::PutUpMoment& stand,
+                                           const Display& display);
 
 /// What a deck's `install:` and given tensions mean, for the assumptions.
-std::vector<std::string> tension_assumptions(const machine::Machine& machine);
+std::vector<std::string> tension_assumptions(const machine::Machine& machine, const Display& display);
 
 /// Of ropes on which carriages ride and whose tension is held where nothing of the deck can hold it: neither a drum
 /// nor a take-up nor a body that may move is at that end.
-std::vector<std::string> held_tension_warnings(const machine::Machine& machine, const machine::Model& model);
+std::vector<std::string> held_tension_warnings(const machine::Machine& machine, const machine::Model& model,
+                                               const Display& display);
 
 }  // namespace taut::results

@@ -16,7 +16,8 @@
 namespace taut::rope {
 namespace {
 
-std::string kilonewton(double force) { return fmt::format("{:.4g} kN", force / 1e3); }
+std::string force(const RopeUse& use, double x) { return use.display.brief(x, si::N); }
+std::string millimetres(const RopeUse& use, double x) { return use.display.brief(x, si::m.in("mm")); }
 
 double ratio_of(const Bend& bend, const RopeUse& use) { return bend.diameter / use.rope.diameter; }
 
@@ -89,7 +90,7 @@ class RopeChecker {
     return trust(doubted && !is_unverified(limit) ? rules_.dynamic_trust : limit);
   }
   std::string strength_words() const {
-    const std::string cold = fmt::format("breaking force {}", kilonewton(use_.rope.breaking_force));
+    const std::string cold = fmt::format("breaking force {}", force(use_, use_.rope.breaking_force));
     return heat_share() < 1 ? fmt::format("{} x {:.3g} ({})", cold, heat_share(), rules_.heat_strength->rule) : cold;
   }
 
@@ -139,7 +140,7 @@ class RopeChecker {
       add(i == 0 ? "safety_factor" : fmt::format("safety_factor_{}", i + 1), strength() / use_.tension, si::one,
           {.sense = Sense::at_least,
            .limit = limit.value,
-           .rule = fmt::format("{} over the largest tension {} ({}): {}", strength_words(), kilonewton(use_.tension),
+           .rule = fmt::format("{} over the largest tension {} ({}): {}", strength_words(), force(use_, use_.tension),
                                use_.where, limit.rule),
            .trust = trust(limit.trust)});
     }
@@ -170,7 +171,7 @@ class RopeChecker {
             {.sense = Sense::at_least,
              .limit = limit.value,
              .rule = fmt::format("{} x {:.3g} of {} over the tension {} at '{}': {}", strength_words(),
-                                 efficiency.value, efficiency.rule, kilonewton(end.tension), end.name, limit.rule),
+                                 efficiency.value, efficiency.rule, force(use_, end.tension), end.name, limit.rule),
              .trust = trust(doubt ? efficiency.trust : limit.trust)});
       }
     }
@@ -199,7 +200,7 @@ class RopeChecker {
                     .limit = limit.value,
                     .rule = fmt::format(
                         "{} x {:.3g} (1 - 0.5/sqrt(D/d), D/d = {:.3g}, unverified) over the tension {} at '{}': {}",
-                        strength_words(), left, ratio_of(bend, use_), kilonewton(bend.tension), bend.name, limit.rule),
+                        strength_words(), left, ratio_of(bend, use_), force(use_, bend.tension), bend.name, limit.rule),
                     .trust = trust("UNVERIFIED: weakening on a sheave, recalled")});
       }
     }
@@ -220,9 +221,9 @@ class RopeChecker {
       const double gamma = ratio > least_ratio_en13001 ? resistance_factor(ratio) : HUGE_VAL;
       const double by_factor = rules_.dynamic_factor * bend.tension, pull = std::max(by_factor, use_.peak);
       const std::string words = use_.peak > by_factor ? fmt::format("F_Sd = {}, the peak of the rope ({}), at '{}'",
-                                                                    kilonewton(pull), use_.peak_where, bend.name)
+                                                                    force(use_, pull), use_.peak_where, bend.name)
                                                       : fmt::format("F_Sd = {:.3g} x {} at '{}'", rules_.dynamic_factor,
-                                                                    kilonewton(bend.tension), bend.name);
+                                                                    force(use_, bend.tension), bend.name);
       keep_worst("resistance", pull, si::N,
                  {.sense = Sense::at_most,
                   .limit = strength() / gamma,
@@ -236,8 +237,8 @@ class RopeChecker {
     if (!rules_.fatigue_history || !rules_.resistance || !has_strength()) return;
     const double by_factor = rules_.dynamic_factor * use_.tension, pull = std::max(by_factor, use_.peak);
     const std::string words = use_.peak > by_factor
-                                  ? fmt::format("{}, the peak of the rope ({})", kilonewton(pull), use_.peak_where)
-                                  : fmt::format("{:.3g} x {}", rules_.dynamic_factor, kilonewton(use_.tension));
+                                  ? fmt::format("{}, the peak of the rope ({})", force(use_, pull), use_.peak_where)
+                                  : fmt::format("{:.3g} x {}", rules_.dynamic_factor, force(use_, use_.tension));
     add("fatigue", pull, si::N,
         {.sense = Sense::at_most,
          .limit = fatigue_pull(strength(), rules_.fatigue_factor, *rules_.fatigue_history),
@@ -252,9 +253,9 @@ class RopeChecker {
     const double peak = peak_tension(use_, rules_);
     if (!(peak > 0) || !has_strength()) return;
     const std::string words = use_.peak > 0 && use_.peak >= rules_.dynamic_factor * use_.tension
-                                  ? fmt::format("peak {} ({})", kilonewton(peak), use_.peak_where)
-                                  : fmt::format("{} = {:.3g} x {} ({})", kilonewton(peak), rules_.dynamic_factor,
-                                                kilonewton(use_.tension), rules_.dynamic_words);
+                                  ? fmt::format("peak {} ({})", force(use_, peak), use_.peak_where)
+                                  : fmt::format("{} = {:.3g} x {} ({})", force(use_, peak), rules_.dynamic_factor,
+                                                force(use_, use_.tension), rules_.dynamic_words);
     if (rules_.dynamic_safety) {
       add("dynamic_safety_factor", strength() / peak, si::one,
           {.sense = Sense::at_least,
@@ -305,8 +306,8 @@ class RopeChecker {
           keep_worst(key, ratio_of(bend, use_), si::one,
                      {.sense = Sense::at_least,
                       .limit = limit.value,
-                      .rule = fmt::format("D/d of '{}', {:.4g} mm over {:.4g} mm: {}", bend.name, bend.diameter * 1e3,
-                                          use_.rope.diameter * 1e3, limit.rule),
+                      .rule = fmt::format("D/d of '{}', {} over {}: {}", bend.name, millimetres(use_, bend.diameter),
+                                          millimetres(use_, use_.rope.diameter), limit.rule),
                       .trust = limit.trust});
         }
       }
@@ -340,7 +341,7 @@ class RopeChecker {
       keep_worst("groove_pressure", groove_pressure(bend.tension, use_.rope.diameter, bend.diameter), si::Pa,
                  {.sense = Sense::at_most,
                   .limit = rules_.groove_pressure->value,
-                  .rule = fmt::format("p = 2 F/(d D) at '{}', F = {}: {}", bend.name, kilonewton(bend.tension),
+                  .rule = fmt::format("p = 2 F/(d D) at '{}', F = {}: {}", bend.name, force(use_, bend.tension),
                                       rules_.groove_pressure->rule),
                   .trust = rules_.groove_pressure->trust});
     }
@@ -357,11 +358,11 @@ class RopeChecker {
       keep_worst("wire_stress", bend.tension / use_.rope.area + bent, si::Pa,
                  {.sense = Sense::at_most,
                   .limit = *use_.rope.grade,
-                  .rule = fmt::format(
-                      "T/A {:.4g} MPa + E_r delta/D {:.4g} MPa at '{}' (delta = {:.3g} mm, {}; an upper bound, "
-                      "Shigley), the bending alone as much as a pull of {}: grade of the wires",
-                      bend.tension / use_.rope.area / 1e6, bent / 1e6, bend.name, wire * 1e3, rules_.wire->rule,
-                      kilonewton(bent * use_.rope.area)),
+                  .rule = fmt::format("T/A {} + E_r delta/D {} at '{}' (delta = {}, {}; an upper bound, "
+                                      "Shigley), the bending alone as much as a pull of {}: grade of the wires",
+                                      use_.display.brief(bend.tension / use_.rope.area, si::Pa),
+                                      use_.display.brief(bent, si::Pa), bend.name, millimetres(use_, wire),
+                                      rules_.wire->rule, force(use_, bent * use_.rope.area)),
                   .trust = doubt ? rules_.wire->trust : "derived"});
     }
   }
@@ -389,16 +390,16 @@ class RopeChecker {
       const double own = use_.copies * drum.tension;
       constexpr double rounding = 1e-9;
       const bool others = drum.haul > (1 + rounding) * own;
-      keep_worst(
-          "last_layer_pull", std::max(own, drum.haul), si::N,
-          {.sense = Sense::at_most,
-           .limit = *rules_.rated_pull * *drum.first_radius / *drum.last_radius,
-           .rule = fmt::format("pull of '{}' in its last layer{}: {} in the first one x {:.4g} m/{:.4g} m", drum.name,
-                               others            ? ", with its other ropes"
-                               : use_.copies > 1 ? fmt::format(", {} ropes", use_.copies)
-                                                 : "",
-                               kilonewton(*rules_.rated_pull), *drum.first_radius, *drum.last_radius),
-           .trust = "user"});
+      keep_worst("last_layer_pull", std::max(own, drum.haul), si::N,
+                 {.sense = Sense::at_most,
+                  .limit = *rules_.rated_pull * *drum.first_radius / *drum.last_radius,
+                  .rule = fmt::format("pull of '{}' in its last layer{}: {} in the first one x {}/{}", drum.name,
+                                      others            ? ", with its other ropes"
+                                      : use_.copies > 1 ? fmt::format(", {} ropes", use_.copies)
+                                                        : "",
+                                      force(use_, *rules_.rated_pull), use_.display.brief(*drum.first_radius, si::m),
+                                      use_.display.brief(*drum.last_radius, si::m)),
+                  .trust = "user"});
     }
   }
 
@@ -457,7 +458,7 @@ namespace {
 /// "tension at rest, 15 kN (load path, in, x = 40 m)". Where no state at rest has as much, what lasts in a motion
 /// stands for it.
 std::string lasting_words(const RopeUse& use) {
-  return fmt::format("tension {}, {}{}", use.lasts ? "that lasts" : "at rest", kilonewton(use.tension),
+  return fmt::format("tension {}, {}{}", use.lasts ? "that lasts" : "at rest", force(use, use.tension),
                      use.where.empty() ? std::string() : fmt::format(" ({})", use.where));
 }
 
@@ -465,17 +466,17 @@ std::string lasting_words(const RopeUse& use) {
 
 std::string why_rest_is_unknown(const RopeUse& use) {
   if (use.peak > sudden_load * use.tension)
-    return fmt::format("the motion reaches {}, more than twice the {}", kilonewton(use.peak), lasting_words(use));
+    return fmt::format("the motion reaches {}, more than twice the {}", force(use, use.peak), lasting_words(use));
   if (goes_beyond_rest(use.mean, use.tension)) {
     return fmt::format(
         "the motion has {} on average ({}), more than the largest {}: a load that comes and goes, or a "
         "slow swing",
-        kilonewton(use.mean), use.mean_where, lasting_words(use));
+        force(use, use.mean), use.mean_where, lasting_words(use));
   }
   return fmt::format(
       "the motion ends with {} on average, more than the largest {}, and not for long enough to tell "
       "whether it stays",
-      kilonewton(use.last), lasting_words(use));
+      force(use, use.last), lasting_words(use));
 }
 
 RopeUse at_peak(RopeUse use) {

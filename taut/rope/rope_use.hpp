@@ -5,6 +5,7 @@
 
 #include "taut/catalogue/rope.hpp"
 #include "taut/math/vector.hpp"
+#include "taut/units/display.hpp"
 
 /// One rope as its machine or its method uses it: what the checks of a rope look at. SI.
 namespace taut::rope {
@@ -65,6 +66,7 @@ struct RopeUse {
   /// The safety factor that the input of a method asks of it, and the method can't judge: it does not know the
   /// strength.
   std::optional<double> own_factor = {};
+  Display display = {};  ///< units of the sentences
 };
 
 }  // namespace taut::rope

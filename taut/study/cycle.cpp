@@ -91,7 +91,7 @@ void add_positions(const CycleRun& run, const Phase& phase, const std::vector<St
       CyclePosition& p = all.emplace_back();
       p.x = point.x;
       p.known = point.at.outcome.ok();
-      answer.missing.take(point.at.outcome, point.x);
+      answer.missing.take(point.at.outcome, point.x, run.display);
       if (!p.known) continue;
       p.z = point.z;
       p.place = point.at.state.bodies[part.model.carriages[run.carriage].body].position;

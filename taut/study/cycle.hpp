@@ -92,6 +92,7 @@ struct CycleRun {
   std::vector<Phase> phases;
   std::vector<Winch> winches;
   std::vector<PhaseAnswer> answers;  ///< fewer than phases where the watch ended them
+  Display display = {};              ///< units of the sentences
 };
 
 /// The request with its names resolved; complaints below `path`.

@@ -152,7 +152,7 @@ class Combination {
       for (const auto& point : path.points) {
         EnvelopeState there = where;
         there.x = point.x;
-        const std::string words = fmt::format("envelope, {}, x = {} m", motion.words, place_number(point.x));
+        const std::string words = fmt::format("envelope, {}, x = {}", motion.words, run_.display.brief(point.x, si::m));
         take(part.model, point.at, there, words);
         if (point.at.outcome.ok()) {
           keep("carriage in the ground", -point.clearance, whole_words(words, there), part.model, point.at);
@@ -218,8 +218,8 @@ class Combination {
     add_bodies(envelope_, m, e, where);
   }
 
-  static std::string whole_words(std::string words, const EnvelopeState& where) {
-    if (!std::isnan(where.load)) words += fmt::format(", {:.6g} kg", where.load);
+  std::string whole_words(std::string words, const EnvelopeState& where) const {
+    if (!std::isnan(where.load)) words += ", " + run_.display.quantity(where.load, si::kg);
     if (!std::isnan(where.temperature)) words += ", " + celsius(where.temperature);
     return words;
   }

@@ -78,6 +78,7 @@ struct EnvelopeRun {
   std::vector<std::string> contrary;  ///< of two ropes that can't both run as declared: sentences
   Missing missing;
   int states = 0;           ///< that were solved
+  Display display = {};     ///< units of the sentences
   bool on_support = false;  ///< some position lies on a support and is left out
 };
 

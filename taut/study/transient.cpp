@@ -415,27 +415,31 @@ std::string branch_words(const machine::Reeving& rope, int branch) {
   return fmt::format("{} to {}", rope.nodes[k].name, rope.nodes[(k + 1) % rope.nodes.size()].name);
 }
 
-/// The SI unit of a number of an event, with a space before it; empty: a plain number.
-std::string_view unit_of_event(std::string_view symbol) {
-  if (symbol == "T" || symbol == "N") return " N";
-  if (symbol == "v") return " m/s";
-  return symbol == "way" || symbol == "L" || symbol == "R" ? " m" : "";
+namespace {
+
+const Unit& unit_of_event(std::string_view symbol) {
+  if (symbol == "T" || symbol == "N") return si::N;
+  if (symbol == "v") return si::m_per_s;
+  return symbol == "way" || symbol == "L" || symbol == "R" ? si::m : si::one;
+}
+
+}  // namespace
+
+std::string values_in_words(const solve::TransientEvent& event, const Display& display) {
+  std::string values;
+  for (const auto& [symbol, value] : event.values) {
+    values += fmt::format("{}{} = {}", values.empty() ? "" : ", ", symbol, display.brief(value, unit_of_event(symbol)));
+  }
+  return values;
 }
 
 const Quantities<solve::TransientEvent>& event_quantities() {
   using Row = solve::TransientEvent;
-  static const Quantities<Row> all = {
-      {"t", "t", si::s, "when it happens", &Row::t},
-      {"what", "", si::one, "what happens", &Row::what},
-      {"where", "", si::one, "where", &Row::where},
-      {"values", "", si::one, "numbers that tell more of it, as text", [](const Row& e) {
-         std::string values;
-         for (const auto& [symbol, value] : e.values) {
-           values += fmt::format("{}{} = {}{}", values.empty() ? "" : ", ", symbol, short_number(value, 4),
-                                 unit_of_event(symbol));
-         }
-         return values;
-       }}};
+  static const Quantities<Row> all = {{"t", "t", si::s, "when it happens", &Row::t},
+                                      {"what", "", si::one, "what happens", &Row::what},
+                                      {"where", "", si::one, "where", &Row::where},
+                                      {"values", "", si::one, "numbers that tell more of it, as text",
+                                       [](const Row& e) { return values_in_words(e, Display()); }}};
   return all;
 }
 

@@ -10,6 +10,7 @@
 #include "taut/solve/motion/transient.hpp"
 #include "taut/study/deck/names.hpp"
 #include "taut/study/transient_record.hpp"
+#include "taut/units/display.hpp"
 
 namespace taut::study {
 
@@ -114,6 +115,9 @@ struct ObservedRow {
 /// balance, and what the rope holds then moves at once.
 bool begins_at_rest(const TransientRun& run, int reeving);
 const Quantities<solve::TransientEvent>& event_quantities();
+
+/// The last of them in units of a display: "T = 11.77 kN".
+std::string values_in_words(const solve::TransientEvent& event, const Display& display);
 const Quantities<ObservedRow>& observed_quantities();
 const Quantities<DynamicRow>& dynamic_quantities();
 

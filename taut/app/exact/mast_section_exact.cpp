@@ -449,8 +449,8 @@ void add_words(const Input& in, const Section& section, Result& r) {
 }
 
 /// No equilibrium at one position.
-void refuse(const Input& in, const Position& p, const Outcome& outcome, Result& r) {
-  const std::string at = in.span ? fmt::format("carriage at {:.4g} m: ", p.out.x) : std::string();
+void refuse(const Input& in, const Position& p, const Outcome& outcome, const Display& display, Result& r) {
+  const std::string at = in.span ? fmt::format("carriage at {}: ", display.brief(p.out.x, si::m)) : std::string();
   if (!is_beyond_method(in)) {
     r.warnings.push_back("second order: " + at + outcome.message);
   } else if (r.status == Status::ok) {
@@ -525,7 +525,7 @@ void complete_mast_section(const Input& in, const Solved& method, EngineMasts& m
     const Outcome outcome = with_share_held(at.model, at.found.outcome);
     positions.push_back(exact_position(p.out.x, at, outcome));
     if (!outcome.ok()) {
-      refuse(in, p, outcome, r);
+      refuse(in, p, outcome, display, r);
       continue;
     }
     take_worst(at, e);

@@ -185,14 +185,15 @@ namespace {
 void check_holding(const AnchorStates& s, Result& r) {
   const AnchorCheckRequest& one = *s.request;
   const std::string where = with_factor(s.where, s.factor);
+  const auto force = [&](double x) { return s.tree.display.brief(x, si::N); };
   if (one.strength) {
-    add_part_check(one.name, "anchor_strength", *one.strength / s.force, si::one,
-                   {.sense = Sense::at_least,
-                    .limit = one.safety_factor,
-                    .rule = fmt::format("strength {:.4g} kN over the largest pull {:.4g} kN ({})", *one.strength / 1e3,
-                                        s.force / 1e3, where),
-                    .trust = "user"},
-                   r);
+    add_part_check(
+        one.name, "anchor_strength", *one.strength / s.force, si::one,
+        {.sense = Sense::at_least,
+         .limit = one.safety_factor,
+         .rule = fmt::format("strength {} over the largest pull {} ({})", force(*one.strength), force(s.force), where),
+         .trust = "user"},
+        r);
   }
   if (one.as_strong_as_rope) {
     if (s.strength_unknown) {

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <numbers>
 
 #include "taut/catalogue/forestry/tree.hpp"
 #include "taut/checks/described.hpp"
@@ -12,13 +11,12 @@
 namespace taut::checks {
 namespace {
 
-constexpr double degree_above_ground = std::numbers::pi / 180;
 constexpr const char* orientation =
     "an orientation for healthy, well rooted trees on firm ground (SEILAPLAN); between its rows by the square of the "
     "diameter";
 
-std::string pull_words(double force, double angle, const std::string& where) {
-  return fmt::format("pull {:.4g} kN at {:.3g} deg above the ground ({})", force / 1e3, angle / degree_above_ground,
+std::string pull_words(double force, double angle, const std::string& where, const Display& display) {
+  return fmt::format("pull {} at {} above the ground ({})", display.brief(force, si::N), display.brief(angle, si::rad),
                      where);
 }
 
@@ -33,7 +31,7 @@ void AnchorTree::take(double pull, double above_ground, const std::string& words
   const double steepest = catalogue::anchor_trees().back().angle_below * (1 - 1e-9);
   const double in_table = std::min(above_ground, steepest);
   const auto known = catalogue::anchor_tree_diameter(pull, in_table);
-  if ((!known || above_ground > steepest) && beyond.empty()) beyond = pull_words(pull, above_ground, words);
+  if ((!known || above_ground > steepest) && beyond.empty()) beyond = pull_words(pull, above_ground, words, display);
   const double least = known.value_or(catalogue::anchor_trees_at(in_table).back().diameter);
   if (least <= diameter) return;
   diameter = least;
@@ -43,7 +41,7 @@ void AnchorTree::take(double pull, double above_ground, const std::string& words
 }
 
 void add_anchor_tree(const std::string& anchor, const AnchorTree& tree, std::optional<double> given, Result& r) {
-  const std::string worst = pull_words(tree.force, tree.angle, tree.where);
+  const std::string worst = pull_words(tree.force, tree.angle, tree.where, tree.display);
   if (const auto needed = tree.needed()) {
     r.values.push_back(
         make_value(named(value_kinds(), "ANCHOR.tree_diameter"), anchor, "", *needed,
@@ -51,8 +49,8 @@ void add_anchor_tree(const std::string& anchor, const AnchorTree& tree, std::opt
   }
   if (!given) return;
   if (!tree.beyond.empty() && *given >= tree.diameter) {
-    r.unmade.push_back(fmt::format("{}: its tree of {:.3g} cm is not judged: beyond the table of anchor trees, {}",
-                                   anchor, *given * 100, tree.beyond));
+    r.unmade.push_back(fmt::format("{}: its tree of {} is not judged: beyond the table of anchor trees, {}", anchor,
+                                   tree.display.brief(*given, si::m.in("cm")), tree.beyond));
     r.warnings.push_back(r.unmade.back());
     return;
   }

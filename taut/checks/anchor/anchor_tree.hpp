@@ -3,6 +3,7 @@
 #include <string>
 
 #include "taut/calc/result.hpp"
+#include "taut/units/display.hpp"
 
 namespace taut::checks {
 
@@ -13,6 +14,7 @@ struct AnchorTree {
   std::string where;            ///< that state, with its factor
   bool level = true;            ///< the deck says nothing of the slope of the ground
   std::string beyond;           ///< a pull whose force or angle is beyond the table, in words; empty: none
+  Display display = {};         ///< units of the sentences
 
   /// The diameter where the table has all of it.
   std::optional<double> needed() const;

@@ -108,8 +108,8 @@ const Quantities<SupportStates>& support_quantities() {
 }
 
 std::string force_words(const SupportStates& s) {
-  return fmt::format("force {:.4g} kN ({}), lashing at {:.3g} m", s.force / 1e3, with_factor(s.where, s.factor),
-                     lashing_height(s));
+  return fmt::format("force {} ({}), lashing at {}", s.display.brief(s.force, si::N), with_factor(s.where, s.factor),
+                     s.display.brief(lashing_height(s), si::m));
 }
 
 /// Why there is no diameter.
@@ -118,8 +118,8 @@ std::string why_none(const SupportStates& s) {
     return fmt::format("its ropes pull it upwards ({}), and the table is one of trees that are pressed", s.upwards);
   if (!s.sideways.empty()) {
     const std::string than = s.trunk_lean == 0 ? "downwards"
-                                               : fmt::format("along its trunk, which leans by {:.3g} deg,",
-                                                             std::abs(s.trunk_lean) * 180 / std::numbers::pi);
+                                               : fmt::format("along its trunk, which leans by {},",
+                                                             s.display.brief(std::abs(s.trunk_lean), si::rad));
     return fmt::format("its ropes pull it more sideways than {} ({}), and the table is one of forces along the trunk",
                        than, s.sideways);
   }
@@ -130,6 +130,7 @@ std::string why_none(const SupportStates& s) {
 void check_tree(const SupportStates& s, Result& r) {
   const std::string& name = s.request->name;
   const auto needed = tree_diameter(s);
+  const auto diameter = [&](double x) { return s.display.brief(x, si::m.in("cm")); };
   if (needed) {
     r.values.push_back(
         make_value(named(value_kinds(), "SUPPORT.tree_diameter"), name, "", *needed,
@@ -139,16 +140,16 @@ void check_tree(const SupportStates& s, Result& r) {
   if (!s.request->tree_diameter) return;
   if (!needed) {
     r.unmade.push_back(
-        fmt::format("{}: its tree of {:.3g} cm is not judged: {}", name, *s.request->tree_diameter * 100, why_none(s)));
+        fmt::format("{}: its tree of {} is not judged: {}", name, diameter(*s.request->tree_diameter), why_none(s)));
     r.warnings.push_back(r.unmade.back());
     return;
   }
   add_part_check(name, "support_tree", *s.request->tree_diameter, si::m.in("cm"),
                  {.sense = Sense::at_least,
                   .limit = *needed,
-                  .rule = fmt::format("diameter at breast height; {}; the table gives {:.3g} cm there (SEILAPLAN), and "
+                  .rule = fmt::format("diameter at breast height; {}; the table gives {} there (SEILAPLAN), and "
                                       "1 cm more for each metre down; it holds for a force along the trunk",
-                                      force_words(s), *lashing_diameter(s) * 100),
+                                      force_words(s), diameter(*lashing_diameter(s))),
                   .trust = "derived"},
                  r);
 }

@@ -20,6 +20,7 @@ struct SupportStates {
   std::string upwards;    ///< the first state in which the ropes pull it upwards; empty: in none
   std::string sideways;   ///< the first state in which they pull it more sideways than along its trunk; empty: in none
   double trunk_lean = 0;  ///< in that state, from the vertical, rad
+  Display display = {};   ///< units of the sentences
 };
 std::vector<SupportStates> support_states(const std::vector<SupportCheckRequest>& supports);
 void take(const CheckState& state, SupportStates& support);

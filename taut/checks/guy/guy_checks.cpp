@@ -55,23 +55,25 @@ void check_safety(const GuyStates& guy, const std::string& name, double strength
   RuleLimit limit{.value = 2, .words = "partial factor of guys, EN 1993-3-1", .trust = by_recalled_gamma};
   if (request.rule) limit = rule_limit(*request.rule, true);
   if (request.safety_factor) limit = {.value = *request.safety_factor, .words = "the deck's own", .trust = "user"};
-  add_strength_check(name, "guy_safety", strength / guy.T_max, si::one,
-                     {.sense = Sense::at_least,
-                      .limit = limit.value,
-                      .rule = fmt::format("breaking force {:.4g} kN over the largest tension {:.4g} kN ({}); {}",
-                                          strength / 1e3, guy.T_max / 1e3, guy.where_max, limit.words),
-                      .trust = limit.trust},
-                     r);
+  add_strength_check(
+      name, "guy_safety", strength / guy.T_max, si::one,
+      {.sense = Sense::at_least,
+       .limit = limit.value,
+       .rule = fmt::format("breaking force {} over the largest tension {} ({}); {}", guy.display.brief(strength, si::N),
+                           guy.display.brief(guy.T_max, si::N), guy.where_max, limit.words),
+       .trust = limit.trust},
+      r);
 }
 
 /// `tensions`: as put up and as pulled, each with its state.
-void check_pretension(const GuyCheckRequest& request, const std::string& name,
+void check_pretension(const GuyStates& guy, const std::string& name,
                       const std::vector<std::pair<double, std::string>>& tensions, double strength, Result& r) {
+  const GuyCheckRequest& request = *guy.request;
   const bool own = request.pretension.size() == 2;
   const double low = own ? request.pretension[0] : 0.08, high = own ? request.pretension[1] : 0.15;
   const auto words = [&](const std::pair<double, std::string>& state) {
-    return fmt::format("tension {}, {:.4g} kN, over the breaking force: {:.3g} to {:.3g}{}", state.second,
-                       state.first / 1e3, low, high, own ? "" : ", EN 1993-3-1 practice");
+    return fmt::format("tension {}, {}, over the breaking force: {:.3g} to {:.3g}{}", state.second,
+                       guy.display.brief(state.first, si::N), low, high, own ? "" : ", EN 1993-3-1 practice");
   };
   const std::string trust = own ? "user" : by_recalled_window;
   const auto [least, most] = std::minmax_element(tensions.begin(), tensions.end(),
@@ -247,7 +249,7 @@ void add_guy_checks(const std::vector<GuyStates>& guys, const CheckedDeck& deck,
     auto tensions = one.pulled;
     if (guy->install) tensions.insert(tensions.begin(), {guy->install->tension, "as put up"});
     if (!tensions.empty()) {
-      check_pretension(*one.request, rope.name, tensions, strength, r);
+      check_pretension(one, rope.name, tensions, strength, r);
     } else if (!one.request->pretension.empty()) {
       r.unmade.push_back(fmt::format(
           "{}: its pretension is not checked: it has a length; give 'install' with the tension", rope.name));

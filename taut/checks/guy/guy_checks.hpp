@@ -29,6 +29,7 @@ struct GuyStates {
   /// What `pretension` analyses have left it at the end at which it is put up, and what it has as the machine stands on
   /// its guys alone, unloaded, N; and which of these.
   std::vector<std::pair<double, std::string>> pulled;
+  Display display = {};  ///< units of the sentences
 };
 std::vector<GuyStates> guy_states(const std::vector<GuyCheckRequest>& guys, const CheckedDeck& deck,
                                   const machine::Model& model);
@@ -85,6 +86,7 @@ struct LineStates {
     LineExtreme most, least;  ///< rad; negative: lifted by so much
   };
   std::vector<Bend> bends;
+  Display display = {};  ///< units of the sentences
 };
 std::vector<LineStates> line_states(const std::vector<LineCheckRequest>& lines, const machine::Model& model);
 void take(const CheckState& state, LineStates& line);

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "taut/base/number.hpp"
 #include "taut/base/suggest.hpp"
 #include "taut/checks/guy/guy_checks.hpp"
 #include "taut/checks/rope/rope_rules.hpp"
@@ -140,9 +139,10 @@ void take_gap(const study::TerrainGap& gap, LineStates& line) {
 }
 
 /// "load path, at rest, x = 40 m, at x = 12 m, 9 m from its fixed end"; the second x along the terrain.
-std::string place_words(const machine::Model& model, const std::string& words, const study::RopeClearance& found) {
-  const std::string place = fmt::format("{}, at x = {} m", words, place_number(terrain_x(model, found.place), 4));
-  return found.to_end ? fmt::format("{}, {:.3g} m from its fixed end", place, *found.to_end) : place;
+std::string place_words(const machine::Model& model, const std::string& words, const study::RopeClearance& found,
+                        const Display& display) {
+  const std::string place = fmt::format("{}, at x = {}", words, display.brief(terrain_x(model, found.place), si::m));
+  return found.to_end ? fmt::format("{}, {} from its fixed end", place, display.brief(*found.to_end, si::m)) : place;
 }
 
 void take_clearance(const machine::Model& model, const FreeRope& rope, const std::string& words, LineStates& line) {
@@ -151,7 +151,7 @@ void take_clearance(const machine::Model& model, const FreeRope& rope, const std
   take_gap(study::terrain_gap(model, terrain_x(model, *low), terrain_x(model, *high)), line);
   const study::RopeClearance found = clearance_of(model, rope);
   if (std::isnan(found.height)) return;
-  line.clearance.least(found.height, place_words(model, words, found));
+  line.clearance.least(found.height, place_words(model, words, found, line.display));
 }
 
 /// The rope at the rounds between its ends: those that do not move may stand on the ground, but the line then is there.
@@ -161,7 +161,7 @@ void take_rounds(const CheckState& state, LineStates& line) {
   const auto take_place = [&](const Vector3& place) {
     const double x = terrain_x(*state.model, place), height = place.z() - study::ground_height(state.model->terrain, x);
     if (std::isnan(height)) return;
-    line.clearance.least(height, fmt::format("{}, at x = {} m", state.words, place_number(x, 4)));
+    line.clearance.least(height, fmt::format("{}, at x = {}", state.words, line.display.brief(x, si::m)));
   };
   const auto& all = state.branches;
   const auto same = [](const CheckBranch& a, const CheckBranch& b) {  // pieces of a rope in segments
@@ -188,7 +188,7 @@ void take_clearance(const CheckState& state, LineStates& line) {
     if (branch.slack && line.slack.empty()) line.slack = state.words;
     const study::RopeClearance found = study::rope_clearance(*state.model, branch);
     if (std::isnan(found.height)) continue;
-    line.clearance.least(found.height, place_words(*state.model, state.words, found));
+    line.clearance.least(found.height, place_words(*state.model, state.words, found, line.display));
   }
 }
 
@@ -211,7 +211,7 @@ void check_clearance(const LineStates& line, Result& r) {
     return;
   }
   if (line.gap.missing() > 0) {
-    r.unmade.push_back(gap_words(request.name, line.gap));
+    r.unmade.push_back(gap_words(request.name, line.gap, line.display));
     r.warnings.push_back(r.unmade.back());
   }
   add_part_check(request.name, "clearance", line.clearance.value, si::m,
@@ -302,7 +302,8 @@ void check_limiter(const LineCheckRequest& request, Result& r) {
                  r);
 }
 
-void check_rating(const LineCheckRequest& request, const machine::Model& model, Result& r) {
+void check_rating(const LineStates& line, const machine::Model& model, Result& r) {
+  const LineCheckRequest& request = *line.request;
   const double own = line_named(model, request.name)->breaking_force;
   const double strength = own > 0 ? own : request.breaking_force.value_or(0);
   const char* trust = "verified";
@@ -312,8 +313,8 @@ void check_rating(const LineCheckRequest& request, const machine::Model& model, 
         {.sense = Sense::at_most,
          .limit = *request.spar_rating,
          .rule = fmt::format("tension limiter or line fuse against the rating on the spar's plate; the rope itself "
-                             "breaks at {:.4g} kN (WAC 296-54-553)",
-                             strength / 1e3),
+                             "breaks at {} (WAC 296-54-553)",
+                             line.display.brief(strength, si::N)),
          .trust = trust},
         r);
     check_limiter(request, r);
@@ -404,7 +405,7 @@ void add_line_checks(const std::vector<LineStates>& lines, const machine::Model&
     check_tail(line, r);
     check_bends(line, r);
     check_clearance(line, r);
-    if (line.request->spar_rating) check_rating(*line.request, model, r);
+    if (line.request->spar_rating) check_rating(line, model, r);
   }
 }
 

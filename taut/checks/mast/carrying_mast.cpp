@@ -212,7 +212,8 @@ void complain_of_carried(const MastCheckRequest& request, const std::string& pat
   }
 }
 
-MastReport carrying_mast(const MastCheckRequest& request, const std::vector<CarriedState>& states, double gravity) {
+MastReport carrying_mast(const MastCheckRequest& request, const std::vector<CarriedState>& states, double gravity,
+                         const Display& display) {
   Combinations combinations(request, states);
   const MastCheckRequest all = combinations.all();
   if (all.combinations.empty()) {
@@ -222,7 +223,7 @@ MastReport carrying_mast(const MastCheckRequest& request, const std::vector<Carr
     none.unseen = true;
     return none;
   }
-  MastReport report = own_mast(all, all.loads, gravity);
+  MastReport report = own_mast(all, all.loads, gravity, display);
   report.left_out.merge(combinations.left_out());
   report.words.push_back(fmt::format(
       "{}: under the ropes over and at {}, in the deck's {} states; motions without the dynamic factor; its own weight "

@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "taut/base/suggest.hpp"
+#include "taut/calc/shown.hpp"
 #include "taut/catalogue/section_search.hpp"
 #include "taut/checks/guy/guy_checks.hpp"
 #include "taut/structure/column.hpp"
@@ -208,6 +209,7 @@ class MachineMast {
       : request_(*mast.request), deck_(deck), model_(model), mast_(mast) {
     const MastCheckRequest& request = request_;
     report_.name = request.name;
+    report_.display = deck.display;
     for (std::size_t i = 0; i < mast.beams.size(); ++i) {
       const Beam& beam = *beam_named(deck, beams_of(request)[i]);
       lengths_.push_back(model.beams[mast.beams[i]].length);
@@ -371,10 +373,11 @@ class MachineMast {
           structure::buckling_length(std::min(section.EI_x, section.EI_y), b.critical_factor, b.compression);
       if (as_rounded * length <= std::max(longest_, *request_.buckling_length)) continue;
       longest_ = length;
+      const auto [given, own] = brief_apart(*request_.buckling_length, length, si::m, deck_.display);
       report_.short_length = fmt::format(
-          "'buckling_length' of {:.4g} m is shorter than that of the machine, {:.4g} m: the beam buckles at {:.4g} "
-          "times its forces ({}); leave 'buckling_length' out, or put what holds the mast into the machine",
-          *request_.buckling_length, length, b.critical_factor, state.words);
+          "'buckling_length' of {} is shorter than that of the machine, {}: the beam buckles at {:.4g} times its "
+          "forces ({}); leave 'buckling_length' out, or put what holds the mast into the machine",
+          given, own, b.critical_factor, state.words);
     }
   }
 
@@ -388,7 +391,7 @@ class MachineMast {
                 : "(6.61) is asked for beside the sections in states without bow and sway as built of EN 1993-1-1, "
                   "5.3.2, in the direction of the bending, the bow from hold to hold of the mast; of second-order "
                   "moments that is on the safe side",
-        request_.buckling_length ? fmt::format("from 'buckling_length', {:.4g} m", *request_.buckling_length)
+        request_.buckling_length ? "from 'buckling_length', " + deck_.display.brief(*request_.buckling_length, si::m)
                                  : "from the critical load of the whole machine"));
   }
 
@@ -561,8 +564,8 @@ void add_machine_masts(const std::vector<MastStates>& masts, const CheckedDeck& 
     const MastCheckRequest& one = *mast.request;
     if (mast.beams.empty()) {
       add_mast_report(one,
-                      one.carries.empty() ? own_mast(one, one.loads, model.gravity)
-                                          : carrying_mast(one, mast.carried, model.gravity),
+                      one.carries.empty() ? own_mast(one, one.loads, model.gravity, deck.display)
+                                          : carrying_mast(one, mast.carried, model.gravity, deck.display),
                       r);
       continue;
     }

@@ -32,8 +32,10 @@ constexpr double same_place = 1e-4;  // m
 const structure::MastCase& case_at(const LoadedMast& m, const MastPlace& at) { return m.cases[at.load_case]; }
 const MastStation& station_at(const LoadedMast& m, const MastPlace& at) { return case_at(m, at).stations[at.station]; }
 
-std::string place_words(const LoadedMast& m, const MastPlace& at) {
-  return fmt::format("{:.4g} m above its base, {}", station_at(m, at).height, case_at(m, at).words);
+std::string place_words(const MastReport& report, const MastPlace& at) {
+  const LoadedMast& m = report.loaded;
+  return fmt::format("{} above its base, {}", report.display.brief(station_at(m, at).height, si::m),
+                     case_at(m, at).words);
 }
 
 /// A limit of the strength of what the mast covers.
@@ -70,18 +72,19 @@ void add_section_checks(const MastReport& report, const MastUse& u, Result& r) {
   const int section_class =
       structure::section_class(steel.section, steel.yield, station_at(m, u.section.at).design).value;
   limit_use(report, "section", u.section.value,
-            fmt::format("{} in one section ({}, class {}, f_y = {:.4g} MPa), EN 1993-1-1, {}; {}",
+            fmt::format("{} in one section ({}, class {}, f_y = {}), EN 1993-1-1, {}; {}",
                         counts_torsion(u) ? "N, M, V and torsion" : "N, M and V", steel.section.name, section_class,
-                        steel.yield / 1e6, section_class < 3 ? "6.2.9.1" : "(6.42)", place_words(m, u.section.at)),
+                        report.display.brief(steel.yield, si::Pa), section_class < 3 ? "6.2.9.1" : "(6.42)",
+                        place_words(report, u.section.at)),
             recalled_section, r);
   limit_use(report, "shear", u.shear.value,
-            fmt::format("V over V_pl,T, EN 1993-1-1, (6.18), (6.28); {}", place_words(m, u.shear.at)),
+            fmt::format("V over V_pl,T, EN 1993-1-1, (6.18), (6.28); {}", place_words(report, u.shear.at)),
             "UNVERIFIED: shear areas as recalled", r);
   if (!counts_torsion(u)) return;
   const auto& twisted = m.mast.parts[u.torsion.at.part].member.steel;
   limit_use(report, "torsion", u.torsion.value,
             fmt::format("T over T_Rd = W_t f_y/(sqrt(3) gamma_M0) of {}, EN 1993-1-1, (6.23); {}", twisted.section.name,
-                        place_words(m, u.torsion.at)),
+                        place_words(report, u.torsion.at)),
             "derived", r);
 }
 
@@ -123,7 +126,7 @@ void add_stress_check(const MastCheckRequest& request, const MastReport& report,
       {.sense = Sense::at_most,
        .limit = allowed,
        .rule = fmt::format("N/A + M/W{} <= [sigma] without other factors, Shoshin et al. 2022, (12)-(14); {}",
-                           counts_torsion(u) ? ", with torsion sqrt(sigma^2 + 3 tau^2)," : "", place_words(m, at)),
+                           counts_torsion(u) ? ", with torsion sqrt(sigma^2 + 3 tau^2)," : "", place_words(report, at)),
        .trust = trust_of_stress(request, report, at.part)},
       r);
 }
@@ -229,7 +232,7 @@ void write_mast(const MastCheckRequest& request, const MastReport& report, const
   Sheet<Num> s("EN 1993-1-1", MastCheckRequest::describe(), &request);
   const LoadedMast& m = report.loaded;
   const auto& steel = m.mast.parts[u.section.at.part].member.steel;
-  s.section(fmt::format("{}: its worst section, {}", report.name, place_words(m, u.section.at)));
+  s.section(fmt::format("{}: its worst section, {}", report.name, place_words(report, u.section.at)));
   const auto& design = station_at(m, u.section.at).design;
   write_class(steel.section, steel.yield, design, s);
   cross_section(steel, design, s);
@@ -306,9 +309,9 @@ std::string factor_words(const MastCheckRequest& request, const MastReport& repo
   const MastMaterial& first = report.materials.front();
   if (first.allowable_stress) {
     words += fmt::format(
-        "; by [sigma] = {:.4g} MPa forces have no factor, bending is elastic, and f_y/[sigma] = {:.4g} stands for all "
+        "; by [sigma] = {} forces have no factor, bending is elastic, and f_y/[sigma] = {:.4g} stands for all "
         "factors, buckling and dynamics together",
-        *first.allowable_stress / 1e6, first.yield / *first.allowable_stress);
+        report.display.brief(*first.allowable_stress, si::Pa), first.yield / *first.allowable_stress);
   }
   return words + ".";
 }

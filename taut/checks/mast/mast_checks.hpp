@@ -39,6 +39,7 @@ std::optional<structure::Curve> curve_of(const MastCheckRequest& request);
 /// What is to be reported of a mast.
 struct MastReport {
   std::string name;
+  Display display;  ///< units of the sentences
   std::vector<std::string>
       covers;  ///< the beams that it is, or the mast of the method; empty: a mast beside the machine
   structure::LoadedMast loaded;
@@ -91,7 +92,7 @@ bool counts_put_up_in_all(const MastCheckRequest& request);
 /// Such a mast, solved. `loads`: in place of those in the request; `gravity`: of its own weight, m/s2. Of more than 500
 /// combinations, as a motion has them, the cases are those that decide a check or a number of the report.
 MastReport own_mast(const MastCheckRequest& request, const std::vector<MastLoadRequest>& loads,
-                    double gravity = standard_gravity);
+                    double gravity = standard_gravity, const Display& display = {});
 
 /// What the ropes of a machine do to a mast that carries their sheaves and anchors, in one state.
 struct CarriedState {
@@ -104,12 +105,13 @@ void complain_of_carried(const MastCheckRequest& request, const std::string& pat
                          const std::vector<std::string>& analyses, std::vector<Complaint>& complaints);
 /// Such a mast under each of the states, with the loads that the deck gives besides. Motions come without the dynamic
 /// factor.
-MastReport carrying_mast(const MastCheckRequest& request, const std::vector<CarriedState>& states, double gravity);
+MastReport carrying_mast(const MastCheckRequest& request, const std::vector<CarriedState>& states, double gravity,
+                         const Display& display = {});
 
 /// The masts of a deck with a published method: those with loads, and of `mast_section` without loads the method's own
 /// resultants on its blocks.
 void complain_of_method_masts(const std::vector<MastCheckRequest>& masts, const std::string& method,
                               std::vector<Complaint>& complaints);
-void add_method_masts(const std::vector<MastCheckRequest>& masts, Result& r);
+void add_method_masts(const std::vector<MastCheckRequest>& masts, const Display& display, Result& r);
 
 }  // namespace taut::checks

@@ -101,9 +101,9 @@ void add_mast_choice(const MastCheckRequest& request, const MastReport& report, 
       make_value(named(value_kinds(), "MAST.chosen_mass"), report.name, "", best->section.mass_per_length,
                  fmt::format("mass of {}, the lightest that passes, of {}", best->section.name, report.name)));
   r.assumptions.push_back(fmt::format(
-      "{}: {} ({:.4g} kg/m) is the lightest section of the catalogue that passes; chosen under the forces found here: "
+      "{}: {} ({}) is the lightest section of the catalogue that passes; chosen under the forces found here: "
       "run the deck with it.",
-      report.name, best->section.name, best->section.mass_per_length));
+      report.name, best->section.name, report.display.brief(best->section.mass_per_length, si::kg_per_m)));
 }
 
 }  // namespace taut::checks

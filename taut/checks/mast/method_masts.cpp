@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "taut/calc/answers.hpp"
+#include "taut/calc/shown.hpp"
 #include "taut/checks/mast/mast_checks.hpp"
 
 namespace taut::checks {
@@ -18,7 +19,7 @@ double given_number(const Result& r, const char* key) {
 }
 
 /// The forces of `mast_section` on its two blocks, of every load case.
-std::vector<MastLoadRequest> loads_of_mast_section(const Result& r) {
+std::vector<MastLoadRequest> loads_of_mast_section(const Result& r, const Display& display) {
   const Table* cases = r.find_table("load_cases");
   if (cases == nullptr) return {};
   const double h_sky = given_number(r, "skyline_block_height");
@@ -30,7 +31,7 @@ std::vector<MastLoadRequest> loads_of_mast_section(const Result& r) {
     const double x = force("x");
     MastLoadRequest sky;
     sky.load_case = fmt::format("{} {}{}", i + 1, text_in(*cases, i, "directions"),
-                                std::isnan(x) ? std::string() : fmt::format(", carriage at {:.4g} m", x));
+                                std::isnan(x) ? std::string() : ", carriage at " + display.brief(x, si::m));
     MastLoadRequest main = sky;
     sky.at = h_sky, sky.down = force("sky_down"), sky.across = force("sky_across"), sky.sideways = force("sideways");
     main.at = h_main, main.down = force("main_down"), main.across = force("main_across");
@@ -66,16 +67,16 @@ void complain_of_method_masts(const std::vector<MastCheckRequest>& masts, const 
   }
 }
 
-void add_method_masts(const std::vector<MastCheckRequest>& masts, Result& r) {
+void add_method_masts(const std::vector<MastCheckRequest>& masts, const Display& display, Result& r) {
   if (r.status != Status::ok) return;
   for (const MastCheckRequest& one : masts) {
     if (!one.loads.empty()) {
-      MastReport report = own_mast(one, one.loads);
+      MastReport report = own_mast(one, one.loads, standard_gravity, display);
       if (one.name == methods_mast) report.covers = {methods_mast};
       add_mast_report(one, report, r);
       continue;
     }
-    const std::vector<MastLoadRequest> loads = loads_of_mast_section(r);
+    const std::vector<MastLoadRequest> loads = loads_of_mast_section(r, display);
     if (loads.empty()) continue;
     if (has_guys(r)) {
       r.unjudged.push_back(
@@ -87,13 +88,13 @@ void add_method_masts(const std::vector<MastCheckRequest>& masts, Result& r) {
     MastCheckRequest own = one;
     const double top = std::max(*loads[0].at, *loads[1].at);
     if (own.height && *own.height < top) {
+      const auto [height, block] = brief_apart(*own.height, top, si::m, display);
       r.warnings.push_back(
-          fmt::format("{}: its height of {:.4g} m is less than that of its higher block: it is checked "
-                      "with {:.4g} m",
-                      one.name, *own.height, top));
+          fmt::format("{}: its height of {} is less than that of its higher block: it is checked with {}", one.name,
+                      height, block));
     }
     if (!own.height || *own.height < top) own.height = top;
-    MastReport report = own_mast(own, loads);
+    MastReport report = own_mast(own, loads, standard_gravity, display);
     report.covers = {methods_mast};
     report.words.push_back(
         fmt::format("{}: under the forces of the method on its blocks, each rope hauled in, paid out and at rest, at "

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "taut/base/suggest.hpp"
+#include "taut/calc/shown.hpp"
 #include "taut/catalogue/section_search.hpp"
 #include "taut/checks/mast/mast_checks.hpp"
 
@@ -154,14 +155,16 @@ BucklingLength buckling_length_of(const structure::ColumnMastResult& solved) {
 }
 
 /// What is wrong with the buckling length of the deck; else empty.
-std::string short_length(const MastCheckRequest& request, const structure::ColumnMastResult& solved) {
+std::string short_length(const MastCheckRequest& request, const structure::ColumnMastResult& solved,
+                         const Display& display) {
   if (!request.buckling_length) return {};
   const BucklingLength own = buckling_length_of(solved);
   if (as_rounded * own.length <= *request.buckling_length) return {};
+  const auto [given, length] = brief_apart(*request.buckling_length, own.length, si::m, display);
   return fmt::format(
-      "'buckling_length' of {:.4g} m is shorter than that of the mast with its 'base' and 'top_stiffness', {:.4g} m "
-      "({}); leave 'buckling_length' out, or describe what holds the mast",
-      *request.buckling_length, own.length, own.where);
+      "'buckling_length' of {} is shorter than that of the mast with its 'base' and 'top_stiffness', {} ({}); leave "
+      "'buckling_length' out, or describe what holds the mast",
+      given, length, own.where);
 }
 
 void use_length(const MastCheckRequest& request, structure::LoadedMast& m) {
@@ -405,9 +408,12 @@ bool counts_put_up_in_all(const MastCheckRequest& request) {
   return std::none_of(request.combinations.begin(), request.combinations.end(), names_it);
 }
 
-MastReport own_mast(const MastCheckRequest& request, const std::vector<MastLoadRequest>& loads, double gravity) {
+MastReport own_mast(const MastCheckRequest& request, const std::vector<MastLoadRequest>& loads, double gravity,
+                    const Display& display) {
+  const auto millimetres = [&](double x) { return display.brief(x, si::m.in("mm")); };
   MastReport report;
   report.name = request.name;
+  report.display = display;
   ColumnMast column = own_column(request, loads, gravity);
   for (const MastPieceRequest& given : pieces_of(request)) {
     FoundPiece found = piece_of(request, given, {}).value();  // complain_of_own_mast has seen them
@@ -423,28 +429,29 @@ MastReport own_mast(const MastCheckRequest& request, const std::vector<MastLoadR
   constexpr double small = 0.1;  // rad; a column of small rotations is then wrong by 0.5 %
   if (report.refused.empty() && !column.clamped_base && solved.top_displacement > small * height_of(request)) {
     report.refused = fmt::format(
-        "it is not checked: on its hinge it turns so far that its top moves by {:.4g} m, which is beyond small "
-        "rotations; hold its top more stiffly",
-        solved.top_displacement);
+        "it is not checked: on its hinge it turns so far that its top moves by {}, which is beyond small rotations; "
+        "hold "
+        "its top more stiffly",
+        display.brief(solved.top_displacement, si::m));
     report.unseen = true;
   }
-  report.short_length = short_length(request, solved);
+  report.short_length = short_length(request, solved, display);
   report.loaded = loaded_of(request, solved);
   constexpr double no_way = 1e-9;  // m: what rounding leaves of a top that is held
   const double top = std::abs(solved.top_displacement) < no_way ? 0 : solved.top_displacement;
   report.words.push_back(fmt::format(
       "{}: a column in its bent shape, {} below, its top {}; as built leaning by {:.4g}{}; largest displacement of its "
-      "top {:.4g} mm, critical over present load {:.4g}. Members by moments of first order.",
+      "top {}, critical over present load {:.4g}. Members by moments of first order.",
       request.name, column.clamped_base ? "clamped" : "hinged",
       column.top_stiffness == 0          ? "free"
       : std::isinf(column.top_stiffness) ? "held"
                                          : "held elastically",
       solved.sway,
-      solved.bow > 0      ? fmt::format(", with a bow of {:.4g} mm", solved.bow * 1e3)
+      solved.bow > 0      ? ", with a bow of " + millimetres(solved.bow)
       : !solved.pressed   ? std::string(", without a bow: it is pressed nowhere and has no buckling length")
       : request.bow == 0. ? std::string(", without a bow as given")
                           : std::string(", no bow needed by (5.8)"),
-      top * 1e3, solved.critical_factor));
+      millimetres(top), solved.critical_factor));
   if (request.pieces.empty()) {
     report.in_section = [request, column, shown = shown.combinations](
                             const catalogue::SectionRow& row) -> std::optional<structure::LoadedMast> {

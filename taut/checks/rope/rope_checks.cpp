@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "taut/base/suggest.hpp"
+#include "taut/calc/shown.hpp"
 #include "taut/checks/checks.hpp"
 #include "taut/checks/described.hpp"
 #include "taut/checks/rope/rope_life.hpp"
@@ -101,11 +102,10 @@ void warn_of_peaks(const rope::RopeUse& use, const rope::RopeRules& rules, Resul
     const bool layers = drum.first_radius && drum.last_radius;
     const double rated = *rules.rated_pull * (layers ? *drum.first_radius / *drum.last_radius : 1);
     if (!(drum.haul_peak > rated)) continue;
-    warn_unsafe(
-        r, fmt::format("'{}' pulls up to {:.4g} kN in a motion, {:.3g} of its rated pull of {:.4g} kN{}: its drive "
-                       "has to be able to",
-                       drum.name, drum.haul_peak / 1e3, drum.haul_peak / rated, rated / 1e3,
-                       layers ? " in its last layer" : ""));
+    const auto [pull, most] = brief_apart(drum.haul_peak, rated, si::N, use.display);
+    warn_unsafe(r, fmt::format("'{}' pulls up to {} in a motion, {:.3g} of its rated pull of {}{}: its drive has to be "
+                               "able to",
+                               drum.name, pull, drum.haul_peak / rated, most, layers ? " in its last layer" : ""));
   }
 }
 
@@ -126,7 +126,7 @@ void add_checks_of(const RopeCheckRequest& request, const AskedRules& asked, con
   const rope::RopeRules rules = rope_rules(request, asked, use.rope, around);
   rope::RopeChecks found = rope::check_rope(use, rules);
   // the rope of the deck has them; a candidate of a design need not
-  for (const MissingLimit& one : missing_limits(request, asked, use.rope, rules)) {
+  for (const MissingLimit& one : missing_limits(request, asked, use.rope, rules, use.display)) {
     found.left_out.push_back(fmt::format("{}: {} is not checked: {}", use.name, one.key, one.words));
   }
   // a candidate must not win because no rule knows its construction

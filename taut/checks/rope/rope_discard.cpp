@@ -141,7 +141,7 @@ void add_diameter(const rope::RopeUse& use, std::vector<DiscardRow>& rows) {
   if (!row || !row->low) return;
   const double least = use.rope.diameter > 0 ? use.rope.diameter * (1 - *row->low) : none;
   std::string words = row->text;
-  if (!std::isnan(least)) words += fmt::format(": {:.4g} mm", least * 1e3);
+  if (!std::isnan(least)) words += ": " + use.display.brief(least, si::m.in("mm"));
   if (core.empty()) words += "; core not known";
   rows.push_back({.criterion = row->item,
                   .least_diameter = least,

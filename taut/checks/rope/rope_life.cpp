@@ -167,9 +167,10 @@ HardestBend hardest_bend(const RopeCheckRequest& request, const rope::RopeUse& u
   const auto take = [&](const rope::Bend& bend, double load, const std::string& duty) {
     const double pull = dynamic_factor * load * bend.tension;
     if (pull <= hardest.pull) return;
-    hardest = {.pull = pull,
-               .words = fmt::format("{:.3g} x {:.4g} kN at '{}'{}", dynamic_factor * load, bend.tension / 1e3,
-                                    bend.name, duty.empty() ? "" : fmt::format(" in the duty '{}'", duty))};
+    hardest = {
+        .pull = pull,
+        .words = fmt::format("{:.3g} x {} at '{}'{}", dynamic_factor * load, use.display.brief(bend.tension, si::N),
+                             bend.name, duty.empty() ? "" : fmt::format(" in the duty '{}'", duty))};
   };
   for (const rope::Bend& bend : use.bends) {
     if (bend.kind == rope::BendKind::saddle) continue;

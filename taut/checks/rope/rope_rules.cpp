@@ -546,25 +546,27 @@ rope::RopeRules rope_rules(const RopeCheckRequest& request, const AskedRules& as
 namespace {
 
 /// Why the tables have no row for the end of a rope: "a rope of 32 mm: up to 25.4 mm", "a fibre core".
-std::string rope_of_end(const std::string& termination, const catalogue::RopeRow& rope) {
+std::string rope_of_end(const std::string& termination, const catalogue::RopeRow& rope, const Display& display) {
   const auto row = rule_named(fmt::format("termination.{}.{}", termination, rope.core == "FC" ? "FC" : "IWRC"));
   if (!row) return "a fibre core";
   if (!row->up_to) return "such a rope";
-  const std::string up_to = fmt::format("they hold up to {:.4g} mm", *row->up_to * 1e3);
-  return rope.diameter > 0 ? fmt::format("a rope of {:.4g} mm ({})", rope.diameter * 1e3, up_to)
+  const auto diameter = [&](double d) { return display.brief(d, si::m.in("mm")); };
+  const std::string up_to = "they hold up to " + diameter(*row->up_to);
+  return rope.diameter > 0 ? fmt::format("a rope of {} ({})", diameter(rope.diameter), up_to)
                            : fmt::format("a rope whose diameter is not known ({})", up_to);
 }
 
 }  // namespace
 
 std::vector<MissingLimit> missing_limits(const RopeCheckRequest& request, const AskedRules& asked,
-                                         const catalogue::RopeRow& rope, const rope::RopeRules& rules) {
+                                         const catalogue::RopeRow& rope, const rope::RopeRules& rules,
+                                         const Display& display) {
   std::vector<MissingLimit> missing;
   if (!asked.termination.empty() && !rules.termination) {
     missing.push_back({.key = "termination",
                        .words = fmt::format("the tables have no efficiency of '{}' for {}; give "
                                             "'termination_efficiency'",
-                                            asked.termination, rope_of_end(asked.termination, rope))});
+                                            asked.termination, rope_of_end(asked.termination, rope, display))});
   }
   if (request.wire_diameter && !(rope.grade && rope.area > 0 && rope.diameter > 0)) {
     missing.push_back(

@@ -46,7 +46,8 @@ struct MissingLimit {
   std::string words;  ///< why, and what to give instead
 };
 std::vector<MissingLimit> missing_limits(const RopeCheckRequest& request, const AskedRules& asked,
-                                         const catalogue::RopeRow& rope, const rope::RopeRules& rules);
+                                         const catalogue::RopeRow& rope, const rope::RopeRules& rules,
+                                         const Display& display = {});
 
 /// Complaints of them, for the rope of the deck.
 void complain_of_limits(const RopeCheckRequest& request, const AskedRules& asked, const catalogue::RopeRow& rope,

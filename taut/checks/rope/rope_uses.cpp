@@ -165,6 +165,7 @@ RopeUses::RopeUses(const CheckedDeck& deck, const machine::Model& model)
   const machine::State described = described_places(model);
   for (std::size_t i = 0; i < uses_.size(); ++i) {
     uses_[i].name = model.reevings[i].name;
+    uses_[i].display = deck.display;
     uses_[i].closed = model.reevings[i].closed;
     uses_[i].copies = model.reevings[i].copies;
     uses_[i].rope = row_in(deck, rope_name_of(deck.machine, i));
@@ -307,9 +308,9 @@ void RopeUses::take_motion(int reeving, const solve::RopeExtreme& extreme, bool 
       T.t_max >= (1 - same_time) * lasting.last_moment() && T.max > (1 + still_grows) * lasting.before_end();
   if (grows && rope::goes_beyond_rest(T.max, use.tension)) {
     growing_.push_back(fmt::format(
-        "{}: the tension of {} is largest where the motion ends, {:.4g} kN at t = {:.4g} s: its peak may lie "
-        "behind the end; give a longer 'duration'",
-        words, use.name, T.max / 1e3, T.t_max));
+        "{}: the tension of {} is largest where the motion ends, {} at t = {:.4g} s: its peak may lie behind "
+        "the end; give a longer 'duration'",
+        words, use.name, use.display.brief(T.max, si::N), T.t_max));
   }
   if (T.max <= use.peak) return;
   use.peak = T.max;

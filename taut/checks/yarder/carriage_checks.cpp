@@ -24,12 +24,13 @@ void check_rope_of_carriage(const CarriageStates& s, Result& r) {
     r.warnings.push_back(r.unmade.back());
     return;
   }
+  const auto diameter = [&](double d) { return s.display.brief(d, si::m.in("mm")); };
   const auto add = [&](const char* name, Sense sense, double limit) {
     add_part_check(car.name, name, s.rope_diameter, si::m.in("mm"),
                    {.sense = sense,
                     .limit = limit,
-                    .rule = fmt::format("diameter of '{}', on which the carriage rides; {:.3g} to {:.3g} mm", car.rides,
-                                        car.rope_diameters.front() * 1e3, car.rope_diameters.back() * 1e3),
+                    .rule = fmt::format("diameter of '{}', on which the carriage rides; {} to {}", car.rides,
+                                        diameter(car.rope_diameters.front()), diameter(car.rope_diameters.back())),
                     .trust = car.rating_trust},
                    r);
   };

@@ -15,6 +15,7 @@ struct CarriageStates {
   const machine::description::Carriage* given = nullptr;
   double rope_diameter = 0;  ///< of the rope on which it rides, m; 0: not known
   LineExtreme load;          ///< on it, kg
+  Display display = {};      ///< units of the sentences
 };
 std::vector<CarriageStates> carriage_states(const CheckedDeck& deck, const machine::Model& model);
 void take(const CheckState& state, CarriageStates& carriage);

@@ -76,21 +76,24 @@ const Quantities<YarderLineStates>& yarder_quantities() {
 
 std::string capacity_words(const YarderLineStates& s) {
   const catalogue::YarderDrum& drum = drum_of(s);
-  if (drum.core)
-    return fmt::format("layers of {:.3g} mm within the flanges of '{}'", s.diameter * 1e3, s.request->row.name);
-  return fmt::format("{:.4g} m of {:.3g} mm on '{}', times ({:.3g}/{:.3g})^2", *drum.capacity, *drum.at_diameter * 1e3,
-                     s.request->row.name, *drum.at_diameter * 1e3, s.diameter * 1e3);
+  const auto diameter = [&](double d) { return s.display.brief(d, si::m.in("mm")); };
+  const std::string own = diameter(s.diameter);
+  if (drum.core) return fmt::format("layers of {} within the flanges of '{}'", own, s.request->row.name);
+  const std::string rated = diameter(*drum.at_diameter);
+  return fmt::format("{0} of {1} on '{2}', times ({1}/{3})^2", s.display.brief(*drum.capacity, si::m), rated,
+                     s.request->row.name, own);
 }
 
 void check_length(const YarderLineStates& s, Result& r) {
+  const auto length = [&](double x) { return s.display.brief(x, si::m); };
   const bool lateral = s.line.line == "mainline" && s.request->lateral > 0;
-  const std::string aside = lateral ? fmt::format(", {:.4g} m to the side", s.request->lateral) : "";
+  const std::string aside = lateral ? fmt::format(", {} to the side", length(s.request->lateral)) : "";
   add_part_check(
       s.request->name, s.line.line + "_length", needed_length(s), si::m,
       {.sense = Sense::at_most,
        .limit = available_length(drum_of(s), s.diameter),
-       .rule = fmt::format("length of '{}' that is needed: {:.4g} m in use ({}), {:.4g} m spare{}; available: {}",
-                           s.line.reeving, s.in_use.value, s.in_use.where, s.request->spare, aside, capacity_words(s)),
+       .rule = fmt::format("length of '{}' that is needed: {} in use ({}), {} spare{}; available: {}", s.line.reeving,
+                           length(s.in_use.value), s.in_use.where, length(s.request->spare), aside, capacity_words(s)),
        .trust = catalogue::trust_words(drum_of(s))},
       r);
 }

@@ -15,11 +15,12 @@ struct YarderLineStates {
   const YarderCheckRequest* request = nullptr;
   YarderLineRequest line;
   int reeving = 0;
-  double diameter = 0;  ///< of its rope, m
-  int copies = 1;       ///< of it, all on the drum; lengths and tensions are of all of them
-  LineExtreme in_use;   ///< unstretched length between its ends, m
-  LineExtreme tension;  ///< at its end on the drum, else the larger one of both ends, N
-  LineExtreme put_up;   ///< the same while it is put up
+  double diameter = 0;   ///< of its rope, m
+  int copies = 1;        ///< of it, all on the drum; lengths and tensions are of all of them
+  LineExtreme in_use;    ///< unstretched length between its ends, m
+  LineExtreme tension;   ///< at its end on the drum, else the larger one of both ends, N
+  LineExtreme put_up;    ///< the same while it is put up
+  Display display = {};  ///< units of the sentences
 };
 std::vector<YarderLineStates> yarder_states(const std::vector<YarderCheckRequest>& yarders,
                                             const machine::Model& model);

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <map>
 
-#include "taut/base/number.hpp"
 #include "taut/calc/answers.hpp"
 #include "taut/calc/none.hpp"
 #include "taut/checks/checked_parts.hpp"
@@ -177,10 +176,9 @@ bool refuse_given_energy(const study::CycleRun& run, Result& r) {
     }
     study::note_failure(
         r,
-        infeasible(fmt::format("a rope runs against the declared motion, so that friction gives {:.3g} kJ "
-                               "({}): declare the senses of these contacts, as in 'motion: {{{}}}' (0: "
-                               "without loss)",
-                               given / 1e3, where, senses)),
+        infeasible(fmt::format("a rope runs against the declared motion, so that friction gives {} ({}): "
+                               "declare the senses of these contacts, as in 'motion: {{{}}}' (0: without loss)",
+                               run.display.brief(given, si::J), where, senses)),
         fmt::format("cycle{}, {}", run.ending, run.phases[i].name));
   }
   return some;
@@ -196,23 +194,25 @@ std::vector<QuantityWords> cycle_words() {
 
 void add_answer(const study::CycleRun& asked, MachineRun& machine, Result& r) {
   study::CycleRun run = asked;
-  study::Watch watch(machine.progress, "cycle" + run.ending, states_of(run));
+  run.display = machine.display;
+  study::Watch watch(machine.progress, "cycle" + run.ending, states_of(run), machine.display);
   study::solve(machine.model, run, watch,
                [&](const machine::Model& model, const study::LoadPathPoint& point, const study::Phase& phase) {
-                 machine.checked->take(model, point.at,
-                                       fmt::format("cycle, {}, x = {} m", phase.name, place_number(point.x)),
-                                       checks::analysis_name(run.ending, "cycle"));
+                 machine.checked->take(
+                     model, point.at,
+                     fmt::format("cycle, {}, x = {}", phase.name, machine.display.brief(point.x, si::m)),
+                     checks::analysis_name(run.ending, "cycle"));
                });
   bool complete = true, gives = false;  // friction, energy
   for (std::size_t i = 0; i < run.answers.size(); ++i) {
     const study::PhaseAnswer& answer = run.answers[i];
     const std::string words = fmt::format("cycle{}, {}", run.ending, run.phases[i].name);
-    if (const auto left_out = study::left_out_words(machine.model, run.phases[i].way)) {
+    if (const auto left_out = study::left_out_words(machine.model, run.phases[i].way, machine.display)) {
       r.warnings.push_back(fmt::format("{}: {}", words, *left_out));
     }
     answer.missing.note(r, words, machine.checked->judged);
     complete = complete && !answer.missing.any();
-    if (const auto wrong = study::wrong_senses(answer.senses)) {
+    if (const auto wrong = study::wrong_senses(answer.senses, machine.display)) {
       study::note_failure(r, infeasible(*wrong), words);
       gives = true;
     }

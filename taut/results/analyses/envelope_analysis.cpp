@@ -42,7 +42,8 @@ void add_tensions(const study::EnvelopeRun& run, const Display& display, Result&
 
 void add_answer(const study::EnvelopeRun& asked, MachineRun& machine, Result& r) {
   study::EnvelopeRun run = asked;
-  study::Watch watch(machine.progress, "envelope" + run.ending, states_of(run));
+  run.display = machine.display;
+  study::Watch watch(machine.progress, "envelope" + run.ending, states_of(run), machine.display);
   study::solve(machine.model, run, watch,
                [&](const machine::Model& model, const solve::EquilibriumResult& state, const std::string& words) {
                  machine.checked->take(model, state, words, checks::analysis_name(run.ending, "envelope"));
@@ -52,7 +53,7 @@ void add_answer(const study::EnvelopeRun& asked, MachineRun& machine, Result& r)
   }
   watch.note(r);
   run.missing.note(r, "envelope" + run.ending, machine.checked->judged);
-  if (const auto words = run.carriage ? study::left_out_words(machine.model, run.way) : std::nullopt) {
+  if (const auto words = run.carriage ? study::left_out_words(machine.model, run.way, machine.display) : std::nullopt) {
     r.warnings.push_back(fmt::format("envelope{}: {}", run.ending, *words));
   }
   if (run.on_support) r.warnings.emplace_back("envelope: positions on a support are left out");

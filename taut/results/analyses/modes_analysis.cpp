@@ -233,7 +233,7 @@ void judge_rest(const study::ModesRun& run, MachineRun& machine, Result& r) {
   sagging.branches = solve::Branches::catenary;
   const auto hangs = solve::rest_of_modes(run.model, sagging);
   if (hangs) checked.take_rest(run.model, *hangs, true, words, analysis);
-  for (std::string& one : sag_warnings(run.words, run.model, run.result.rest, hangs)) {
+  for (std::string& one : sag_warnings(run.words, run.model, run.result.rest, hangs, {}, checked.deck->display)) {
     if (asks && !hangs && !by_statics) r.unmade.push_back(one);
     r.warnings.push_back(std::move(one));
   }

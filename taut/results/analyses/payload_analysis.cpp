@@ -7,7 +7,6 @@
 #include <numeric>
 #include <set>
 
-#include "taut/base/number.hpp"
 #include "taut/calc/answers.hpp"
 #include "taut/calc/none.hpp"
 #include "taut/calc/quantity.hpp"
@@ -247,7 +246,7 @@ void add_bends_on_sheaves(const MachineRun& machine, const study::PayloadRun& ru
 }
 
 /// Where a rope has to be clear of the ground and hangs slack, without mass.
-void add_slack(const machine::Model& model, const study::PayloadRun& run, Result& r) {
+void add_slack(const machine::Model& model, const study::PayloadRun& run, const Display& display, Result& r) {
   std::set<int> told;
   for (const study::PayloadPosition& one : run.positions) {
     if (!one.answered()) continue;
@@ -256,14 +255,14 @@ void add_slack(const machine::Model& model, const study::PayloadRun& run, Result
       if (!told.insert(branch.reeving).second) continue;
       r.unmade.push_back(
           checks::slack_words(model.reevings[branch.reeving].name,
-                              fmt::format("payload{}, x = {} m", run.ending, place_number(one.point.x))));
+                              fmt::format("payload{}, x = {}", run.ending, display.brief(one.point.x, si::m))));
       r.warnings.push_back(r.unmade.back());
     }
   }
 }
 
 /// Where a clearance is asked and the terrain does not reach the carriage or the rope.
-void add_gaps(const machine::Model& model, const study::PayloadRun& run, Result& r) {
+void add_gaps(const machine::Model& model, const study::PayloadRun& run, const Display& display, Result& r) {
   const auto worse = [](study::TerrainGap& worst, const study::TerrainGap& gap) {
     if (gap.missing() > worst.missing()) worst = gap;
   };
@@ -283,7 +282,7 @@ void add_gaps(const machine::Model& model, const study::PayloadRun& run, Result&
   }
   const auto tell = [&](const std::string& what, const study::TerrainGap& gap) {
     if (!(gap.missing() > 0)) return;
-    r.unmade.push_back(checks::gap_words(what, gap));
+    r.unmade.push_back(checks::gap_words(what, gap, display));
     r.warnings.push_back(r.unmade.back());
   };
   if (std::isfinite(run.limits.clearance) && low <= high) {
@@ -359,16 +358,16 @@ std::vector<NothingCarried> add_nothing(const MachineRun& machine, const study::
 
 void add_results(MachineRun& machine, const study::PayloadRun& run, Result& r) {
   study::Missing missing;
-  if (const auto words = study::left_out_words(machine.model, run.way)) {
+  if (const auto words = study::left_out_words(machine.model, run.way, machine.display)) {
     r.warnings.push_back(fmt::format("payload{}, {}: {}", run.ending, run.words, *words));
   }
   for (const study::PayloadPosition& one : run.positions) {
-    const std::string where = fmt::format("payload, x = {} m", place_number(one.point.x));
+    const std::string where = "payload, x = " + machine.display.brief(one.point.x, si::m);
     if (!one.support.empty()) {
       r.warnings.push_back(fmt::format("{}: the carriage is on '{}': left out", where, one.support));
       continue;
     }
-    missing.take(one.answered() ? Outcome() : one.point.payload.outcome, one.point.x);
+    missing.take(one.answered() ? Outcome() : one.point.payload.outcome, one.point.x, machine.display);
     if (!one.answered()) continue;
     machine.checked->take(loaded(run, one), one.point.payload.at, where, checks::analysis_name(run.ending, "payload"));
   }
@@ -389,8 +388,8 @@ void add_results(MachineRun& machine, const study::PayloadRun& run, Result& r) {
   const ValueKind& place = named(value_kinds(), "payload_min_x");
   r.values.push_back(make_value(place, "", run.ending, least.of_all->point.x, place.about.words));
   r.tables.push_back(payload_table(machine.model, run));
-  if (judged) add_gaps(machine.model, run, r);
-  if (judged) add_slack(machine.model, run, r);
+  if (judged) add_gaps(machine.model, run, machine.display, r);
+  if (judged) add_slack(machine.model, run, machine.display, r);
   if (judged) add_hung(machine.model, run, r);
   if (judged) add_bends_on_sheaves(machine, run, r);
   if (run.positions.size() > 1) {
@@ -417,7 +416,7 @@ QuantityWords held_angle_words() {
 
 void add_answer(const study::PayloadRun& asked, MachineRun& machine, Result& r) {
   study::PayloadRun run = asked;
-  study::Watch watch(machine.progress, "payload" + run.ending, run.way.steps + 1);
+  study::Watch watch(machine.progress, "payload" + run.ending, run.way.steps + 1, machine.display);
   study::solve(machine.model, run, watch);
   machine.checked->payloads.begin(run.ending);
   add_results(machine, run, r);

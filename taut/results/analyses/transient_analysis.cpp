@@ -135,8 +135,8 @@ void warn_of_sag(const study::TransientRun& run, const checks::CheckedParts& che
   std::vector<double> peaks;
   peaks.reserve(run.result.ropes.size());
   for (const solve::RopeExtreme& rope : run.result.ropes) peaks.push_back(rope.T.max);
-  for (std::string& one :
-       sag_warnings(words_of(run), run.model, run.result.frames.front(), hanging_start(run.model, o), peaks)) {
+  for (std::string& one : sag_warnings(words_of(run), run.model, run.result.frames.front(), hanging_start(run.model, o),
+                                       peaks, checked.deck->display)) {
     if (checked.judged && checked.deck->checks) r.unmade.push_back(one);
     r.warnings.push_back(std::move(one));
   }
@@ -161,7 +161,7 @@ void add_answer(const study::TransientRun& asked, MachineRun& machine, Result& r
                     : fmt::format("{}: at t = {:.6g} s {}", words_of(run), result.t_end, result.outcome.message);
   }
   if (result.frames.empty()) return;
-  add_transient_tables(run, machine.checked->judged, r);
+  add_transient_tables(run, machine.display, machine.checked->judged, r);
   warn_of_sag(run, *machine.checked, r);
   add_transient_figures(run, r);
   add_motion(run, machine.display, machine.checked->judged, r);

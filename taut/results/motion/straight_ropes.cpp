@@ -52,7 +52,7 @@ double heaviest_share(const machine::Model& model, const solve::TransientFrame& 
 std::vector<std::string> sag_warnings(const std::string& analysis, const machine::Model& model,
                                       const solve::TransientFrame& begin,
                                       const std::optional<solve::TransientFrame>& hangs,
-                                      const std::vector<double>& peaks) {
+                                      const std::vector<double>& peaks, const Display& display) {
   std::vector<std::string> all;
   if (!hangs) {
     for (std::size_t i = 0; i < model.reevings.size(); ++i) {
@@ -72,9 +72,9 @@ std::vector<std::string> sag_warnings(const std::string& analysis, const machine
     const double peak = std::max(straight[i], i < peaks.size() ? peaks[i] : 0);
     if (sagging[i] - straight[i] <= much * peak) continue;
     if (sagging[i] <= little * std::max(rope.breaking_force, largest)) continue;
-    all.push_back(
-        fmt::format("{}: '{}' begins straight with {:.4g} kN; with its sag it has {:.4g} kN: use 'branches: catenary'",
-                    analysis, rope.name, straight[i] / 1e3, sagging[i] / 1e3));
+    all.push_back(fmt::format("{}: '{}' begins straight with {}; with its sag it has {}: use 'branches: catenary'",
+                              analysis, rope.name, display.brief(straight[i], si::N),
+                              display.brief(sagging[i], si::N)));
   }
   return all;
 }

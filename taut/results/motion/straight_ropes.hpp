@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "taut/solve/motion/transient.hpp"
+#include "taut/units/display.hpp"
 
 namespace taut::results {
 
@@ -22,6 +23,6 @@ double heaviest_share(const machine::Model& model, const solve::TransientFrame& 
 std::vector<std::string> sag_warnings(const std::string& analysis, const machine::Model& model,
                                       const solve::TransientFrame& begin,
                                       const std::optional<solve::TransientFrame>& hangs,
-                                      const std::vector<double>& peaks = {});
+                                      const std::vector<double>& peaks = {}, const Display& display = {});
 
 }  // namespace taut::results

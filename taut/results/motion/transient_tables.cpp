@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "taut/base/expects.hpp"
+#include "taut/calc/shown.hpp"
 #include "taut/catalogue/rule.hpp"
 #include "taut/results/described.hpp"
 #include "taut/results/motion/straight_ropes.hpp"
@@ -41,8 +42,11 @@ void add_series(const study::TransientRun& run, Result& r) {
   r.series.push_back(std::move(t));
 }
 
-void add_events(const study::TransientRun& run, Result& r) {
-  r.tables.push_back(make_table("events" + run.ending, "Events", study::event_quantities(), run.result.events));
+void add_events(const study::TransientRun& run, const Display& display, Result& r) {
+  Table events = make_table("events" + run.ending, "Events", study::event_quantities(), run.result.events);
+  for (std::size_t i = 0; i < events.rows.size(); ++i)
+    events.rows[i].back() = study::values_in_words(run.result.events[i], display);
+  r.tables.push_back(std::move(events));
 }
 
 /// An observable by its name; a length says what statics gives otherwise, at the reference temperature.
@@ -209,7 +213,7 @@ std::optional<double> hangs_with(const study::TransientRun& run, int reeving) {
 }
 
 /// Peak over static against phi2 of EN 13001-2. A load that is picked up from the ground hangs at the end alone.
-void check_hoist_factor(const study::TransientRun& run, Result& r) {
+void check_hoist_factor(const study::TransientRun& run, const Display& display, Result& r) {
   if (!run.request.hoist_factor) return;
   const study::HoistFactor& asked = *run.request.hoist_factor;
   const auto rope = std::find_if(run.model.reevings.begin(), run.model.reevings.end(),
@@ -246,29 +250,30 @@ void check_hoist_factor(const study::TransientRun& run, Result& r) {
       {.sense = Sense::at_most,
        .limit = phi2,
        .rule = fmt::format("peak over static tension{} against {}, HC{}, v_h = {:.4g} m/s ({})",
-                           by_end ? fmt::format(" of the end, {:.4g} kN,", at_end / 1e3) : std::string(),
+                           by_end ? fmt::format(" of the end, {},", display.brief(at_end, si::N)) : std::string(),
                            phi2_min->text, static_cast<int>(asked.hoisting_class) + 1, asked.speed, phi2_min->source),
        .trust = phi2_min->trust_text.empty() ? "unverified" : fmt::format("unverified: {}", phi2_min->trust_text)}));
 }
 
-std::string slid_words(const study::TransientRun& run) {
+std::string slid_words(const study::TransientRun& run, const Display& display) {
   std::string ways;
   for (const solve::Slid& slid : run.options.slid) {
     const auto index = static_cast<std::size_t>(slid.index);
     const std::string& name = slid.drum ? run.model.drums[index].name : run.model.actuators[index].name;
     const char* verb = slid.drum ? (slid.by > 0 ? "taken in" : "let out") : slid.by > 0 ? "extended" : "retracted";
-    ways += fmt::format("{}{} has {} {:.4g} m", ways.empty() ? "" : ", ", name, verb, std::abs(slid.by));
+    ways +=
+        fmt::format("{}{} has {} {}", ways.empty() ? "" : ", ", name, verb, display.brief(std::abs(slid.by), si::m));
   }
   return fmt::format("starts sliding: at rest, with the friction that is left when slowly {}", ways);
 }
 
-std::string start_words(const study::TransientRun& run) {
+std::string start_words(const study::TransientRun& run, const Display& display) {
   if (run.options.from) return fmt::format("goes on from a saved state at t = {:.6g} s", run.options.from->t);
   switch (run.options.start) {
     case solve::Start::settled:
       return "starts settled: at rest in equilibrium, without loss";
     case solve::Start::sliding:
-      return slid_words(run);
+      return slid_words(run, display);
     case solve::Start::assembled:
       break;
   }
@@ -322,7 +327,7 @@ double begins_with(const study::TransientRun& run, std::size_t reeving, bool at_
 constexpr double same_tension = 0.01;
 
 /// Ropes that statics knows by a tension at an end where nothing in motion keeps it: they have their length.
-void add_kept_lengths(const study::TransientRun& run, Result& r) {
+void add_kept_lengths(const study::TransientRun& run, const Display& display, Result& r) {
   using machine::DriveKind;
   for (std::size_t i = 0; i < run.model.reevings.size(); ++i) {
     const machine::Reeving& rope = run.model.reevings[i];
@@ -336,15 +341,16 @@ void add_kept_lengths(const study::TransientRun& run, Result& r) {
     const bool described = !run.model.contacts.empty() || !run.model.actuators.empty();
     const double T = described && !run.options.from ? begins_with(run, i, at_start) : rope.value;
     if (std::abs(T - rope.value) > same_tension * rope.value) {
-      warn_unsafe(r, fmt::format("{}: '{}' has {:.4g} kN at its {} where the motion begins, not {:.4g} kN: they are "
-                                 "those of the places described. Give its 'length'",
-                                 words_of(run), rope.name, T / 1e3, at_start ? "start" : "end", rope.value / 1e3));
+      const auto [has, given] = brief_apart(T, rope.value, si::N, display);
+      warn_unsafe(r, fmt::format("{}: '{}' has {} at its {} where the motion begins, not {}: they are those of the "
+                                 "places described. Give its 'length'",
+                                 words_of(run), rope.name, has, at_start ? "start" : "end", given));
       continue;
     }
     r.warnings.push_back(fmt::format(
-        "{}: '{}' keeps its length in motion; the {:.4g} kN at its {} are those at rest. Where they have to stay, hang "
+        "{}: '{}' keeps its length in motion; the {} at its {} are those at rest. Where they have to stay, hang "
         "the counterweight on it as a body, or give its drum a 'pull'",
-        words_of(run), rope.name, rope.value / 1e3, at_start ? "start" : "end"));
+        words_of(run), rope.name, display.brief(rope.value, si::N), at_start ? "start" : "end"));
   }
 }
 
@@ -399,13 +405,14 @@ void warn_of_mass_along(const study::TransientRun& run, Result& r) {
   }
 }
 
-void add_words(const study::TransientRun& run, Result& r) {
+void add_words(const study::TransientRun& run, const Display& display, Result& r) {
   const solve::TransientResult& result = run.result;
   const bool explicit_steps = run.options.method == solve::TimeMethod::verlet;
   std::string steps = fmt::format("{} steps from {:.3g} s to {:.3g} s, {} rejected", result.steps, result.smallest_step,
                                   result.largest_step, result.rejected);
   if (explicit_steps) steps += fmt::format("; stable below {:.3g} s at the start", result.stability_limit);
-  r.assumptions.push_back(fmt::format("{}: {}; {}; {}.", words_of(run), start_words(run), scheme_words(run), steps));
+  r.assumptions.push_back(
+      fmt::format("{}: {}; {}; {}.", words_of(run), start_words(run, display), scheme_words(run), steps));
   for (std::size_t i = 0; i < run.model.reevings.size(); ++i) {
     const double beta = i < result.damping_time.size() ? result.damping_time[i] : 0;
     const double omega = i < result.frequency.size() ? result.frequency[i] : 0;
@@ -426,7 +433,7 @@ void add_words(const study::TransientRun& run, Result& r) {
         weight_words(run, i)));
   }
   add_missed_events(run, r);
-  add_kept_lengths(run, r);
+  add_kept_lengths(run, display, r);
   warn_of_mass_along(run, r);
   if (run.request.save && result.interrupted) {
     r.warnings.push_back(
@@ -451,16 +458,16 @@ std::vector<double> times_of(const study::TransientRun& run) {
   return t;
 }
 
-void add_transient_tables(const study::TransientRun& run, bool judged, Result& r) {
+void add_transient_tables(const study::TransientRun& run, const Display& display, bool judged, Result& r) {
   add_series(run, r);
   add_ropes(run, r);
-  if (judged) check_hoist_factor(run, r);
+  if (judged) check_hoist_factor(run, display, r);
   add_slip_shares(run, r);
   add_envelope(run, r);
-  add_events(run, r);
+  add_events(run, display, r);
   add_energy(run, r);
   warn_of_errors(run, judged, r);
-  add_words(run, r);
+  add_words(run, display, r);
 }
 
 }  // namespace taut::results

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include "taut/base/number.hpp"
 #include "taut/calc/verdict.hpp"
 
 namespace taut::study {
@@ -64,7 +63,9 @@ void Missing::take(const Outcome& outcome, const std::string& where) {
   ++missing_;
 }
 
-void Missing::take(const Outcome& outcome, double x) { take(outcome, fmt::format("x = {} m", place_number(x))); }
+void Missing::take(const Outcome& outcome, double x, const Display& display) {
+  take(outcome, "x = " + display.brief(x, si::m));
+}
 
 void Missing::note(Result& r, const std::string& analysis, bool judged) const {
   if (missing_ == 0) return;

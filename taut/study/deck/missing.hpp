@@ -4,6 +4,7 @@
 
 #include "taut/calc/outcome.hpp"
 #include "taut/calc/result.hpp"
+#include "taut/units/display.hpp"
 
 namespace taut::study {
 
@@ -40,7 +41,7 @@ class Missing {
  public:
   void take(const Outcome& outcome, const std::string& where);
   /// Of a carriage at x, m.
-  void take(const Outcome& outcome, double x);
+  void take(const Outcome& outcome, double x, const Display& display = {});
   bool any() const { return missing_ > 0; }
   /// "load path, in: no equilibrium at 3 of 96 places, x = 12 m to x = 14 m (2 states); x = 20 m; the first: ..." as a
   /// warning; the status where all miss.

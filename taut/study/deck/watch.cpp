@@ -4,8 +4,6 @@
 
 #include <algorithm>
 
-#include "taut/base/number.hpp"
-
 namespace taut::study {
 
 bool Watch::go_on(const std::string& words) {
@@ -18,7 +16,7 @@ bool Watch::go_on(const std::string& words) {
   return false;
 }
 
-bool Watch::go_on_at(double x) { return ended_ || !ask_ ? !ended_ : go_on(fmt::format("x = {} m", place_number(x))); }
+bool Watch::go_on_at(double x) { return ended_ || !ask_ ? !ended_ : go_on("x = " + display_.brief(x, si::m)); }
 
 void Watch::note(Result& r) const {
   if (!ended_ || r.interrupted) return;

@@ -1,9 +1,11 @@
 #pragma once
 #include <functional>
 #include <string>
+#include <utility>
 
 #include "taut/calc/progress.hpp"
 #include "taut/calc/result.hpp"
+#include "taut/units/display.hpp"
 
 namespace taut::study {
 
@@ -11,9 +13,10 @@ namespace taut::study {
 /// computed before stays.
 class Watch {
  public:
-  /// `ask`: as in a Job, may be empty; outlives this. `what`: the analysis; `steps`: how many states it has, at most.
-  Watch(const std::function<bool(const Progress&)>& ask, std::string what, int steps)
-      : ask_(ask), what_(std::move(what)), steps_(steps) {}
+  /// `ask`: as in a Job, may be empty; outlives this. `what`: the analysis; `steps`: how many states it has, at most;
+  /// `display`: units of its places.
+  Watch(const std::function<bool(const Progress&)>& ask, std::string what, int steps, Display display = {})
+      : ask_(ask), what_(std::move(what)), steps_(steps), display_(std::move(display)) {}
 
   /// Before each state, in words ("x = 12 m"); false: it is to end, from then on for good.
   bool go_on(const std::string& words);
@@ -29,6 +32,7 @@ class Watch {
   const std::function<bool(const Progress&)>& ask_;
   std::string what_;
   int steps_;
+  Display display_;
   int done_ = 0;
   bool ended_ = false;
   std::string where_;

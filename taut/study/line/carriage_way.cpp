@@ -151,7 +151,7 @@ Array<WayPart> parts_of(const machine::Model& model, const Way& way) {
   return parts;
 }
 
-std::optional<std::string> left_out_words(const machine::Model& model, const Way& way) {
+std::optional<std::string> left_out_words(const machine::Model& model, const Way& way, const Display& display) {
   const Array<Zone> zones = zones_of(model, way.carriage, way.along);
   int places = 0;
   bool lost = false;
@@ -165,9 +165,9 @@ std::optional<std::string> left_out_words(const machine::Model& model, const Way
   }
   if (!lost) return std::nullopt;
   return fmt::format(
-      "{} of {} places are left out, as they are nearer to a support or guide than {:g} m and a tenth of the span "
-      "beside it, where the length of '{}' counts: give its 'rollers' and 'wheelbase'",
-      places, way.steps + 1, half_carriage, model.carriages[way.carriage].name);
+      "{} of {} places are left out, as they are nearer to a support or guide than {} and a tenth of the span beside "
+      "it, where the length of '{}' counts: give its 'rollers' and 'wheelbase'",
+      places, way.steps + 1, display.brief(half_carriage, si::m), model.carriages[way.carriage].name);
 }
 
 LoadPathOptions path_over(const Way& way, const WayPart& part) {

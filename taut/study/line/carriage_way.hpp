@@ -26,7 +26,7 @@ Array<WayPart> parts_of(const machine::Model& model, const Way& way);
 
 /// How many steps that leaves out, and what to do; nullopt: at most one at each side of a support, for which the place
 /// next to it stands.
-std::optional<std::string> left_out_words(const machine::Model& model, const Way& way);
+std::optional<std::string> left_out_words(const machine::Model& model, const Way& way, const Display& display);
 
 /// A load path over the positions of a part; of a single place it has two, both there.
 LoadPathOptions path_over(const Way& way, const WayPart& part);

@@ -128,7 +128,7 @@ void RopeSenses::take(const machine::Model& m, const Running& of, const LoadPath
   }
 }
 
-std::optional<std::string> wrong_senses(const std::vector<RopeSense>& senses) {
+std::optional<std::string> wrong_senses(const std::vector<RopeSense>& senses, const Display& display) {
   std::string words, signs;
   std::set<std::string> reported;
   for (const RopeSense& s : senses) {
@@ -138,10 +138,10 @@ std::optional<std::string> wrong_senses(const std::vector<RopeSense>& senses) {
     });
     const std::string name = whole_rope ? s.rope : s.contact;
     if (!reported.insert(name).second) continue;
-    words += fmt::format(
-        "{}{}", words.empty() ? "" : "; ",
-        whole_rope ? fmt::format("{} runs {:.4g} m against its motion", s.rope, s.against)
-                   : fmt::format("{} runs {:.4g} m over {} against its motion", s.rope, s.against, s.contact));
+    const std::string way = display.brief(s.against, si::m);
+    words += fmt::format("{}{}", words.empty() ? "" : "; ",
+                         whole_rope ? fmt::format("{} runs {} against its motion", s.rope, way)
+                                    : fmt::format("{} runs {} over {} against its motion", s.rope, way, s.contact));
     signs += fmt::format("{}{}: {}", signs.empty() ? "" : ", ", name, -s.declared);
   }
   if (words.empty()) return std::nullopt;

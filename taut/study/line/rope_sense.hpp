@@ -59,7 +59,7 @@ double energy_given(const std::vector<RopeSense>& senses);
 
 /// What is to be declared in place of senses that no part of the way agrees with, "haulback runs 120.6 m against its
 /// motion: declare 'motion: {haulback: -1}'"; none where there is no such contact.
-std::optional<std::string> wrong_senses(const std::vector<RopeSense>& senses);
+std::optional<std::string> wrong_senses(const std::vector<RopeSense>& senses, const Display& display = {});
 /// Two ropes of which one runs as declared on the way there alone and the other on the way back alone: whichever way
 /// the carriage goes, friction gives energy. A sentence; none where there are no such ropes.
 std::optional<std::string> contrary_senses(const std::vector<RopeSense>& senses);
