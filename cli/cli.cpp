@@ -72,7 +72,7 @@ void add_run(CLI::App& app, std::function<int()>& action) {
   add_set(*verb, *options);
   verb->add_flag("--json", options->json, "the result as JSON, and nothing else, on standard output");
   verb->add_flag("-q,--quiet", options->quiet, "print nothing but errors");
-  verb->add_flag("--si", options->si, "CSV files in SI units; else in those of the report. Series are SI always");
+  verb->add_flag("--si", options->si, "CSV files of tables and plots in SI units; else in those of the report");
   verb->add_flag("-a,--all", options->all, "print every check, value and short table, not the summary of 40 lines");
   add_report_options(*verb, *options);
   verb->add_flag("--strict", options->strict, "exit with 4 where a part has no limit, too");
@@ -88,7 +88,7 @@ void add_compare(CLI::App& app, std::function<int()>& action) {
   add_folder(*verb, *options);
   verb->add_flag("--json", options->json, "the result as JSON, and nothing else, on standard output");
   verb->add_flag("-q,--quiet", options->quiet, "print nothing but errors");
-  verb->add_flag("--si", options->si, "CSV files in SI units; else in those of the report. Series are SI always");
+  verb->add_flag("--si", options->si, "CSV files of tables and plots in SI units; else in those of the report");
   verb->add_flag("-a,--all", options->all, "print every check, value and short table, not the summary of 40 lines");
   add_report_options(*verb, *options);
   verb->callback([options, &action] { action = [options] { return compare(*options); }; });

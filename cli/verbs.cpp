@@ -100,7 +100,8 @@ int tell(const Result& result, const RunOptions& options) {
   const bool files = !options.folder.empty() && result.status != Status::bad_deck;
   const int written = files ? write_report(result, options) : static_cast<int>(computed);
   if (options.json) {
-    code = print(io::to_json(result, options.folder.empty() ? io::SeriesFiles::none : io::SeriesFiles::named), code);
+    const auto beside = options.si ? io::SeriesFiles::named_si : io::SeriesFiles::named;
+    code = print(io::to_json(result, options.folder.empty() ? io::SeriesFiles::none : beside), code);
   } else if (result.status != Status::bad_deck && !options.quiet) {
     code = print(report::to_terminal(result, {.colour = wants_colour(), .all = options.all}), code);
   }

@@ -151,10 +151,10 @@ bool lies_flat(const machine::Model& model, const machine::State& state, const m
   std::vector<double> y;
   for (const machine::Node* node : stops_of_rope(model, rope)) {
     if (node->radius > 0 && std::abs(round_at(state, *node).axis.z()) > M_SQRT1_2) return false;
-    if (!rests(model, *node)) continue;
+    if (on_carriage(model, *node)) continue;  // its place follows from its line
     const Vector3 place = machine::in_ground(state, node->at);
     if (place.z() != 0) return false;
-    y.push_back(place.y());
+    if (rests(model, *node)) y.push_back(place.y());
   }
   return y.size() >= 2 && std::any_of(y.begin(), y.end(), [&](double one) { return one != y.front(); });
 }

@@ -151,6 +151,20 @@ TEST(Absurd, ZIsUp) {
   EXPECT_FALSE(has(warned(deck_of(line)), "z is 0")) << "level, and y not used";
 }
 
+// A hook 5 m below: z is used, and is up.
+TEST(Absurd, AFreeBodyBelowMakesAMachineUpright) {
+  const std::string deck = R"(taut: 1
+machine:
+  points: {a: [-10 m, 0 m, 0 m]}
+  ropes: {line: {mass: 1 kg/m, stiffness: 10 MN}}
+  bodies: {hook: {mass: 4 t, at: [0.2 m, 0.2 m, -5 m], free: [z]}}
+  sheaves: {head: {at: [0 m, 0.2 m, 0 m], diameter: 400 mm}}
+  reevings: [{rope: line, path: [{anchor: a}, {over: head}, {anchor: hook}], length: 15.3 m}]
+)";
+  EXPECT_FALSE(has(warned(deck), "z is 0")) << warned(deck);
+  EXPECT_TRUE(has(warned(std::regex_replace(deck, std::regex("-5 m"), "0 m")), "z is 0 everywhere"));
+}
+
 // Drawn in to the left the bunch rubs against the mainline; by a direction to the right it would help it.
 TEST(Absurd, ABunchThatTravelsAwayFromItsMainline) {
   const auto deck = [](const char* along) {

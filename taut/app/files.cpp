@@ -71,7 +71,7 @@ Written write_result(const Result& result, const std::string& place, const FileO
   const report::HtmlOptions html{.appendix = options.appendix,
                                  .paper = options.a3 ? report::Paper::a3 : report::Paper::a4};
   std::vector<std::pair<std::string, std::string>> files = {
-      {"result.json", io::to_json(result, io::SeriesFiles::named)},
+      {"result.json", io::to_json(result, si ? io::SeriesFiles::named_si : io::SeriesFiles::named)},
       {"report.html", report::to_html(result, html)},
       {"report.md", report::to_markdown(result)}};
   for (const Table& t : result.tables) files.emplace_back(t.name + ".csv", csv(t));

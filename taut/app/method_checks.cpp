@@ -162,13 +162,16 @@ void complain_of_chosen(const checks::RopeCheckRequest& one, const catalogue::Ro
 void judge_own_factor(const rope::RopeUse& use, Result& r) {
   if (!use.own_factor || !(use.rope.breaking_force > 0)) return;
   const std::string part = use.name + " rope";
+  std::vector<Doubt> doubts;
+  rope::add_doubt_of_rope(use.rope, doubts);
   Check c = make_check(fmt::format("safety factor of the {}", part), use.rope.breaking_force / use.tension, si::one,
                        {.sense = Sense::at_least,
                         .limit = *use.own_factor,
                         .rule = fmt::format("breaking force of 'checks: ropes: {}' / largest tension ({}) at least "
                                             "safety_factor of the deck's input",
                                             use.name, use.where),
-                        .trust = rope::trust_with_rope("user", use.rope)});
+                        .trust = rope::trust_with("user", doubts),
+                        .doubts = doubts});
   c.part = use.name;
   c.covers = {use.name, part};
   c.where = use.where;
@@ -193,11 +196,17 @@ checks::AskedChecks resolve_checks(const checks::ChecksRequest& request, const s
                                : fmt::format("the method has no rope '{}': {}", one.name, fmt::join(known, ", "))});
       continue;
     }
-    const catalogue::RopeRow rope = checks::with_request(use->rope, one);
-    checks::complain_of_values(one, use->rope, path, complaints);
-    if (use->chosen) complain_of_chosen(one, use->rope, path, complaints);
     const checks::AskedRules& rules = asked.ropes.emplace_back(checks::asked_rules(one, path, complaints));
-    checks::complain_of_limits(one, rules, rope, path, complaints);
+    catalogue::RopeRow rope;
+    // each candidate of a design has a row of its own, by which it is judged
+    if (use->chosen && !use->rope.id.empty()) {
+      checks::complain_of_candidates(one, path, complaints);
+    } else {
+      checks::complain_of_values(one, use->rope, path, complaints);
+      if (use->chosen) complain_of_chosen(one, use->rope, path, complaints);
+      rope = checks::with_request(use->rope, one);
+      checks::complain_of_limits(one, rules, rope, path, complaints);
+    }
     std::vector<std::string> rounds;
     for (const rope::Bend& bend : use->bends) rounds.push_back(bend.name);
     checks::complain_of_life(one, rope, rounds, path, complaints);
@@ -226,7 +235,7 @@ void add_method_checks(const checks::ChecksRequest& request, const checks::Asked
     const checks::RopeCheckRequest& one = request.ropes[k];
     for (rope::RopeUse use : ropes) {
       if (use.name != one.name) continue;
-      use.rope = checks::with_request(std::move(use.rope), one);
+      checks::put_request(one, use, r);
       checks::add_checks_of(one, asked.ropes.at(k), use, r);
       judge_own_factor(use, r);
     }

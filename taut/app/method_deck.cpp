@@ -24,7 +24,10 @@ std::vector<rope::RopeUse> MethodDeck::ropes(const Result* r) const {
   std::vector<rope::RopeUse> all = method->ropes(input, r);
   for (rope::RopeUse& use : all) {
     use.display = display;
-    if (const auto row = chosen.find(use.name); row != chosen.end()) use.rope = row->second;
+    const auto row = chosen.find(use.name);
+    if (row == chosen.end()) continue;
+    use.rope = row->second;
+    use.chosen = true;
   }
   return all;
 }

@@ -153,6 +153,7 @@ Check make_check(std::string name, double value, const Unit& unit, Bound bound) 
   if (c.passes && c.utilisation > 1) c.utilisation = 1;
   c.rule = std::move(bound.rule);
   c.trust = std::move(bound.trust);
+  c.doubts = std::move(bound.doubts);
   return c;
 }
 

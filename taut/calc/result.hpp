@@ -34,6 +34,12 @@ struct Step {
 
 enum class Sense { at_most, at_least };
 
+/// An unverified number that has a part in a check.
+struct Doubt {
+  std::string trust;   ///< "UNVERIFIED: ..."
+  std::string source;  ///< which number it is, and its source in words
+};
+
 /// A value compared with a limit. utilisation: value/limit (at_most) or limit/value (at_least), <= 1 exactly when the
 /// check passes; NaN where that is no measure (make_check).
 struct Check {
@@ -55,6 +61,8 @@ struct Check {
   std::vector<std::string> covers = {};
   std::string where = {};  ///< the state with the largest utilisation, "load path, in, x = 12 m"; empty: see `rule`
   bool refused = false;    ///< its limit is unverified, and the deck refuses such limits
+  /// All unverified numbers that have a part in it. Empty, and `trust` is unverified: the limit alone, as in `rule`.
+  std::vector<Doubt> doubts = {};
 };
 /// Whether a check is the limit that a rope or a beam needs to be judged.
 inline bool judges(const Check& check, const std::string& part) {
@@ -69,6 +77,7 @@ struct Bound {
   double limit = 0;  ///< SI
   std::string rule;
   std::string trust;
+  std::vector<Doubt> doubts = {};
 };
 /// A check with utilisation and passes computed. A value within 1e-9 of its limit lies on it, and passes. A NaN value
 /// never passes. Temperatures count from 0 degC. Where limit

@@ -51,14 +51,26 @@ std::vector<Check> worst_of_each(std::vector<Check> all) {
   return worst;
 }
 
+bool has(const std::string& words, const std::string& text) { return words.find(text) != std::string::npos; }
+
+/// Takes away the doubts that the text names: all of a check by its name, else those with such a source. The first one
+/// that is left has the trust.
+void confirm(const std::string& text, Check& c) {
+  if (!is_unverified(c.trust)) return;
+  if (c.doubts.empty()) c.doubts.push_back({.trust = c.trust, .source = c.rule});
+  const bool whole = has(c.name, text);
+  std::erase_if(c.doubts, [&](const Doubt& one) { return whole || has(one.source, text); });
+  c.trust = c.doubts.empty() ? fmt::format("user: confirmed in the deck ('{}')", text) : c.doubts.front().trust;
+}
+
 /// Checks that the user answers for.
 void confirm(const std::vector<std::string>& confirmed, Result& r) {
   for (const std::string& text : confirmed) {
     bool met = false;
     for (Check& c : r.checks) {
-      const bool named = c.rule.find(text) != std::string::npos || c.name.find(text) != std::string::npos;
-      met |= named;
-      if (named && is_unverified(c.trust)) c.trust = fmt::format("user: confirmed in the deck ('{}')", text);
+      met |= has(c.rule, text) || has(c.name, text) ||
+             std::any_of(c.doubts.begin(), c.doubts.end(), [&](const Doubt& one) { return has(one.source, text); });
+      confirm(text, c);
     }
     if (!met) r.warnings.push_back(fmt::format("'confirmed': no check has '{}' in its name or rule", text));
   }
@@ -68,11 +80,13 @@ void confirm(const std::vector<std::string>& confirmed, Result& r) {
 void refuse_unverified(Result& r) {
   for (Check& c : r.checks) {
     if (!is_unverified(c.trust) || c.refused) continue;
+    // a number beside the limit is named, where the rule does not
+    const bool beside = !c.doubts.empty() && !has(c.rule, c.doubts.front().source);
     c.rule = fmt::format(
-        "refused ('refuse_unverified'), as it rests on an unverified number ({:.6g} {}): compare it with the source "
+        "refused ('refuse_unverified'), as it rests on an unverified number ({}): compare it with the source "
         "named, then give it in the deck as your own or name the source under 'confirmed', or choose a rule that is "
         "verified; {}",
-        c.limit, c.unit.symbol, c.rule);
+        beside ? c.doubts.front().source : fmt::format("{:.6g} {}", c.limit, c.unit.symbol), c.rule);
     c.limit = c.utilisation = std::numeric_limits<double>::quiet_NaN();
     c.passes = false;
     c.refused = true;

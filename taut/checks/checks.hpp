@@ -34,10 +34,11 @@ void finish_checks(const ChecksRequest& request, Result& r);
 std::vector<std::size_t> reevings_named(const std::string& name, const CheckedDeck& deck, const machine::Model& model);
 std::vector<AskedRules> resolve_ropes(const ChecksRequest& request, const CheckedDeck& deck,
                                       const machine::Model& model, std::vector<Complaint>& complaints);
-/// All that is to be reported of one rope: checks, and what was left out. `around`: as of `rope_rules`. `chosen`: it is
-/// a candidate of a design, which has to be judged in all that a designer would expect.
+/// The rope with what the deck says beside the catalogue. Of a candidate of a design that it denies, it tells so.
+void put_request(const RopeCheckRequest& request, rope::RopeUse& use, Result& r);
+/// All that is to be reported of one rope: checks, and what was left out. `around`: as of `rope_rules`.
 void add_checks_of(const RopeCheckRequest& request, const AskedRules& asked, const rope::RopeUse& use, Result& r,
-                   std::optional<double> around = std::nullopt, bool chosen = false);
+                   std::optional<double> around = std::nullopt);
 /// `uses`: by reeving, over all states that are load cases.
 void add_rope_checks(const ChecksRequest& request, const CheckedDeck& deck, const machine::Model& model,
                      const std::vector<rope::RopeUse>& uses, Result& r);

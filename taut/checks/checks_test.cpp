@@ -6,6 +6,7 @@
 #include <cmath>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "taut/calc/verdict.hpp"
 #include "test/support/guyed_decks.hpp"
@@ -103,6 +104,30 @@ TEST(Checks, what_confirms_names_a_source) {
     ASSERT_EQ(r.status, Status::bad_deck) << text;
     EXPECT_NE(to_text(r.errors).find("names no source"), std::string::npos) << to_text(r.errors);
   }
+}
+
+// A check may rest on several unverified numbers: each is confirmed by its own source.
+TEST(Checks, a_source_confirms_its_own_numbers_alone) {
+  const std::vector<Doubt> doubts = {{.trust = "UNVERIFIED: recalled", .source = "D/d (ISO 4308-1)"},
+                                     {.trust = "UNVERIFIED: breaking force", .source = "breaking force, GOST 2688-80"}};
+  const auto trust = [&](const std::vector<std::string>& confirmed) {
+    Result r;
+    r.checks.push_back(make_check("hoist.safety_factor", 5, si::one,
+                                  {.sense = Sense::at_least,
+                                   .limit = 4,
+                                   .rule = "breaking force 160 kN over 40 kN: ISO 4308-1",
+                                   .trust = doubts[0].trust,
+                                   .doubts = doubts}));
+    ChecksRequest request;
+    request.confirmed = confirmed;
+    finish_checks(request, r);
+    EXPECT_TRUE(r.warnings.empty());
+    return r.checks[0].trust;
+  };
+  EXPECT_EQ(trust({"ISO 4308"}), "UNVERIFIED: breaking force");
+  EXPECT_EQ(trust({"GOST 2688"}), "UNVERIFIED: recalled");
+  EXPECT_EQ(trust({"ISO 4308", "GOST 2688"}), "user: confirmed in the deck ('GOST 2688')");
+  EXPECT_EQ(trust({"hoist.safety_factor"}), "user: confirmed in the deck ('hoist.safety_factor')");
 }
 
 }  // namespace taut::checks::checks_test

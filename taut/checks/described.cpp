@@ -55,6 +55,41 @@ const std::vector<ValueKind>& value_kinds() {
   return all;
 }
 
+const std::vector<CheckWords>& check_words() {
+  static const std::vector<CheckWords> all = {
+      {"on_sheave", "rope", "safety factor of the rope weakened on a sheave, at the worst sheave"},
+      {"sheave_ratio", "rope",
+       "D/d of the worst sheave, pitch diameter over rope diameter: at least that of the rules"},
+      {"drum_ratio", "rope", "D/d of the worst drum in its first layer: at least that of the rules"},
+      {"compensating_ratio", "rope", "D/d of the worst sheave that `compensating` names: at least that of the rules"},
+      {"resistance", "rope", "static proof of EN 13001-3-2: the pull at a round, at most F_u/gamma_rb"},
+      {"fatigue", "rope", "fatigue proof of EN 13001-3-2: the largest pull, by the number of bendings"},
+      {"wire_stress", "rope", "tension and bending in the outer wires: at most the grade of the wires"},
+      {"end_temperature", "rope", "temperature of the rope: at most what its terminations stand"},
+      {"drum_layers", "rope", "layers on a grooved drum: at most those of the rules"},
+      {"last_layer_pull", "rope", "pull of all ropes that are wound the same way, in the last layer of a drum"},
+      {"donandt", "rope", "largest pull at a round: at most the Donandt force, above which the life falls off"},
+      {"guy_safety", "guy", "breaking force over the largest tension in any state"},
+      {"slackness", "guy", "least tension: at least that of a rope as long as its chord"},
+      {"pretension_min", "guy", "least tension as put up, over the breaking force"},
+      {"pretension_max", "guy", "largest tension as put up, over the breaking force"},
+      {"anchor_strength", "point", "pull of all ropes at the point together, over the strength of the anchor"},
+      {"anchor_as_rope", "point", "strength of the anchor: at least the breaking forces of the ropes there"},
+      {"anchor_uplift", "point", "upward force at the point"},
+      {"anchor_angle", "point", "angle of the pull at the point"},
+      {"anchor_tree", "point", "diameter of the tree at the point: at least that which the pull needs"},
+      {"support_tree", "support", "diameter of the tree that carries the support: at least that which the force needs"},
+      {"buckling", "mast", "utilisation by flexural buckling, EN 1993-1-1 (6.46)"},
+      {"wall", "mast", "class of the wall by its slenderness: class 4 is refused"},
+      {"guys_by_plate", "mast", "number of the guys: at least that on the plate of the spar"},
+      {"guy_strength_by_plate", "mast", "strength of the guys: at least that on the plate of the spar"},
+      {"break_angle", "line", "angle by which the line bends on a support: at most that of the rules"},
+      {"least_break_angle", "line", "angle by which the empty line bends on a support: at least that of the rules"},
+      {"limiter_tension", "line", "largest tension of the line: at most that of its limiter"},
+      {"ground", "part", "a part of the machine must not lie in the ground"}};
+  return all;
+}
+
 std::optional<Sense> worst_side(const std::string& name) {
   const auto part_of = [](const std::string& of) { return of.substr(of.rfind('.') + 1); };
   const std::string part = part_of(name);

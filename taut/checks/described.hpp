@@ -16,6 +16,16 @@ std::vector<TableWords> table_words();
 /// machine and of a method.
 const std::vector<ValueKind>& value_kinds();
 
+/// A check as the report names it, NAME.key, and what it compares.
+struct CheckWords {
+  std::string key;    ///< "drum_ratio"
+  std::string of;     ///< what NAME is: "rope"
+  std::string words;  ///< "D/d of the drum ..."
+};
+
+/// The checks of `checks:` that have no other name in a deck or among the values. docs/guide/checks.md has them all.
+const std::vector<CheckWords>& check_words();
+
 /// Of a value that `checks:` of a machine adds, whether the least or the largest of several states is the worst one;
 /// empty: another value.
 std::optional<Sense> worst_side(const std::string& name);

@@ -60,7 +60,7 @@ machine:
   sheaves: {top: {at: [0 m, 0 m, 10 m], diameter: 400 mm}}
   reevings: [{rope: line, path: [{anchor: pin}, {over: top}, {anchor: load}], length: 18 m}]
 analyses: [equilibrium: {}]
-checks: {ropes: {line: {safety_factor: 5, groove: wood}}}
+checks: {ropes: {line: {safety_factor: 5, groove: wood, diameter_ratio: 12}}}
 design: {ropes: {line: {least_diameter: 6 mm, most_diameter: 30 mm}}}
 )");
   ASSERT_EQ(exit_code(r), 0) << r.message << to_text(r.errors);

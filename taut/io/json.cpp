@@ -9,6 +9,7 @@
 
 #include "taut/base/version.hpp"
 #include "taut/calc/comparison.hpp"
+#include "taut/calc/shown.hpp"
 #include "taut/calc/verdict.hpp"
 #include "taut/io/table.hpp"
 
@@ -27,6 +28,16 @@ Json cell(const Cell& c) {
 Json columns(const std::vector<Column>& all) {
   Json list = Json::array();
   for (const Column& c : all) list.push_back({{"name", c.name}, {"unit", c.unit.symbol}});
+  return list;
+}
+
+/// With the units that the CSV file has in its heads.
+Json columns(const std::vector<Column>& all, const Display& display) {
+  Json list = Json::array();
+  for (const Column& c : all) {
+    const std::string unit = shown_unit(c.unit, display).name;
+    list.push_back({{"name", c.name}, {"unit", unit.empty() ? std::string(si::one.symbol) : unit}});
+  }
   return list;
 }
 
@@ -104,17 +115,23 @@ Json steps(const std::vector<Step>& all) {
 
 Json series(const Result& r, SeriesFiles files) {
   Json map = Json::object();
-  const auto file = [&](const std::string& name) {
-    return files == SeriesFiles::named ? Json(fmt::format("{}.csv", name)) : Json(nullptr);
+  const auto file = [&](const std::string& name, bool in_csv) {
+    if (files == SeriesFiles::none) return Json(nullptr);
+    return Json(in_csv ? fmt::format("{}.csv", name) : "series.h5");
   };
-  for (const Table& t : r.series) map[t.name] = {{"columns", columns(t.columns)}, {"file", file(t.name)}};
+  const Display display = display_of(r);
+  const auto plot_of = [&](const Table& t) -> Json {
+    return {{"columns", files == SeriesFiles::named ? columns(t.columns, display) : columns(t.columns)},
+            {"file", file(t.name, true)}};
+  };
+  for (const Table& t : r.series) map[t.name] = {{"columns", columns(t.columns)}, {"file", file(t.name, !t.detail)}};
   for (const Figure& f : r.figures) {
     if (const auto* profile = std::get_if<Profile>(&f)) {
-      map[profile->name] = {{"columns", columns(series_table(*profile).columns)}, {"file", file(profile->name)}};
+      map[profile->name] = plot_of(series_table(*profile));
     }
     const auto* plot = std::get_if<Plot>(&f);
     if (plot == nullptr || plot->name.empty()) continue;
-    map[plot->name] = {{"columns", columns(series_table(*plot).columns)}, {"file", file(plot->name)}};
+    map[plot->name] = plot_of(series_table(*plot));
   }
   return map;
 }

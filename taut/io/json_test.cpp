@@ -117,6 +117,22 @@ TEST(Json, HasTheShapeOfTheContractInItsOrder) {
   EXPECT_EQ(j["errors"].dump(), R"([{"file":"deck.yaml","line":12,"column":15,"message":"wrong"}])");
 }
 
+// Programs read the numbers of a plot from its file: the units are those in the heads there.
+TEST(Json, APlotHasTheUnitsOfItsFile) {
+  Result r = sample();
+  r.display = {{"length", "ft"}};
+  std::get<Plot>(r.figures[0]).x.unit = si::K.in("degC");
+  r.series = {{.name = "time", .title = "", .columns = {{"z", si::m}}, .rows = {}},
+              {.name = "cases", .title = "", .columns = {{"z", si::m}}, .rows = {}, .detail = true}};
+  const auto series = [&](SeriesFiles files) { return nlohmann::ordered_json::parse(to_json(r, files))["series"]; };
+  const auto shown = series(SeriesFiles::named);
+  EXPECT_EQ(shown["sizes"]["columns"].dump(), R"([{"name":"x","unit":"degC"},{"name":"a","unit":"ft"}])");
+  EXPECT_EQ(shown["time"].dump(), R"({"columns":[{"name":"z","unit":"m"}],"file":"time.csv"})") << "SI always";
+  EXPECT_EQ(shown["cases"]["file"], "series.h5") << "no CSV file has it";
+  EXPECT_EQ(series(SeriesFiles::named_si)["sizes"]["columns"].dump(),
+            R"([{"name":"x","unit":"K"},{"name":"a","unit":"m"}])");
+}
+
 TEST(Json, WithoutFilesTheSeriesNameNone) {
   EXPECT_TRUE(nlohmann::ordered_json::parse(to_json(sample()))["series"]["sizes"]["file"].is_null());
 }

@@ -10,6 +10,7 @@
 #include <string_view>
 #include <utility>
 
+#include "taut/calc/none.hpp"
 #include "taut/calc/verdict.hpp"
 #include "taut/rope/strength.hpp"
 
@@ -51,9 +52,11 @@ class RopeChecker {
   }
 
  private:
-  double heat_share() const { return rules_.heat_strength ? rules_.heat_strength->value : 1.0; }
-  double strength() const { return use_.rope.breaking_force * heat_share(); }
-  bool has_strength() const { return use_.rope.breaking_force > 0; }
+  double strength() const { return use_.rope.breaking_force * heat_share(rules_); }
+  bool has_strength() const { return use_.rope.breaking_force > 0 && rules_.no_strength.empty(); }
+  std::string why_no_strength() const {
+    return use_.rope.breaking_force > 0 ? rules_.no_strength : "the breaking force is not known";
+  }
   bool has_diameter() const { return use_.rope.diameter > 0; }
 
   void leave_out(const std::string& what, const std::string& why) {
@@ -78,20 +81,32 @@ class RopeChecker {
     all.pop_back();
   }
 
-  /// Of a check in which the rope's breaking force has a part.
-  std::string trust(const std::string& limit) const {
-    const bool weakened = heat_share() < 1 && !is_unverified(limit);
-    return trust_with_rope(weakened ? rules_.heat_strength->trust : limit, use_.rope);
+  /// What is doubted in a check in which the rope's breaking force has a part, after the doubts of the limit.
+  std::vector<Doubt> doubts_with(std::vector<Doubt> doubts) const {
+    if (heat_share(rules_) < 1) add_doubt(rules_.heat_strength->trust, rules_.heat_strength->rule, doubts);
+    add_doubt_of_rope(use_.rope, doubts);
+    return doubts;
   }
-  /// The same of the peak, where the dynamic factor has a part in it.
-  std::string trust_of_peak(const std::string& limit) const {
-    const bool of_motion = use_.peak > 0 && use_.peak >= rules_.dynamic_factor * use_.tension;
-    const bool doubted = !of_motion && is_unverified(rules_.dynamic_trust);
-    return trust(doubted && !is_unverified(limit) ? rules_.dynamic_trust : limit);
+  /// The dynamic factor has a part in a peak that no motion gives.
+  void doubt_dynamics(bool of_motion, std::vector<Doubt>& doubts) const {
+    if (!of_motion && rules_.dynamic_factor != 1) add_doubt(rules_.dynamic_trust, rules_.dynamic_words, doubts);
+  }
+  static std::vector<Doubt> doubts_of(const Limit& limit) {
+    std::vector<Doubt> doubts;
+    add_doubt(limit.trust, limit.rule, doubts);
+    return doubts;
+  }
+  static Bound bound(Sense sense, const Limit& limit, std::string rule, std::vector<Doubt> doubts) {
+    return {.sense = sense,
+            .limit = limit.value,
+            .rule = std::move(rule),
+            .trust = trust_with(limit.trust, doubts),
+            .doubts = std::move(doubts)};
   }
   std::string strength_words() const {
     const std::string cold = fmt::format("breaking force {}", force(use_, use_.rope.breaking_force));
-    return heat_share() < 1 ? fmt::format("{} x {:.3g} ({})", cold, heat_share(), rules_.heat_strength->rule) : cold;
+    const double share = heat_share(rules_);
+    return share < 1 ? fmt::format("{} x {:.3g} ({})", cold, share, rules_.heat_strength->rule) : cold;
   }
 
   void statics() {
@@ -132,17 +147,16 @@ class RopeChecker {
 
   void strength_static() {
     if (!has_strength()) {
-      if (!rules_.safety_factors.empty()) leave_out("its strength", "the breaking force is not known");
+      if (!rules_.safety_factors.empty()) leave_out("its strength", why_no_strength());
       return;
     }
     for (std::size_t i = 0; i < rules_.safety_factors.size(); ++i) {
       const Limit& limit = rules_.safety_factors[i];
       add(i == 0 ? "safety_factor" : fmt::format("safety_factor_{}", i + 1), strength() / use_.tension, si::one,
-          {.sense = Sense::at_least,
-           .limit = limit.value,
-           .rule = fmt::format("{} over the largest tension {} ({}): {}", strength_words(), force(use_, use_.tension),
-                               use_.where, limit.rule),
-           .trust = trust(limit.trust)});
+          bound(Sense::at_least, limit,
+                fmt::format("{} over the largest tension {} ({}): {}", strength_words(), force(use_, use_.tension),
+                            use_.where, limit.rule),
+                doubts_with(doubts_of(limit))));
     }
   }
 
@@ -153,10 +167,8 @@ class RopeChecker {
     if (rules_.least_termination) {
       const Limit& least = *rules_.least_termination;
       add("termination", efficiency.value, si::one,
-          {.sense = Sense::at_least,
-           .limit = least.value,
-           .rule = fmt::format("efficiency of {}: {}", efficiency.rule, least.rule),
-           .trust = least.trust});
+          bound(Sense::at_least, least, fmt::format("efficiency of {}: {}", efficiency.rule, least.rule),
+                doubts_of(least)));
     }
     if (!has_strength()) return;
     if (use_.ends.empty()) leave_out("its termination", "no end of it is fixed: both lie on drums, or it is endless");
@@ -165,14 +177,13 @@ class RopeChecker {
     for (const RopeEnd& end : use_.ends) {
       for (const Limit& limit : rules_.safety_factors) {
         if (limit.covers_ends || !(end.tension > 0)) continue;
-        const bool doubt = is_unverified(efficiency.trust);
-        keep_worst(
-            "termination", efficiency.value * strength() / end.tension, si::one,
-            {.sense = Sense::at_least,
-             .limit = limit.value,
-             .rule = fmt::format("{} x {:.3g} of {} over the tension {} at '{}': {}", strength_words(),
-                                 efficiency.value, efficiency.rule, force(use_, end.tension), end.name, limit.rule),
-             .trust = trust(doubt ? efficiency.trust : limit.trust)});
+        std::vector<Doubt> doubts = doubts_of(efficiency);
+        add_doubt(limit.trust, limit.rule, doubts);
+        keep_worst("termination", efficiency.value * strength() / end.tension, si::one,
+                   bound(Sense::at_least, limit,
+                         fmt::format("{} x {:.3g} of {} over the tension {} at '{}': {}", strength_words(),
+                                     efficiency.value, efficiency.rule, force(use_, end.tension), end.name, limit.rule),
+                         doubts_with(std::move(doubts))));
       }
     }
   }
@@ -195,20 +206,23 @@ class RopeChecker {
       const double left = sheave_strength(ratio_of(bend, use_));
       for (const Limit& limit : rules_.safety_factors) {
         if (limit.covers_bending) continue;
-        keep_worst("on_sheave", left * strength() / bend.tension, si::one,
-                   {.sense = Sense::at_least,
-                    .limit = limit.value,
-                    .rule = fmt::format(
-                        "{} x {:.3g} (1 - 0.5/sqrt(D/d), D/d = {:.3g}, unverified) over the tension {} at '{}': {}",
-                        strength_words(), left, ratio_of(bend, use_), force(use_, bend.tension), bend.name, limit.rule),
-                    .trust = trust("UNVERIFIED: weakening on a sheave, recalled")});
+        std::vector<Doubt> doubts;
+        add_doubt("UNVERIFIED: weakening on a sheave, recalled", "weakening on a sheave, 1 - 0.5/sqrt(D/d)", doubts);
+        add_doubt(limit.trust, limit.rule, doubts);
+        keep_worst(
+            "on_sheave", left * strength() / bend.tension, si::one,
+            bound(Sense::at_least, limit,
+                  fmt::format(
+                      "{} x {:.3g} (1 - 0.5/sqrt(D/d), D/d = {:.3g}, unverified) over the tension {} at '{}': {}",
+                      strength_words(), left, ratio_of(bend, use_), force(use_, bend.tension), bend.name, limit.rule),
+                  doubts_with(std::move(doubts))));
       }
     }
   }
 
   void resistance() {
     if (!rules_.resistance) return;
-    if (!has_strength()) return leave_out("EN 13001-3-2", "the breaking force is not known");
+    if (!has_strength()) return leave_out("EN 13001-3-2", why_no_strength());
     if (!has_diameter()) return leave_out("EN 13001-3-2", "the diameter is not known");
     unmeasured("EN 13001-3-2");
     const auto counts = [](const Bend& bend) { return bend.kind != BendKind::saddle && bend.tension > 0; };
@@ -224,12 +238,15 @@ class RopeChecker {
                                                                     force(use_, pull), use_.peak_where, bend.name)
                                                       : fmt::format("F_Sd = {:.3g} x {} at '{}'", rules_.dynamic_factor,
                                                                     force(use_, bend.tension), bend.name);
+      std::vector<Doubt> doubts = doubts_of(*rules_.resistance);
+      doubt_dynamics(use_.peak > by_factor, doubts);
+      Limit limit = *rules_.resistance;
+      limit.value = strength() / gamma;
       keep_worst("resistance", pull, si::N,
-                 {.sense = Sense::at_most,
-                  .limit = strength() / gamma,
-                  .rule = fmt::format("{} at most F_u/gamma_rb, gamma_rb = {:.4g} (D/d = {:.3g}): {}", words, gamma,
-                                      ratio, rules_.resistance->rule),
-                  .trust = trust(rules_.resistance->trust)});
+                 bound(Sense::at_most, limit,
+                       fmt::format("{} at most F_u/gamma_rb, gamma_rb = {:.4g} (D/d = {:.3g}): {}", words, gamma, ratio,
+                                   limit.rule),
+                       doubts_with(std::move(doubts))));
     }
   }
 
@@ -239,37 +256,45 @@ class RopeChecker {
     const std::string words = use_.peak > by_factor
                                   ? fmt::format("{}, the peak of the rope ({})", force(use_, pull), use_.peak_where)
                                   : fmt::format("{:.3g} x {}", rules_.dynamic_factor, force(use_, use_.tension));
+    std::vector<Doubt> doubts = doubts_of(*rules_.resistance);
+    doubt_dynamics(use_.peak > by_factor, doubts);
+    Limit limit = *rules_.resistance;
+    limit.value = fatigue_pull(strength(), rules_.fatigue_factor, *rules_.fatigue_history);
     add("fatigue", pull, si::N,
-        {.sense = Sense::at_most,
-         .limit = fatigue_pull(strength(), rules_.fatigue_factor, *rules_.fatigue_history),
-         .rule = fmt::format("F_Sd = {} at most F_u f_f/(7 s_r^(1/3)), f_f = {:.3g}, s_r = {:.4g}: EN 13001-3-2", words,
-                             rules_.fatigue_factor, *rules_.fatigue_history),
-         .trust = trust(rules_.resistance->trust)});
+        bound(Sense::at_most, limit,
+              fmt::format("F_Sd = {} at most F_u f_f/(7 s_r^(1/3)), f_f = {:.3g}, s_r = {:.4g}: EN 13001-3-2", words,
+                          rules_.fatigue_factor, *rules_.fatigue_history),
+              doubts_with(std::move(doubts))));
   }
 
   void dynamics() {
     if (!has_strength() && (rules_.dynamic_safety || rules_.elastic_share))
-      leave_out("its dynamic strength", "the breaking force is not known");
+      leave_out("its dynamic strength", why_no_strength());
     const double peak = peak_tension(use_, rules_);
     if (!(peak > 0) || !has_strength()) return;
-    const std::string words = use_.peak > 0 && use_.peak >= rules_.dynamic_factor * use_.tension
-                                  ? fmt::format("peak {} ({})", force(use_, peak), use_.peak_where)
-                                  : fmt::format("{} = {:.3g} x {} ({})", force(use_, peak), rules_.dynamic_factor,
-                                                force(use_, use_.tension), rules_.dynamic_words);
+    const bool of_motion = use_.peak > 0 && use_.peak >= rules_.dynamic_factor * use_.tension;
+    const std::string words = of_motion ? fmt::format("peak {} ({})", force(use_, peak), use_.peak_where)
+                                        : fmt::format("{} = {:.3g} x {} ({})", force(use_, peak), rules_.dynamic_factor,
+                                                      force(use_, use_.tension), rules_.dynamic_words);
+    const auto doubts = [&](const Limit& limit) {
+      std::vector<Doubt> all = doubts_of(limit);
+      doubt_dynamics(of_motion, all);
+      return doubts_with(std::move(all));
+    };
     if (rules_.dynamic_safety) {
       add("dynamic_safety_factor", strength() / peak, si::one,
-          {.sense = Sense::at_least,
-           .limit = rules_.dynamic_safety->value,
-           .rule = fmt::format("{} over {}: {}", strength_words(), words, rules_.dynamic_safety->rule),
-           .trust = trust_of_peak(rules_.dynamic_safety->trust)});
+          bound(Sense::at_least, *rules_.dynamic_safety,
+                fmt::format("{} over {}: {}", strength_words(), words, rules_.dynamic_safety->rule),
+                doubts(*rules_.dynamic_safety)));
     }
     if (rules_.elastic_share) {
+      Limit limit = *rules_.elastic_share;
+      limit.value *= strength();
       add("elastic_limit", peak, si::N,
-          {.sense = Sense::at_most,
-           .limit = rules_.elastic_share->value * strength(),
-           .rule = fmt::format("{} at most {:.3g} x {}: {}", words, rules_.elastic_share->value, strength_words(),
-                               rules_.elastic_share->rule),
-           .trust = trust_of_peak(rules_.elastic_share->trust)});
+          bound(Sense::at_most, limit,
+                fmt::format("{} at most {:.3g} x {}: {}", words, rules_.elastic_share->value, strength_words(),
+                            limit.rule),
+                doubts(limit)));
     }
   }
 
@@ -315,10 +340,12 @@ class RopeChecker {
     const bool bent = std::any_of(use_.bends.begin(), use_.bends.end(),
                                   [](const Bend& bend) { return bend.kind != BendKind::saddle; });
     if (rules_.runs && bent && rules_.sheave_ratios.empty() && rules_.drum_ratios.empty()) {
-      auto& told = rules_.ratio_asked ? out_.left_out : out_.remarks;
-      told.push_back(fmt::format(
-          "{}: D/d is not checked: no rule is for its construction: give 'construction', 'class' or 'diameter_ratio'",
-          use_.name));
+      // a candidate must not win because no rule knows its construction
+      auto& told = rules_.ratio_asked || use_.chosen ? out_.left_out : out_.remarks;
+      told.push_back(
+          fmt::format("{}: D/d is not checked: no rule is for its construction{}: give 'construction', "
+                      "'class' or 'diameter_ratio', or 'running: stands' of a rope that does not run",
+                      use_.name, use_.rope.construction.empty() ? "" : " " + use_.rope.construction));
     }
     const auto slides = std::find_if(use_.bends.begin(), use_.bends.end(), [](const Bend& bend) {
       return bend.kind == BendKind::saddle && bend.tension > 0 && bend.wrap >= least_wrap;
@@ -434,9 +461,23 @@ class RopeChecker {
 
 RopeChecks check_rope(const RopeUse& use, const RopeRules& rules) { return RopeChecker(use, rules).all(); }
 
-std::string trust_with_rope(const std::string& limit, const catalogue::RopeRow& rope) {
-  if (is_unverified(limit) || rope.trust != catalogue::Trust::unverified) return limit;
-  return "UNVERIFIED: breaking force of the rope";
+double heat_share(const RopeRules& rules) {
+  if (!rules.no_strength.empty()) return none;
+  return rules.heat_strength ? rules.heat_strength->value : 1.0;
+}
+
+void add_doubt(const std::string& trust, const std::string& source, std::vector<Doubt>& doubts) {
+  if (is_unverified(trust)) doubts.push_back({.trust = trust, .source = source});
+}
+
+void add_doubt_of_rope(const catalogue::RopeRow& rope, std::vector<Doubt>& doubts) {
+  if (rope.trust != catalogue::Trust::unverified) return;
+  const std::string words = fmt::format("breaking force of the rope{}", rope.id.empty() ? "" : " " + rope.id);
+  add_doubt("UNVERIFIED: " + words, words, doubts);
+}
+
+std::string trust_with(const std::string& limit, const std::vector<Doubt>& doubts) {
+  return doubts.empty() ? limit : doubts.front().trust;
 }
 
 namespace {

@@ -37,8 +37,10 @@ struct RopeRules {
   std::optional<Limit> hottest;            ///< K
   std::optional<Limit> hottest_end;        ///< K, by the termination
   std::optional<Limit> heat_strength;      ///< share of the strength at its temperature
+  std::string no_strength;                 ///< why no strength is known at its temperature; empty: it is
   std::vector<Limit> sheave_ratios, compensating_ratios, drum_ratios;  ///< least D/d
   bool runs = false;                ///< a D/d is expected: where no rule has one, that is reported
+  std::string group;                ///< class of the mechanism, "M5"; empty: none
   bool ratio_asked = false;         ///< a D/d by the deck's own number or class, or because it says that the rope runs
   std::optional<Limit> resistance;  ///< EN 13001-3-2, static: F_min gamma_rb; value not used
   std::optional<double> fatigue_history;  ///< s_r of EN 13001-3-2
@@ -66,8 +68,16 @@ void write_rope(Sheet<Num>& s, const RopeUse& use, const RopeRules& rules);
 /// A rope that only touches a round is not weakened there, rad.
 inline constexpr double least_wrap = 1e-3;
 
-/// The limit's trust, or "UNVERIFIED: ..." where the rope's own breaking force is not better than that.
-std::string trust_with_rope(const std::string& limit, const catalogue::RopeRow& rope);
+/// The share of its breaking force that a rope has at its temperature; NaN where none is known.
+double heat_share(const RopeRules& rules);
+
+/// Adds an unverified number to the doubts of a check.
+void add_doubt(const std::string& trust, const std::string& source, std::vector<Doubt>& doubts);
+/// The same of the rope's own breaking force.
+void add_doubt_of_rope(const catalogue::RopeRow& rope, std::vector<Doubt>& doubts);
+
+/// What a limit in which several numbers have a part is trusted: as the first that is doubted, else as the limit.
+std::string trust_with(const std::string& limit, const std::vector<Doubt>& doubts);
 
 /// Whether rules for the tension at rest can be applied to the largest one of the states at rest. A load that is put on
 /// an elastic rope at once gives it twice its tension at rest. Where a calculated motion gives it more than that, it

@@ -431,4 +431,52 @@ TEST(RopeCheck, weakening_needs_a_factor_at_rest) {
   EXPECT_NE(all.left_out.front().find("the weakening on sheaves is not checked"), std::string::npos);
 }
 
+// Too hot for the tables: no strength, so no check of it, and none that passes.
+TEST(RopeCheck, without_a_known_strength_there_is_no_number) {
+  RopeRules rules;
+  rules.safety_factors = {{.value = 1, .rule = "a rule", .trust = "verified"}};
+  rules.elastic_share = Limit{.value = 0.6, .rule = "own", .trust = "user"};
+  rules.resistance = Limit{.value = 0, .rule = "EN 13001-3-2", .trust = "UNVERIFIED: recalled"};
+  rules.termination = Limit{.value = 0.8, .rule = "wedge", .trust = "verified"};
+  rules.temperature = 693.15;
+  rules.hottest = Limit{.value = 673.15, .rule = "steel core", .trust = "UNVERIFIED: recalled"};
+  rules.no_strength = "no strength is known at 420 degC";
+  const RopeChecks all = check_rope(hoist_rope(), rules);
+  ASSERT_EQ(all.checks.size(), 1U);
+  EXPECT_FALSE(find(all, "hoist.temperature")->passes);
+  EXPECT_EQ(std::count_if(all.left_out.begin(), all.left_out.end(),
+                          [](const auto& one) { return one.find("known at 420 degC") != std::string::npos; }),
+            3);
+}
+
+// A candidate of a design whose construction no rule of D/d knows is not judged; of a given rope that is a remark.
+TEST(RopeCheck, no_rule_for_a_candidate_is_told) {
+  RopeUse use = hoist_rope();
+  RopeRules rules;
+  rules.runs = true;
+  EXPECT_TRUE(check_rope(use, rules).left_out.empty());
+  EXPECT_EQ(check_rope(use, rules).remarks.size(), 1U);
+  use.chosen = true;
+  ASSERT_EQ(check_rope(use, rules).left_out.size(), 1U);
+  EXPECT_NE(check_rope(use, rules).left_out[0].find("no rule is for its construction 6x36"), std::string::npos);
+  rules.runs = false;
+  EXPECT_TRUE(check_rope(use, rules).left_out.empty());
+}
+
+// Three numbers are doubted in the factor at the end of a hot rope, each by a source of its own.
+TEST(RopeCheck, every_doubt_has_its_source) {
+  RopeUse use = hoist_rope();
+  use.rope.id = "own rope";
+  use.rope.trust = catalogue::Trust::unverified;
+  RopeRules rules;
+  rules.safety_factors = {{.value = 3.5, .rule = "ISO 4308", .trust = "UNVERIFIED: factor"}};
+  rules.heat_strength = Limit{.value = 0.9, .rule = "EN 12385-3", .trust = "UNVERIFIED: heat"};
+  const Check factor = *find(check_rope(use, rules), "hoist.safety_factor");
+  EXPECT_EQ(factor.trust, "UNVERIFIED: factor");
+  ASSERT_EQ(factor.doubts.size(), 3U);
+  EXPECT_EQ(factor.doubts[0].source, "ISO 4308");
+  EXPECT_EQ(factor.doubts[1].source, "EN 12385-3");
+  EXPECT_EQ(factor.doubts[2].source, "breaking force of the rope own rope");
+}
+
 }  // namespace taut::rope::rope_check_test

@@ -106,7 +106,7 @@ void write_rope(Sheet<Num>& s, const RopeUse& use, const RopeRules& rules) {
     own.dynamic_words = "T is the peak of a motion";
     return write_rope(s, at_peak(use), own);
   }
-  if (!(use.rope.breaking_force > 0) || !(use.tension > 0)) return;
+  if (!(use.rope.breaking_force > 0) || !rules.no_strength.empty() || !(use.tension > 0)) return;
   s.section(fmt::format("Rope {}: strength", use.name));
   Num F_min = s.named("F_min", si::N, use.rope.breaking_force);
   write_strength(s, use, rules, F_min);

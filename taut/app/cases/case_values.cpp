@@ -151,11 +151,23 @@ void add_outputs(const Result& r, const std::vector<WantedValue>& wanted, CaseMo
   }
 }
 
+namespace {
+
+/// Why a value of a part has no number, where the result tells.
+std::string why_none(const Result& r, const std::string& name) {
+  const std::string part = name.substr(0, name.rfind('.')) + ": ";
+  const auto told =
+      std::find_if(r.unmade.begin(), r.unmade.end(), [&](const auto& words) { return words.starts_with(part); });
+  return fmt::format("the result has no '{}'{}", name, told == r.unmade.end() ? "" : "; " + *told);
+}
+
+}  // namespace
+
 Outcome take_values(const Result& r, const std::vector<WantedValue>& wanted, std::vector<double>& outputs) {
   if (Outcome outcome = study::outcome_of_case(r); !outcome.ok()) return outcome;
   for (const WantedValue& one : wanted) {
     const auto found = find(r, one);
-    if (!found || std::isnan(found->value)) return infeasible(fmt::format("the result has no '{}'", one.name));
+    if (!found || std::isnan(found->value)) return infeasible(why_none(r, one.name));
     outputs[one.output] = found->value;
   }
   return {};

@@ -120,9 +120,16 @@ void prune(const DeckPart& part, MachineDeck& deck) {
   if (!deck.analyses.empty()) deck.analyses = {std::move(deck.analyses[part.analysis.index])};
 }
 
+bool wants_factor(const DeckPart& part, const std::string& rope) {
+  const std::string name = rope + ".safety_factor";
+  return std::any_of(part.wanted.begin(), part.wanted.end(),
+                     [&](const WantedValue& one) { return one.name == name || one.name == name + ".utilisation"; });
+}
+
 /// The heat of which a deck's checks tell weakens a rope in each analysis, as in a run of the deck; so does that of the
-/// analysis alone, `part`.
-void weaken_by_heat(const MachineDeck& deck, const MachineDeck& part, Result& r) {
+/// analysis alone, `part`. Why a factor that is wanted has no number: the rope is too hot for all tables.
+std::string weaken_by_heat(const MachineDeck& deck, const MachineDeck& part, const DeckPart& asked_of, Result& r) {
+  std::string why;
   const std::optional<double> hottest = study::hottest_of(part.machine, part.analyses);
   const std::size_t asked = deck.checks ? deck.checks->ropes.size() : 0;
   std::vector<std::pair<std::string, std::string>> ropes;  // by the name of a reeving or guy
@@ -137,12 +144,15 @@ void weaken_by_heat(const MachineDeck& deck, const MachineDeck& part, Result& r)
     for (const auto& [name, rope] : ropes) {
       if ((own ? name : rope) != request.name) continue;
       const catalogue::RopeRow row = checks::with_request(checks::row_in(deck, rope), request);
-      const auto share = checks::rope_rules(request, deck.asked.ropes.at(k), row, hottest).heat_strength;
+      const rope::RopeRules rules = checks::rope_rules(request, deck.asked.ropes.at(k), row, hottest);
       for (Value& value : r.values) {
-        if (share && value.name == name + ".safety_factor") value.value *= share->value;
+        if (value.name == name + ".safety_factor") value.value *= rope::heat_share(rules);
       }
+      if (!rules.no_strength.empty() && wants_factor(asked_of, name))
+        why = fmt::format("{}: {}", name, rules.no_strength);
     }
   }
+  return why;
 }
 
 /// What a part of a case has found.
@@ -158,11 +168,8 @@ std::vector<CaseFlaw> open_factors(const DeckPart& part, const std::map<std::str
   std::vector<CaseFlaw> open;
   for (const auto& [rope, why] : beyond) {
     const std::string name = rope + ".safety_factor";
-    const bool wanted = std::any_of(part.wanted.begin(), part.wanted.end(), [&](const WantedValue& one) {
-      return one.name == name || one.name == name + ".utilisation";
-    });
     const bool made = std::any_of(r.checks.begin(), r.checks.end(), [&](const Check& c) { return c.name == name; });
-    if (!wanted || made) continue;
+    if (!wants_factor(part, rope) || made) continue;
     // an analysis alone does not see the others
     const bool alone = part.kind == DeckPart::Kind::analysis;
     open.push_back(
@@ -195,7 +202,11 @@ PartRun run_part(const MachineOfCase& whole, const DeckPart& part, const Machine
   }
   if (part.kind == DeckPart::Kind::analysis) {
     PartRun found{.r = run_machine(deck, RunDepth::values, {}, many)};
-    weaken_by_heat(whole.deck, deck, found.r);
+    std::string unknown = weaken_by_heat(whole.deck, deck, part, found.r);
+    if (!unknown.empty() && found.r.status == Status::ok) {
+      found.r.status = Status::infeasible;
+      found.r.message = std::move(unknown);
+    }
     found.open = open_factors(part, beyond, found.r);
     return found;
   }

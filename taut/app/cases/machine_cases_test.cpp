@@ -375,7 +375,7 @@ TEST(MachineCases, NumbersOfTheChecksAreThoseOfTheCase) {
                "checks:\n"
                "  ropes:\n"
                "    sky: {safety_factor: 3, dynamic_safety_factor: 2, dynamic_factor: 1.2, elastic_limit: 0.9,\n"
-               "          temperature: 120 degC, core: FC, termination_efficiency: 0.95,\n"
+               "          temperature: 120 degC, core: IWRC, termination_efficiency: 0.95,\n"
                "          diameter: 20 mm}\n"
                "  anchors:\n"
                "    head: {strength: 200 kN, safety_factor: 1.5, dynamic_factor: 1.3}\n");
@@ -565,6 +565,30 @@ TEST(MachineCases, WithoutAnAnswerOfTheDeckItselfThereAreNoCases) {
   const auto made = read->cases(question_of({"machine.loads[0].mass"}, {"equilibrium.sky.T_max"}));
   ASSERT_FALSE(made.has_value());
   EXPECT_THAT(made.error().outcome.message, HasSubstr("the deck as it is has no answer"));
+}
+
+// IWRC up to 400 degC, FC up to 100 degC: a hotter case had the factor of the cold rope.
+TEST(MachineCases, ARopeTooHotForTheTablesHasNoFactor) {
+  for (const auto& [core, known, too_hot] : {std::tuple("IWRC", 400.0, 420.0), std::tuple("FC", 90.0, 150.0)}) {
+    const std::string text = fmt::format(R"(taut: 1
+machine:
+  temperature: 20 degC
+  points: {{a: [0 m, 0 m, 10 m]}}
+  ropes: {{r: {{rope: "EN 12385-4|6x36-{}|10|1960", reference_temperature: 20 degC}}}}
+  bodies: {{B: {{mass: 2 t, at: [0 m, 0 m, 5 m], free: [z]}}}}
+  reevings: [{{rope: r, path: [{{anchor: a}}, {{anchor: B}}], length: 4.9 m}}]
+analyses: [{{equilibrium: {{}}}}]
+checks: {{ropes: {{r: {{safety_factor: 1}}}}}}
+)",
+                                         core);
+    for (const char* factor : {"equilibrium.r.safety_factor", "checks.r.safety_factor"}) {
+      const CaseModel m = model_of(text, question_of({"machine.temperature"}, {factor}));
+      EXPECT_TRUE(m.answer(std::vector<double>{273.15 + known}).outcome.ok()) << core << factor;
+      const CaseAnswer hot = m.answer(std::vector<double>{273.15 + too_hot});
+      EXPECT_EQ(hot.outcome.status, Status::infeasible) << core << factor;
+      EXPECT_THAT(hot.outcome.message, HasSubstr("no strength is known of a rope at")) << factor;
+    }
+  }
 }
 
 }  // namespace taut::app::machine_cases_test

@@ -14,6 +14,7 @@
 #include "taut/app/explain/explain_machine.hpp"
 #include "taut/app/explain/keys.hpp"
 #include "taut/app/explain/listing.hpp"
+#include "taut/app/explain/report_names.hpp"
 #include "taut/app/explain/synonyms.hpp"
 #include "taut/app/explain/terms.hpp"
 #include "taut/base/suggest.hpp"
@@ -250,6 +251,7 @@ std::optional<std::string> text_without_ending(const std::string& name) {
 
 tl::expected<std::string, std::string> explain_name(const std::string& name) {
   if (auto text = found_text(name)) return *text;
+  if (auto text = explain_report_name(name)) return *text;
   const std::string own = deck_word(name);
   if (!own.empty()) {
     const std::string head = fmt::format("'{}': the word of a deck is '{}'.\n\n", name, own);

@@ -95,6 +95,19 @@ TEST(ExplainName, OfAValueWithAnEndingIsThatOfItsKind) {
   EXPECT_THAT(text_of("car.z_max"), HasSubstr("BODY.z"));
 }
 
+// What the report calls a check or a table, with the names of the deck in it.
+TEST(ExplainName, KnowsChecksAndTablesByTheirNamesInTheReport) {
+  for (const auto& [name, words] : {std::pair("hoist.drum_ratio", "D/d of the worst drum"),
+                                    {"r.on_sheave", "weakened on a sheave"},
+                                    {"r.wire_stress_2", "the outer wires"},
+                                    {"g1.guy_safety", "checks of a guy: NAME.guy_safety"},
+                                    {"spans", "a row for: every"},
+                                    {"design_active", "a table of results"},
+                                    {"discard_hoist", "tables of results: discard_ROPE"}}) {
+    EXPECT_THAT(text_of(name), HasSubstr(words)) << name;
+  }
+}
+
 TEST(ExplainName, SuggestsForANameThatIsNone) {
   EXPECT_THAT(explain_name("payload_mni").error(), HasSubstr("did you mean 'payload_min'?"));
   EXPECT_THAT(explain_name("frictoin").error(), HasSubstr("did you mean 'friction'?"));

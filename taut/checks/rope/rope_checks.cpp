@@ -27,14 +27,38 @@ std::vector<std::string> rounds_of(const machine::Model& model, const std::vecto
   return known;
 }
 
-void complain_of_places(const RopeCheckRequest& request, const std::string& path, const std::vector<std::string>& known,
-                        std::vector<Complaint>& complaints) {
+/// What a round is that never compensates; empty: a sheave that may.
+const char* never_compensates(const machine::Node& node) {
+  if (node.drum) return "a drum";
+  if (node.kind == machine::NodeKind::drive) return "driven";
+  if (node.kind == machine::NodeKind::clamp) return "a place where the rope is held";
+  return kind_of(node) == rope::BendKind::sheave ? "" : "a saddle, over which the rope slides";
+}
+
+/// Why D/d of a compensating sheave is not that of this round; empty: it is.
+std::string no_compensating_sheave(const machine::Model& model, const std::vector<std::size_t>& reevings,
+                                   const std::string& name) {
+  std::vector<std::string> sheaves;
+  std::string other;
+  for (const std::size_t i : reevings) {
+    for (const machine::Node& node : model.reevings[i].nodes) {
+      if (!(node.radius > 0)) continue;
+      const std::string never = never_compensates(node);
+      if (never.empty()) sheaves.push_back(node.name);
+      if (!never.empty() && node.name == name) other = never;
+    }
+  }
+  if (!other.empty())
+    return fmt::format("'{}' is {}: name a sheave that stands while the rope is hauled, or leave it out", name, other);
+  if (std::find(sheaves.begin(), sheaves.end(), name) != sheaves.end()) return {};
+  return fmt::format("the rope runs over no sheave '{}' with a diameter{}", name, did_you_mean(name, sheaves));
+}
+
+void complain_of_places(const RopeCheckRequest& request, const std::string& path, const machine::Model& model,
+                        const std::vector<std::size_t>& reevings, std::vector<Complaint>& complaints) {
   for (std::size_t i = 0; i < request.compensating.size(); ++i) {
-    const std::string& name = request.compensating[i];
-    if (std::find(known.begin(), known.end(), name) != known.end()) continue;
-    complaints.push_back(
-        {fmt::format("{}.compensating[{}]", path, i),
-         fmt::format("the rope runs over no sheave '{}' with a diameter{}", name, did_you_mean(name, known))});
+    std::string why = no_compensating_sheave(model, reevings, request.compensating[i]);
+    if (!why.empty()) complaints.push_back({fmt::format("{}.compensating[{}]", path, i), std::move(why)});
   }
 }
 
@@ -83,14 +107,20 @@ std::vector<AskedRules> resolve_ropes(const ChecksRequest& request, const Checke
           {path, fmt::format("there is no reeving, guy or rope '{}'{}", one.name, did_you_mean(one.name, known))});
       continue;
     }
-    const catalogue::RopeRow own = row_in(deck, rope_name_of(deck.machine, reevings.front()));
-    const catalogue::RopeRow rope = with_request(own, one);
-    complain_of_values(one, own, path, complaints);
-    const std::vector<std::string> rounds = rounds_of(model, reevings);
+    const std::string& name = rope_name_of(deck.machine, reevings.front());
     const AskedRules& asked = all.emplace_back(asked_rules(one, path, complaints));
-    complain_of_limits(one, asked, rope, path, complaints);
-    complain_of_life(one, rope, rounds, path, complaints);
-    complain_of_places(one, path, rounds, complaints);
+    catalogue::RopeRow rope;
+    // each candidate of a design has a row of its own, by which it is judged
+    if (deck.chosen.contains(name)) {
+      complain_of_candidates(one, path, complaints);
+    } else {
+      const catalogue::RopeRow own = row_in(deck, name);
+      complain_of_values(one, own, path, complaints);
+      rope = with_request(own, one);
+      complain_of_limits(one, asked, rope, path, complaints);
+    }
+    complain_of_life(one, rope, rounds_of(model, reevings), path, complaints);
+    complain_of_places(one, path, model, reevings, complaints);
   }
   return all;
 }
@@ -121,18 +151,24 @@ void doubt_termination(const rope::RopeUse& use, const AskedRules& asked, const 
   if (rules.temperature && weakens(*rules.temperature)) r.unmade.push_back(words);
 }
 
+void put_request(const RopeCheckRequest& request, rope::RopeUse& use, Result& r) {
+  if (!use.chosen) {
+    use.rope = with_request(std::move(use.rope), request);
+    return;
+  }
+  std::vector<std::string> denied;
+  use.rope = candidate_with_request(std::move(use.rope), request, fmt::format("checks.ropes.{}", request.name), denied);
+  r.warnings.insert(r.warnings.end(), denied.begin(), denied.end());
+  std::move(denied.begin(), denied.end(), std::back_inserter(r.unmade));
+}
+
 void add_checks_of(const RopeCheckRequest& request, const AskedRules& asked, const rope::RopeUse& use, Result& r,
-                   std::optional<double> around, bool chosen) {
+                   std::optional<double> around) {
   const rope::RopeRules rules = rope_rules(request, asked, use.rope, around);
   rope::RopeChecks found = rope::check_rope(use, rules);
   // the rope of the deck has them; a candidate of a design need not
   for (const MissingLimit& one : missing_limits(request, asked, use.rope, rules, use.display)) {
     found.left_out.push_back(fmt::format("{}: {} is not checked: {}", use.name, one.key, one.words));
-  }
-  // a candidate must not win because no rule knows its construction
-  if (chosen && !asked.fields.empty()) {
-    std::move(found.remarks.begin(), found.remarks.end(), std::back_inserter(found.left_out));
-    found.remarks.clear();
   }
   std::move(found.checks.begin(), found.checks.end(), std::back_inserter(r.checks));
   r.warnings.insert(r.warnings.end(), found.left_out.begin(), found.left_out.end());
@@ -140,7 +176,7 @@ void add_checks_of(const RopeCheckRequest& request, const AskedRules& asked, con
   std::move(found.left_out.begin(), found.left_out.end(), std::back_inserter(r.unmade));
   warn_of_peaks(use, rules, r);
   doubt_termination(use, asked, rules, r);
-  const double heat_share = rules.heat_strength ? rules.heat_strength->value : 1;
+  const double heat_share = rope::heat_share(rules);
   // the value beside the check is that of the cold rope so far
   for (Value& value : r.values) {
     if (value.name == use.name + ".safety_factor") value.value *= heat_share;
@@ -165,11 +201,11 @@ void add_rope_checks(const ChecksRequest& request, const CheckedDeck& deck, cons
     const RopeCheckRequest& one = request.ropes[k];
     for (const std::size_t i : reevings_named(one.name, deck, model)) {
       rope::RopeUse use = uses[i];
-      use.rope = with_request(std::move(use.rope), one);
+      use.chosen = deck.chosen.contains(rope_name_of(deck.machine, i));
+      put_request(one, use, r);
       set_compensating(one, use);
       add_running(one, model.reevings[i], r);
-      const bool chosen = deck.chosen.contains(rope_name_of(deck.machine, i));
-      add_checks_of(one, deck.asked.ropes.at(k), use, r, hottest, chosen);
+      add_checks_of(one, deck.asked.ropes.at(k), use, r, hottest);
     }
   }
 }

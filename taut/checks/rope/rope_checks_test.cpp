@@ -8,7 +8,9 @@
 #include <vector>
 
 #include "taut/calc/verdict.hpp"
+#include "taut/catalogue/construction.hpp"
 #include "taut/catalogue/rope.hpp"
+#include "taut/catalogue/rope_search.hpp"
 #include "test/support/machine_decks.hpp"
 
 namespace taut::checks::rope_checks_test {
@@ -442,6 +444,77 @@ TEST(RopeChecks, ARopeOfTheMachineMayBeNamedByItsProperties) {
   EXPECT_EQ(taut_test::check_of(by_id, "h.safety_factor").value,
             taut_test::check_of(in_words, "h.safety_factor").value);
   EXPECT_THAT(to_text(hang("6x36-IWRC 16.3 mm").errors), testing::HasSubstr("the nearest are"));
+}
+
+// D/d 20 at the hook and 19.75 at the drum: M6 asks 22.4 and 20, with the class in the field too.
+TEST(RopeChecks, a_class_within_the_field_checks_the_ratios) {
+  for (const char* field : {"field: crane_running.M6", "field: crane_running, class: m6"}) {
+    const Result r = run_text(hoist_deck(fmt::format("  ropes: {{hoist: {{{}, discard: true}}}}", field)),
+                              {"machine.ropes.hoist={rope: \"EN 12385-4|6x36-FC|16|1960\", stiffness: 12 MN}"});
+    ASSERT_EQ(r.status, Status::ok) << r.message << to_text(r.errors);
+    EXPECT_FALSE(find(r, "hoist.sheave_ratio")->passes) << field;
+    EXPECT_FALSE(find(r, "hoist.drum_ratio")->passes) << field;
+    EXPECT_EQ(find(r, "hoist.drum_ratio")->limit, 20) << field;
+    const Table& t = taut_test::table_of(r, "discard_hoist");
+    EXPECT_THAT(std::get<std::string>(t.rows.at(0).at(4)), HasSubstr("class M6")) << field;
+  }
+  expect_mistake(run_text(hoist_deck("  ropes: {hoist: {field: crane_running.M5, class: M1}}")),
+                 "'crane_running.M5' is of the class M5, and 'class' says M1");
+}
+
+// A drum and a saddle got the D/d of a compensating sheave, or none.
+TEST(RopeChecks, only_a_sheave_compensates) {
+  const std::string checks = "  ropes: {hoist: {field: crane_running, class: M3, compensating: ";
+  expect_mistake(run_text(hoist_deck(checks + "winch}}")), "'winch' is a drum: name a sheave that stands");
+  expect_mistake(
+      run_text(hoist_deck(checks + "[hook, head]}}"),
+               {"machine.sheaves.head={at: [1.4 m, 0 m, 20 m], diameter: 60 mm, law: saddle, friction: 0.1}"}),
+      "'head' is a saddle");
+  expect_mistake(run_text(hoist_deck(checks + "hed}}")), "no sheave 'hed' with a diameter; did you mean 'head'");
+}
+
+/// The hoist rope chosen; `checks` of it and `ropes` to choose from.
+Result chosen(const std::string& checks, const std::string& ropes, std::vector<std::string> set = {}) {
+  set.emplace_back("machine.ropes.hoist={}");
+  return run_text(hoist_deck("  ropes: {hoist: {" + checks + "}}\ndesign: {seek: lightest, ropes: {hoist: {" + ropes +
+                             ", standard: EN, grade: 1960 MPa}}}"),
+                  set);
+}
+
+// 6x7-IWRC was the answer, judged by the rules of 6x36: every candidate is what its row says.
+TEST(RopeChecks, a_design_judges_each_candidate_by_its_own_construction) {
+  const std::vector<std::string> wide = {"machine.sheaves.head.diameter=600 mm", "machine.sheaves.hook.diameter=600 mm",
+                                         "machine.drums.winch.core_diameter=600 mm"};
+  const std::string use = "field: crane_running, class: M3, groove: manganese_steel";
+  const Result denied = chosen(use + ", construction: 6x36", "construction: 6x7, core: IWRC", wide);
+  EXPECT_EQ(to_text(verdict_of(denied)->kind), "no_answer") << denied.message << to_text(denied.errors);
+  EXPECT_THAT(denied.message, HasSubstr("the rope has the construction 6x7"));
+  const Result free = chosen(use + ", construction: 6x36", "core: IWRC", wide);
+  ASSERT_EQ(exit_code(free), 0) << free.message << to_text(free.errors);
+  const std::string designation = taut_test::text_cell(taut_test::table_of(free, "design"), 0, "designation");
+  EXPECT_EQ(catalogue::construction_class(catalogue::find_rope(designation)->construction), "6x36") << designation;
+  expect_mistake(chosen(use + ", rope: \"EN 12385-4|6x36-IWRC|16|1960\"", "core: IWRC", wide),
+                 "'design' chooses this rope, and each candidate has the values of its row");
+}
+
+// 6x7-FC was the answer, with a remark that no rule of D/d is for it.
+TEST(RopeChecks, a_design_by_an_own_factor_takes_no_rope_without_a_rule_of_its_ratios) {
+  const Result r = chosen("safety_factor: 4", "construction: 6x7, core: FC");
+  EXPECT_EQ(to_text(verdict_of(r)->kind), "no_answer");
+  EXPECT_THAT(r.message, HasSubstr("no rule is for its construction"));
+  EXPECT_EQ(exit_code(chosen("safety_factor: 4, running: stands", "construction: 6x7, core: FC")), 0);
+  EXPECT_EQ(exit_code(chosen("safety_factor: 4, diameter_ratio: 10", "construction: 6x7, core: FC")), 0);
+}
+
+// Above 400 degC nobody knows what is left of a steel rope: neither a factor nor the value beside it.
+TEST(RopeChecks, a_rope_too_hot_for_the_tables_has_no_factor) {
+  const Result r = run_text(checked("  ropes: {skyline: {field: skyline.ch, core: IWRC, temperature: 401 degC}}"));
+  ASSERT_EQ(r.status, Status::ok) << to_text(r.errors);
+  EXPECT_FALSE(has(r, "skyline.safety_factor"));
+  EXPECT_FALSE(find(r, "skyline.temperature")->passes);
+  EXPECT_TRUE(std::isnan(value_of(r, "skyline.safety_factor")));
+  EXPECT_TRUE(std::isnan(value_of(r, "skyline.dynamic_safety_factor")));
+  EXPECT_THAT(r.unmade, testing::Contains(HasSubstr("no strength is known of a rope at 401 degC")));
 }
 
 }  // namespace taut::checks::rope_checks_test

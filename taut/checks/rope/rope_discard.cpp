@@ -40,9 +40,7 @@ const Quantities<DiscardRow>& discard_quantities() {
 }
 
 /// "M5" is 5; 0: no class.
-int class_number(const RopeCheckRequest& request) {
-  return request.group && request.group->size() == 2 && (*request.group)[0] == 'M' ? (*request.group)[1] - '0' : 0;
-}
+int class_number(const std::string& group) { return group.size() == 2 && group[0] == 'M' ? group[1] - '0' : 0; }
 
 /// Filler wires of a strand 1 + k + kF + 2k, k: they bear nothing. "6x25" is such a strand without saying so.
 int fillers(const catalogue::Construction& rope) {
@@ -89,14 +87,14 @@ struct CountedWires {
   std::string why;     ///< class and lay, in words
 };
 
-CountedWires counted(const catalogue::Construction& rope, const RopeCheckRequest& request) {
+CountedWires counted(const catalogue::Construction& rope, const std::string& group) {
   CountedWires all;
   all.turns = resists_turning(rope);
   all.fill = all.turns ? 0 : fillers(rope);
   all.thick = !all.turns && is_thick_wired(rope);
-  all.twice = class_number(request) >= (all.turns ? 3 : 5);
+  all.twice = class_number(group) >= (all.turns ? 3 : 5);
   all.wires = rope.strands * (rope.wires - all.fill);
-  all.why = class_number(request) > 0 ? "class " + *request.group : std::string("class not known");
+  all.why = class_number(group) > 0 ? "class " + group : std::string("class not known");
   if (all.thick) all.why += rope.lay.empty() ? "; lay not known, Seale assumed: two rows up" : "; Seale: two rows up";
   return all;
 }
@@ -120,11 +118,11 @@ void add_counts(const RuleRow& row, const CountedWires& counted, double diameter
 }
 
 /// Broken wires that one sees, on 6 and on 30 diameters.
-void add_wires(const RopeCheckRequest& request, const rope::RopeUse& use, std::vector<DiscardRow>& rows) {
+void add_wires(const std::string& group, const rope::RopeUse& use, std::vector<DiscardRow>& rows) {
   const auto construction = catalogue::parse_construction(use.rope.construction);
   if (!construction) return;
   const bool layered = std::any_of(use.drums.begin(), use.drums.end(), [](const auto& d) { return d.layers > 1; });
-  const CountedWires wires = counted(*construction, request);
+  const CountedWires wires = counted(*construction, group);
   for (const char* topic : {"discard.ordinary", "discard.lang", "discard.rotation_resistant"}) {
     if (wires.turns != (std::string_view(topic) == "discard.rotation_resistant")) continue;
     if (const auto row = row_for(topic, wires.wires, wires.thick ? 2 : 0))
@@ -157,9 +155,9 @@ TableWords discard_words() {
           .columns = words_of(discard_quantities())};
 }
 
-void add_discard(const RopeCheckRequest& request, const rope::RopeUse& use, Result& r) {
+void add_discard(const std::string& group, const rope::RopeUse& use, Result& r) {
   std::vector<DiscardRow> rows;
-  add_wires(request, use, rows);
+  add_wires(group, use, rows);
   add_diameter(use, rows);
   for (const RuleRow& row : catalogue::rules_of("discard")) {
     if (row.low) continue;  // reported above

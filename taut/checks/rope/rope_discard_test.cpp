@@ -15,8 +15,6 @@ using taut_test::text_cell;
 using testing::HasSubstr;
 
 Table discard(const std::string& construction, const std::string& core, const std::string& group, int layers = 1) {
-  RopeCheckRequest request;
-  if (!group.empty()) request.group = group;
   rope::RopeUse use;
   use.name = "hoist";
   use.rope.construction = construction;
@@ -25,7 +23,7 @@ Table discard(const std::string& construction, const std::string& core, const st
   use.drums = {
       {.name = "winch", .tension = 1e3, .fleet_angle = {}, .layers = layers, .first_radius = {}, .last_radius = {}}};
   Result r;
-  add_discard(request, use, r);
+  add_discard(group, use, r);
   return r.tables.at(0);
 }
 
@@ -77,11 +75,10 @@ TEST(RopeDiscard, lost_diameter_by_core) {
 }
 
 TEST(RopeDiscard, an_unknown_rope_is_told) {
-  RopeCheckRequest request;
   rope::RopeUse use;
   use.name = "hoist";
   Result r;
-  add_discard(request, use, r);
+  add_discard("", use, r);
   ASSERT_EQ(r.warnings.size(), 1U);
   EXPECT_EQ(r.tables.at(0).rows.size(), 6U);  // what needs no number, and the diameter's share
 }

@@ -80,9 +80,7 @@ rope::LifeRules rules_of(const RopeCheckRequest& request, const rope::RopeUse& u
     all.core_factor = *life.core_factor;
     all.core_words = "f_C of the deck";
   } else if (construction) {
-    set_core_factor(use.rope.core, construction->strands == 6 ? 6 : 8, all);
-  } else {
-    set_core_factor("", 6, all);  // which has less than 8
+    set_core_factor(use.rope.core, construction->strands, all);
   }
   const auto weight = catalogue::find_rule("life.reverse_weight");
   all.reverse_weight = life.reverse_weight.value_or(weight ? *weight->low : 1);
@@ -123,17 +121,20 @@ void add_table(const std::vector<rope::Life>& lives, const rope::RopeUse& use, R
                  life_quantities(), rows));
 }
 
-/// Of the number that is doubted most: constants, the weight of reverse bending, the dynamic factor.
-std::string trust_of_life(const RopeCheckRequest& request, const rope::Life& life, const rope::RopeRules& rules) {
-  if (is_unverified(life.constants->trust)) return life.constants->trust;
+/// Of constants, the weight of reverse bending, the dynamic factor and the rope itself.
+std::vector<Doubt> doubts_of_life(const RopeCheckRequest& request, const rope::Life& life, const rope::RopeUse& use,
+                                  const rope::RopeRules& rules) {
+  std::vector<Doubt> doubts;
+  rope::add_doubt(life.constants->trust, life.constants->words, doubts);
   const bool own_weight = request.life && request.life->reverse_weight;
-  if (const auto row = catalogue::find_rule("life.reverse_weight"); life.reversed && !own_weight && row) {
-    if (row->trust == catalogue::Trust::unverified) return catalogue::trust_words(*row);
-  }
-  return is_unverified(rules.dynamic_trust) ? rules.dynamic_trust : life.constants->trust;
+  if (const auto row = catalogue::find_rule("life.reverse_weight"); life.reversed && !own_weight && row)
+    rope::add_doubt(catalogue::trust_words(*row), fmt::format("{} ({})", row->item, row->source), doubts);
+  rope::add_doubt(rules.dynamic_trust, rules.dynamic_words, doubts);
+  rope::add_doubt_of_rope(use.rope, doubts);
+  return doubts;
 }
 
-void add_life_check(const rope::Life& life, const rope::LifeRules& rules, const std::string& trust,
+void add_life_check(const rope::Life& life, const rope::LifeRules& rules, std::vector<Doubt> doubts,
                     const rope::RopeUse& use, Result& r) {
   const std::string name = use.name + ".life";
   Check c =
@@ -142,7 +143,8 @@ void add_life_check(const rope::Life& life, const rope::LifeRules& rules, const 
                   .limit = 1,
                   .rule = fmt::format("Palmgren-Miner, sum of n/N over all duties and rounds; N by Feyrer, {}: {}; {}",
                                       life.constants->count, life.constants->words, rules.core_words),
-                  .trust = rope::trust_with_rope(trust, use.rope)});
+                  .trust = rope::trust_with(life.constants->trust, doubts),
+                  .doubts = std::move(doubts)});
   c.part = use.name;
   r.checks.push_back(std::move(c));
   r.values.push_back(make_value(named(value_kinds(), "ROPE.life_damage"), use.name, "", life.damage,
@@ -194,13 +196,15 @@ void check_donandt(const RopeCheckRequest& request, const rope::RopeUse& use, co
   else if (!(hardest.pull > 0))
     not_checked("no sheave or drum bends it under tension");
   if (!(hardest.pull > 0)) return;
-  const bool doubted = rules.dynamic_factor != 1 && is_unverified(rules.dynamic_trust);
+  std::vector<Doubt> doubts;
+  if (rules.dynamic_factor != 1) rope::add_doubt(rules.dynamic_trust, rules.dynamic_words, doubts);
   Check c = make_check(
       use.name + ".donandt", hardest.pull, si::N,
       {.sense = Sense::at_most,
        .limit = *request.life->donandt_force,
        .rule = fmt::format("Donandt force: above it wires yield in bending and the life falls off; {}", hardest.words),
-       .trust = doubted ? rules.dynamic_trust : "user"});
+       .trust = rope::trust_with("user", doubts),
+       .doubts = std::move(doubts)});
   c.part = use.name;
   r.checks.push_back(std::move(c));
 }
@@ -235,6 +239,20 @@ std::vector<std::string> not_bent_on(const rope::LifeRules& rules, const rope::R
     }
   }
   return all;
+}
+
+/// The table has ropes of 6 and of 8 strands alone.
+std::string why_no_core_factor(const catalogue::RopeRow& rope) {
+  const char* const give = "give 'life: core_factor' of the rope's maker";
+  if (!catalogue::parse_construction(rope.construction)) {
+    return fmt::format("the endurance factor f_C goes by the number of strands, and {}: give 'construction', or {}",
+                       rope.construction.empty() ? "the construction is not known"
+                                                 : fmt::format("of '{}' that is not known", rope.construction),
+                       give);
+  }
+  return fmt::format(
+      "Feyrer's table 3.14a has an endurance factor f_C of ropes with 6 or 8 strands, and none of {}: {}",
+      rope.construction, give);
 }
 
 constexpr const char* unbent = "no sheave or drum of known diameter bends it under tension";
@@ -280,12 +298,13 @@ void complain_of_life(const RopeCheckRequest& request, const catalogue::RopeRow&
 
 void add_life(const RopeCheckRequest& request, const rope::RopeUse& use, const rope::RopeRules& rules, Result& r) {
   if (request.life && request.life->donandt_force) check_donandt(request, use, rules, r);
-  if (request.discard) add_discard(request, use, r);
+  if (request.discard) add_discard(rules.group, use, r);
   if (request.duty.empty()) return;
   const auto not_computed = [&](const std::string& why) { leave_out(use, "its life is not computed: " + why, r); };
   if (!(use.rope.diameter > 1.4e-3) || !use.rope.grade)  // of a rope that a design has chosen
     return not_computed(fmt::format("the grade or the diameter of '{}' is not known", use.rope.id));
   const rope::LifeRules life_rules = rules_of(request, use, rules);
+  if (life_rules.core_words.empty()) return not_computed(why_no_core_factor(use.rope));
   for (const std::string& round : not_bent_on(life_rules, use))
     leave_out(use, fmt::format("its life leaves out {}: {} there", round, unbent), r);
   const std::vector<rope::Life> lives = rope::life_of(use, life_rules);
@@ -306,7 +325,7 @@ void add_life(const RopeCheckRequest& request, const rope::RopeUse& use, const r
                           fmt::join(use.unmeasured, ", ")),
               r);
   }
-  add_life_check(*worst, life_rules, trust_of_life(request, *worst, rules), use, r);
+  add_life_check(*worst, life_rules, doubts_of_life(request, *worst, use, rules), use, r);
   add_table(lives, use, r);
 }
 

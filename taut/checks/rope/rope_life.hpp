@@ -24,7 +24,7 @@ TableWords life_words();
 TableWords discard_words();
 
 /// The table `discard_NAME`: when the rope is to be put away, with its own numbers where its data are known.
-/// rope_discard.cpp.
-void add_discard(const RopeCheckRequest& request, const rope::RopeUse& use, Result& r);
+/// `group`: class of the mechanism, "M5"; may be empty. rope_discard.cpp.
+void add_discard(const std::string& group, const rope::RopeUse& use, Result& r);
 
 }  // namespace taut::checks

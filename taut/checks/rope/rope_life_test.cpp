@@ -375,4 +375,25 @@ TEST(RopeLife, its_data_need_a_duty) {
   EXPECT_EQ(run_text(lift("{life: {donandt_force: 90 kN}}")).status, Status::ok);
 }
 
+// Feyrer's table 3.14a has ropes of 6 and of 8 strands: 18x7 had the factor 1 of 8 strands, an unknown rope 0.81.
+TEST(RopeLife, a_rope_of_other_strands_has_no_endurance_factor) {
+  const auto judged = [](const std::string& construction, const std::string& life) {
+    const std::string given = construction.empty() ? "" : "construction: " + construction + ", ";
+    Result r =
+        run_text(lift("{" + given + "grade: 1770 MPa, duty: [{name: lifts, cycles: 200}]" + life + "}"),
+                 {"machine.ropes.hoist={mass: 1 kg/m, stiffness: 12 MN, breaking_force: 150 kN, diameter: 16 mm}"});
+    EXPECT_EQ(r.status, Status::ok) << r.message << to_text(r.errors);
+    return r;
+  };
+  for (const char* name : {"18x7-WSC", "35x7", "3x19", "4x36WS-FC", "7x19", "1x19", ""}) {
+    const Result r = judged(name, "");
+    EXPECT_THAT(r.unmade, testing::Contains(HasSubstr("give 'life: core_factor' of the rope's maker"))) << name;
+    EXPECT_EQ(r.find_value("hoist.life_damage"), nullptr) << name;
+    EXPECT_GT(value_of(judged(name, ", life: {core_factor: 0.5}"), "hoist.life_damage"), 0) << name;
+  }
+  for (const char* name : {"6x36WS-IWRC", "8x19S-FC"}) {
+    EXPECT_GT(value_of(judged(name, ""), "hoist.life_damage"), 0) << name;
+  }
+}
+
 }  // namespace taut::checks::rope_life_test

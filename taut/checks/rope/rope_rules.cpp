@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <numbers>
 #include <optional>
@@ -16,6 +17,7 @@
 #include "taut/catalogue/rule.hpp"
 #include "taut/catalogue/trust.hpp"
 #include "taut/rope/strength.hpp"
+#include "taut/units/any_quantity.hpp"
 
 namespace taut::checks {
 namespace {
@@ -85,6 +87,7 @@ class RequestReader {
       : request_(request), path_(std::move(path)), complaints_(complaints) {}
 
   AskedRules read() {
+    find_class();
     for (std::size_t i = 0; i < request_.field.size(); ++i) field(request_.field[i], fmt::format("field[{}]", i));
     if (request_.rope) {
       const auto row = catalogue::find_rope_in_words(*request_.rope);
@@ -132,8 +135,34 @@ class RequestReader {
     if (!std::exchange(refused_class_, true)) complain("class", words + ": M1 to M8");
   }
 
+  static std::string without_topic(const std::string& given) {
+    return given.starts_with("safety.") ? given.substr(7) : given;
+  }
+
+  /// The class of the mechanism: that of the deck, or that of a field which names its own, 'crane_running.M5'. D/d,
+  /// broken wires and all fields go by it.
+  void find_class() {
+    std::string& group = rules_.group;
+    group = request_.group.value_or("");
+    std::transform(group.begin(), group.end(), group.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
+    std::string from = "'class'";
+    for (std::size_t i = 0; i < request_.field.size(); ++i) {
+      const auto row = rule_named("safety." + without_topic(request_.field[i]));
+      if (!row || row->group.empty()) continue;
+      if (!group.empty() && group != row->group) {
+        complain(fmt::format("field[{}]", i),
+                 fmt::format("'{}' is of the class {}, and {} says {}: a rope has one class", request_.field[i],
+                             row->group, from, group));
+        continue;
+      }
+      group = row->group;
+      from = fmt::format("'{}'", request_.field[i]);
+    }
+  }
+
   void field(const std::string& given, const std::string& key) {
-    const std::string name = given.starts_with("safety.") ? given.substr(7) : given;
+    const std::string name = without_topic(given);
     std::string id = "safety." + name;
     if (name == "skyline_elastic_limit") {
       return complain(key, "is a share of the breaking force, not a safety factor: see 'elastic_limit'");
@@ -143,13 +172,14 @@ class RequestReader {
         std::any_of(below.begin(), below.end(), [](const RuleRow& one) { return !one.group.empty(); });
     if (!below.empty() && !by_class) return no_field_alone(name, below, key);
     if (by_class) {
-      if (!request_.group) return complain(key, fmt::format("'{}' needs a 'class', M1 to M8", name));
-      used_group_ = true;
-      id += "." + *request_.group;
+      if (rules_.group.empty()) return complain(key, fmt::format("'{}' needs a 'class', M1 to M8", name));
+      id += "." + rules_.group;
     }
     const auto row = rule_named(id);
-    if (!row && by_class) return no_such_class(fmt::format("'{}' has no class '{}'", name, *request_.group));
+    if (!row && by_class)
+      return no_such_class(fmt::format("'{}' has no class '{}'", name, request_.group.value_or(rules_.group)));
     if (!row) return no_such_field(name, key);
+    used_group_ |= !row->group.empty();
     asked_.fields.push_back(row->id);
     const bool crane = begins(row->id, {"safety.crane_"}), covers = crane || begins(row->id, {"safety.ropeway_"});
     const bool first = asked_.fields.size() == 1;
@@ -269,7 +299,7 @@ class RequestReader {
   bool runs() const {
     if (request_.running != Choose::by_field) return request_.running == Choose::yes;
     const auto& ids = asked_.fields;
-    return ids.empty() || (request_.group && !used_group_) ||
+    return ids.empty() || (!rules_.group.empty() && !used_group_) ||
            std::any_of(ids.begin(), ids.end(), [](const std::string& id) {
              return !begins(id, {"safety.skyline", "safety.guyline", "safety.crane_stay", "safety.ropeway_track",
                                  "safety.cableway"});
@@ -278,7 +308,7 @@ class RequestReader {
 
   void ratios() {
     const bool said_to_run = request_.running == Choose::yes;
-    rules_.ratio_asked = !request_.diameter_ratio.empty() || said_to_run || (request_.group && runs());
+    rules_.ratio_asked = !request_.diameter_ratio.empty() || said_to_run || (!rules_.group.empty() && runs());
     rules_.no_saddles = said_to_run;
     if (!request_.diameter_ratio.empty()) {
       if (request_.diameter_ratio.size() > 2) complain("diameter_ratio", "one number, or two: of sheaves and of drums");
@@ -290,7 +320,7 @@ class RequestReader {
     }
     rules_.runs = runs();
     if (!runs()) return;
-    if (request_.group) {
+    if (!rules_.group.empty()) {
       ladder("crane_sheave", rules_.sheave_ratios);
       ladder("crane_compensating_sheave", rules_.compensating_ratios);
       ladder("crane_drum", rules_.drum_ratios);
@@ -298,11 +328,11 @@ class RequestReader {
   }
 
   void ladder(const char* which, std::vector<Limit>& limits) {
-    const auto row = rule_named(fmt::format("ratio.{}.{}", which, *request_.group));
+    const auto row = rule_named(fmt::format("ratio.{}.{}", which, rules_.group));
     if (row) {
       limits.push_back(limit_of(*row, SafeEnd::high));
     } else if (limits.empty() && std::string_view(which) == "crane_sheave") {
-      no_such_class(fmt::format("there is no class '{}'", *request_.group));
+      no_such_class(fmt::format("there is no class '{}'", request_.group.value_or(rules_.group)));
     }
   }
 
@@ -396,6 +426,10 @@ class RopeLimits {
       if (rope_.core.empty()) rules_.hottest->rule += "; the core is not known, a fibre core assumed";
       if (*rules_.temperature <= upto && !rules_.heat_strength) rules_.heat_strength = limit_of(row, SafeEnd::low);
     }
+    if (rules_.hottest && !rules_.heat_strength) {
+      rules_.no_strength = fmt::format("no strength is known of a rope at {:.4g} degC: the tables end at {:.4g} degC",
+                                       *rules_.temperature - zero_celsius, rules_.hottest->value - zero_celsius);
+    }
   }
 
   void ratios() {
@@ -458,80 +492,6 @@ class RopeLimits {
 bool weakens(double temperature) {
   static const double harmless = hottest_of(catalogue::rules_of("temperature.FC").front());
   return temperature > harmless;
-}
-
-catalogue::RopeRow with_request(catalogue::RopeRow rope, const RopeCheckRequest& request) {
-  if (request.rope) {
-    if (const auto row = catalogue::find_rope_in_words(*request.rope)) {
-      const catalogue::RopeRow own = std::exchange(rope, *row);
-      // what the machine says of its own rope counts
-      if (own.breaking_force > 0) {
-        rope.breaking_force = own.breaking_force;
-        rope.trust = own.trust;
-      }
-      if (own.diameter > 0) rope.diameter = own.diameter;
-      if (own.mass_per_length > 0) rope.mass_per_length = own.mass_per_length;
-    }
-  }
-  if (request.breaking_force && rope.breaking_force == 0) {
-    rope.breaking_force = *request.breaking_force;
-    rope.trust = catalogue::Trust::verified;
-  }
-  if (rope.diameter == 0) rope.diameter = request.diameter.value_or(0);
-  if (request.construction) {
-    rope.construction = *request.construction;
-    if (const auto parsed = catalogue::parse_construction(*request.construction); parsed && !parsed->core.empty()) {
-      rope.core = parsed->core;
-    }
-  }
-  if (request.core) rope.core = catalogue::parse_core(*request.core).value_or(*request.core);
-  if (!rope.grade) rope.grade = request.grade;
-  if (rope.area == 0) rope.area = request.area.value_or(0);
-  return rope;
-}
-
-void complain_of_second(const std::optional<double>& given, double known, const std::string& path,
-                        std::vector<Complaint>& complaints) {
-  if (!given || known == 0 || std::abs(*given - known) <= same_value * known) return;
-  complaints.push_back({path, "the rope has another value already: change it there, or leave this one out"});
-}
-
-namespace {
-
-/// Whether two names of constructions may be of one rope: rules go by the class.
-bool may_be_one(const std::string& one, const std::string& other) {
-  if (catalogue::matches_construction(one, other) || catalogue::matches_construction(other, one)) return true;
-  const std::string group = catalogue::construction_class(one);
-  return !group.empty() && group == catalogue::construction_class(other);
-}
-
-}  // namespace
-
-void complain_of_values(const RopeCheckRequest& request, catalogue::RopeRow rope, const std::string& path,
-                        std::vector<Complaint>& complaints) {
-  const auto row = catalogue::find_rope_in_words(request.rope.value_or(""));
-  if (row && rope.diameter > 0 && std::abs(rope.diameter - row->diameter) > same_value * rope.diameter) {
-    complaints.push_back({path + ".rope", fmt::format("is a rope of {:.4g} mm, and that of the machine has {:.4g} mm",
-                                                      row->diameter * 1e3, rope.diameter * 1e3)});
-  }
-  RopeCheckRequest named;
-  named.rope = request.rope;
-  rope = with_request(std::move(rope), named);
-  if (request.core && !rope.core.empty() && catalogue::parse_core(*request.core).value_or(*request.core) != rope.core) {
-    complaints.push_back({path + ".core", fmt::format("the rope has the core {}", rope.core)});
-  }
-  if (request.construction && !rope.construction.empty() && !may_be_one(*request.construction, rope.construction)) {
-    complaints.push_back({path + ".construction", fmt::format("the rope has the construction {}", rope.construction)});
-  }
-  const auto named_core = catalogue::parse_construction(request.construction.value_or(""));
-  const bool other_core = named_core && !named_core->core.empty() && !rope.core.empty();
-  if (other_core && !request.core && named_core->core != rope.core) {
-    complaints.push_back({path + ".construction", fmt::format("the rope has the core {}", rope.core)});
-  }
-  complain_of_second(request.breaking_force, rope.breaking_force, path + ".breaking_force", complaints);
-  complain_of_second(request.diameter, rope.diameter, path + ".diameter", complaints);
-  complain_of_second(request.area, rope.area, path + ".area", complaints);
-  complain_of_second(request.grade, rope.grade.value_or(0), path + ".grade", complaints);
 }
 
 AskedRules asked_rules(const RopeCheckRequest& request, const std::string& path, std::vector<Complaint>& complaints) {

@@ -20,6 +20,14 @@ void complain_of_second(const std::optional<double>& given, double known, const 
 void complain_of_values(const RopeCheckRequest& request, catalogue::RopeRow rope, const std::string& path,
                         std::vector<Complaint>& complaints);
 
+/// Complains of what the deck gives of a rope that a design chooses, and no candidate could have.
+void complain_of_candidates(const RopeCheckRequest& request, const std::string& path,
+                            std::vector<Complaint>& complaints);
+/// A candidate of a design, which is judged by its own row: what the deck says beside it fills its gaps. `denied`: what
+/// the deck says otherwise, below `path`.
+catalogue::RopeRow candidate_with_request(catalogue::RopeRow rope, RopeCheckRequest request, const std::string& path,
+                                          std::vector<std::string>& denied);
+
 /// What a deck asks of a rope, with all its names found: good for any rope that a design may put in its place.
 struct AskedRules {
   rope::RopeRules of_any_rope;      ///< without the limits that depend on the rope

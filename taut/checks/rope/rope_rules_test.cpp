@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -320,6 +321,89 @@ TEST(RopeRules, a_class_is_never_ignored) {
   request.field = {"skyline.ch"};
   request.group = "M9";
   EXPECT_NE(complaint_for(request, six_strand("IWRC")).find("there is no class 'M9'"), std::string::npos);
+}
+
+// ISO 4308-1 as the tables have it: M5 is Z_p 4.5, D/d 20 of sheaves and 18 of drums. However the class is said.
+TEST(RopeRules, a_field_that_names_its_class_has_all_that_goes_by_it) {
+  RopeCheckRequest request;
+  request.running = Choose::by_field;
+  const auto is_of_M5 = [&](const char* words) {
+    const auto rules = rules_for(request, six_strand("FC"));
+    EXPECT_EQ(rules.safety_factors.at(0).value, 4.5) << words;
+    EXPECT_EQ(rules.sheave_ratios.at(0).value, 20) << words;
+    EXPECT_EQ(rules.drum_ratios.at(0).value, 18) << words;
+    EXPECT_TRUE(rules.ratio_asked) << words;
+    EXPECT_EQ(rules.group, "M5") << words;
+  };
+  request.field = {"crane_running"};
+  request.group = "m5";
+  is_of_M5("class: m5");
+  request.field = {"crane_running.M5"};
+  is_of_M5("both");
+  request.group.reset();
+  is_of_M5("the field alone");
+  request.field = {"safety.crane_running.M5"};
+  is_of_M5("the id of the rule");
+  request.field = {"crane_stay.M5"};
+  EXPECT_TRUE(rules_for(request, six_strand("FC")).sheave_ratios.empty()) << "a stay does not run";
+}
+
+TEST(RopeRules, a_rope_has_one_class) {
+  RopeCheckRequest request;
+  request.field = {"crane_running.M5"};
+  request.group = "M1";
+  EXPECT_EQ(
+      complaint_for(request, six_strand("FC")),
+      "checks.ropes.x.field[0]: 'crane_running.M5' is of the class M5, and 'class' says M1: a rope has one class");
+  request.group.reset();
+  request.field = {"crane_running.M5", "crane_stay.M3"};
+  EXPECT_EQ(
+      complaint_for(request, six_strand("FC")).find("checks.ropes.x.field[1]: 'crane_stay.M3' is of the class M3"), 0U);
+}
+
+// EN 12385-3: fibre cores up to 100 degC, steel cores up to 400 degC. Beyond there is no share, not that of a cold
+// rope.
+TEST(RopeRules, beyond_the_last_temperature_no_strength_is_known) {
+  RopeCheckRequest request;
+  const auto at = [&](double celsius, const char* core) {
+    request.temperature = 273.15 + celsius;
+    return rules_for(request, six_strand(core));
+  };
+  EXPECT_EQ(rope::heat_share(at(400, "IWRC")), 0.65);
+  EXPECT_TRUE(std::isnan(rope::heat_share(at(401, "IWRC"))));
+  EXPECT_NE(at(401, "IWRC").no_strength.find("at 401 degC: the tables end at 400 degC"), std::string::npos);
+  EXPECT_EQ(rope::heat_share(at(90, "FC")), 1);
+  EXPECT_TRUE(std::isnan(rope::heat_share(at(150, "FC"))));
+  EXPECT_TRUE(std::isnan(rope::heat_share(at(150, "")))) << "a fibre core is assumed";
+  request.temperature.reset();
+  EXPECT_EQ(rope::heat_share(rules_for(request, six_strand("FC"))), 1);
+}
+
+catalogue::RopeRow candidate(const std::string& construction, const RopeCheckRequest& request,
+                             std::vector<std::string>& denied) {
+  catalogue::RopeRow rope = six_strand("IWRC");
+  rope.construction = construction;
+  denied.clear();
+  return candidate_with_request(rope, request, "checks.ropes.x", denied);
+}
+
+// What the deck says of a rope that a design chooses fills gaps, or it denies the candidate; it makes no other rope.
+TEST(RopeRules, a_candidate_is_judged_by_its_own_row) {
+  std::vector<std::string> denied;
+  RopeCheckRequest request;
+  request.construction = "6x36WS-IWRC";
+  EXPECT_EQ(candidate("6x36", request, denied).construction, "6x36WS-IWRC") << "the row names the class alone";
+  EXPECT_TRUE(denied.empty());
+  EXPECT_EQ(candidate("", request, denied).construction, "6x36WS-IWRC");
+  EXPECT_TRUE(denied.empty());
+  EXPECT_EQ(candidate("6x7", request, denied).construction, "6x7");
+  ASSERT_EQ(denied.size(), 1U);
+  EXPECT_EQ(denied[0], "checks.ropes.x.construction: the rope has the construction 6x7");
+  request = {};
+  request.core = "FC";
+  EXPECT_EQ(candidate("6x36", request, denied).core, "IWRC");
+  ASSERT_EQ(denied.size(), 1U);
+  EXPECT_EQ(denied[0], "checks.ropes.x.core: the rope has the core IWRC");
 }
 
 }  // namespace taut::checks::rope_rules_test

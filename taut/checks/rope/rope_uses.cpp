@@ -17,16 +17,17 @@
 #include "taut/rope/rope_check.hpp"
 
 namespace taut::checks {
-namespace {
-
-constexpr double still_grows = 0.01;  ///< in LastingTension::gap: what is less comes to rest
-
-double largest(const solve::ContactResult& c) { return std::max({c.T_in, c.T_out, c.T_in_max, c.T_out_max}); }
 
 rope::BendKind kind_of(const machine::Node& node) {
   const bool turns = node.kind == machine::NodeKind::drive || node.law.efficiency > 0;
   return turns ? rope::BendKind::sheave : rope::BendKind::saddle;
 }
+
+namespace {
+
+constexpr double still_grows = 0.01;  ///< in LastingTension::gap: what is less comes to rest
+
+double largest(const solve::ContactResult& c) { return std::max({c.T_in, c.T_out, c.T_in_max, c.T_out_max}); }
 
 constexpr double whole_turn = 2 * std::numbers::pi;
 

@@ -11,6 +11,9 @@
 
 namespace taut::checks {
 
+/// What a round that is no drum is to a rope: a sheave turns with it, over a saddle it slides.
+rope::BendKind kind_of(const machine::Node& node);
+
 /// The free rope beside a drum: its directions at the drum and at the next round, away from the drum.
 struct BesideDrum {
   Vector3 leaves = Vector3::Zero(), arrives = Vector3::Zero();
