@@ -125,4 +125,18 @@ TEST(Measures, MistakesAreToldAtTheirPlace) {
   }
 }
 
+/// A column `t` beside the time would be taken for it, and a value T_max for the machine's.
+TEST(Measures, NamesOfColumnsAndValuesAreTaken) {
+  const auto first_error = [](const std::string& measures, const std::string& more = "") {
+    const taut::Result r = run_text(deck(measures, more));
+    EXPECT_EQ(r.status, taut::Status::bad_deck);
+    return r.errors.empty() ? std::string() : to_text(r.errors);
+  };
+  EXPECT_NE(first_error("    t: {of: hook.z}").find("'t' is the time in the series"), std::string::npos);
+  EXPECT_NE(first_error("    T_max: {of: hoist.T_max}").find("name of another value"), std::string::npos);
+  const std::string signal = "    out: {of: hook.x}\n  signals: {t: {constant: 1 kN}}\n";
+  EXPECT_NE(first_error(signal + "  observe: [hook.z, t]").find("'t' is the time in the series"), std::string::npos);
+  EXPECT_EQ(run_text(deck(signal + "  observe: [hook.z]")).status, taut::Status::ok) << "a signal may be called so";
+}
+
 }  // namespace taut_test::measures_test

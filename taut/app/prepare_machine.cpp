@@ -20,6 +20,7 @@
 #include "taut/base/number.hpp"
 #include "taut/checks/checked_parts.hpp"
 #include "taut/checks/checks.hpp"
+#include "taut/checks/described.hpp"
 #include "taut/io/deck/read.hpp"
 #include "taut/io/deck/source.hpp"
 #include "taut/io/file.hpp"
@@ -28,6 +29,7 @@
 #include "taut/machine/description/names.hpp"
 #include "taut/results/analyses/analyses.hpp"
 #include "taut/results/answers/machine_answers.hpp"
+#include "taut/results/described.hpp"
 #include "taut/results/fixed_loads.hpp"
 #include "taut/results/machine_beams.hpp"
 #include "taut/results/machine_figures.hpp"
@@ -442,6 +444,19 @@ bool all_parts_known(const io::Node& input) {
                      [&](const io::Entry& e) { return known.find(e.key) != nullptr; });
 }
 
+/// Values stand in the result by their names.
+void complain_of_measures(const machine::Machine& machine, std::vector<Complaint>& complaints) {
+  std::vector<ValueKind> kinds = results::value_kinds();
+  const std::vector<ValueKind>& of_checks = checks::value_kinds();
+  kinds.insert(kinds.end(), of_checks.begin(), of_checks.end());
+  for (const auto& measure : machine.measures) {
+    const auto same = [&](const ValueKind& kind) { return kind.about.name == measure.name; };
+    if (std::none_of(kinds.begin(), kinds.end(), same)) continue;
+    complaints.push_back(
+        {"machine.measures." + measure.name, "is the name of another value of the results: choose one of its own"});
+  }
+}
+
 void place_in_machine(const io::Node& input, std::vector<Complaint> complaints, Diagnostics& mistakes) {
   for (Complaint& c : complaints) c.path = c.path.empty() ? "machine" : "machine." + c.path;
   io::place(input, complaints, mistakes);
@@ -483,6 +498,7 @@ std::optional<ReadMachine> read_machine(const io::Node& input, const Display& di
     return std::nullopt;
   }
   std::vector<Complaint> complaints = not_computed(*first);
+  complain_of_measures(first->machine, complaints);
   if (complaints.empty()) first->asked = deck->asked = checks::resolve(*first, *model, complaints);
   if (complaints.empty()) {
     read.asked = study::resolve(first->analyses, first->design.has_value(), first->machine, *model, complaints);

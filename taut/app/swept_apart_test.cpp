@@ -2,6 +2,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "taut/calc/verdict.hpp"
 #include "test/support/machine_decks.hpp"
 
@@ -12,7 +14,10 @@ using taut::Result;
 using taut::verdict_of;
 using taut::VerdictKind;
 using testing::Contains;
+using testing::ElementsAre;
 using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::Not;
 
 /// A rope of 100 m over 60 m with its carriage in the middle, 40 m below: T = W/(2 0.8), and at most 100 kN/3.
 Result with_payload(const std::string& sweep) {
@@ -95,6 +100,98 @@ checks:
   EXPECT_EQ(verdict_of(one)->verdict_class, "unasked") << verdict_of(one)->reason;
   EXPECT_THAT(one.unjudged, Contains(HasSubstr("mast in 'one'")));
   EXPECT_EQ(verdict_of(both)->kind, VerdictKind::passes) << verdict_of(both)->reason;
+}
+
+/// A load of 500 kg on its hoist of 6 m, and a tag line of 15 m: at b.x = 10 m its ends are at most 11.7 m apart, at
+/// 16 m more than 17 m.
+std::string tagged(const std::string& rest) {
+  return R"(taut: 1
+machine:
+  points: {a: [0 m, 0 m, 0 m], b: [10 m, 0 m, 0 m]}
+  ropes: {r: {mass: 0 kg/m, stiffness: 10 MN, breaking_force: 50 kN, diameter: 14 mm}}
+  bodies: {load: {mass: 500 kg, at: [0 m, 0 m, -6 m], free: [x, y, z]}}
+  reevings:
+    - {rope: r, name: hoist, path: [{anchor: a}, {anchor: load}], length: 6 m}
+    - {rope: r, name: tag, path: [{anchor: b}, {anchor: load}], length: 15 m, may_slack: true}
+)" + rest;
+}
+
+/// All states count together: a rope that one value loads is judged, whether the others, or another analysis, do or
+/// not.
+TEST(SweptApart, ARopeThatOneStateLoadsIsJudged) {
+  const std::string sweep = "sweep: {parameter: points.b.at.x, from: 10 m, to: ",
+                    checks = "checks: {ropes: {r: {safety_factor: 5}}}\n";
+  const Result one = run_text(tagged("analyses: [{" + sweep + "16 m, steps: 6}}]\n" + checks));
+  ASSERT_TRUE(verdict_of(one)) << one.message << to_text(one.errors);
+  EXPECT_EQ(verdict_of(one)->kind, VerdictKind::passes) << verdict_of(one)->reason;
+  EXPECT_THAT(one.warnings, Not(Contains(HasSubstr("no load case")))) << to_text(one.errors);
+  // the equilibrium leaves it slack, and so does the first value
+  const Result both = run_text(tagged("analyses: [{equilibrium: {}}, {" + sweep + "16 m, steps: 6}}]\n" + checks));
+  EXPECT_EQ(verdict_of(both)->kind, VerdictKind::passes) << verdict_of(both)->reason;
+  // no state at all loads it: said once, without the value of a state
+  const Result none = run_text(tagged("analyses: [{equilibrium: {}}, {" + sweep + "11 m, steps: 2}}]\n" + checks));
+  EXPECT_EQ(verdict_of(none)->verdict_class, "unmade") << verdict_of(none)->reason;
+  const std::string words = "tag: its strength is not checked: no load case gives it a tension";
+  EXPECT_THAT(none.unmade, ElementsAre(words));
+  EXPECT_EQ(std::count(none.warnings.begin(), none.warnings.end(), words), 1);
+}
+
+/// What is exempt is not left unmade, and no warning of it is unsafe.
+TEST(SweptApart, WhatIsExemptIsOutWithAllThatIsSaidOfIt) {
+  const std::string more = "analyses: [{equilibrium: {}}]\nchecks: {ropes: {r: {safety_factor: 5}}";
+  const Result judged = run_text(tagged(more + "}\n")), exempt = run_text(tagged(more + ", exempt: [tag]}\n"));
+  ASSERT_TRUE(verdict_of(judged) && verdict_of(exempt)) << to_text(exempt.errors);
+  EXPECT_EQ(verdict_of(judged)->verdict_class, "unmade") << verdict_of(judged)->reason;
+  EXPECT_EQ(verdict_of(exempt)->kind, VerdictKind::passes) << verdict_of(exempt)->reason;
+  EXPECT_THAT(exempt.warnings, Not(Contains(HasSubstr("its strength"))));
+  // without 'may_slack' it is unsafe where it counts
+  std::string deck = tagged(more + ", exempt: [tag]}\n");
+  deck.erase(deck.find(", may_slack: true"), std::string(", may_slack: true").size());
+  const Result slack = run_text(deck);
+  EXPECT_EQ(verdict_of(slack)->kind, VerdictKind::passes) << verdict_of(slack)->reason;
+  EXPECT_THAT(slack.warnings, Contains(HasSubstr("tag between b and load is slack")));
+  EXPECT_THAT(slack.unsafe, IsEmpty());
+}
+
+/// The brake is asked at rest, and the rope's losses at rest or hauled in: a sweep at rest shows both.
+TEST(SweptApart, WhatASweepAtRestShowsIsNotMissingInAnotherAnalysis) {
+  const auto hook = [](const std::string& sweep) {
+    return run_text(R"(taut: 1
+machine:
+  ropes: {r: {mass: 1 kg/m, stiffness: 50 MN, breaking_force: 300 kN, diameter: 20 mm}}
+  bodies: {hook: {mass: 5 t, at: [0.1 m, 0 m, -6 m], free: [x, z]}}
+  sheaves: {head: {at: [0.2 m, 0 m, 0 m], diameter: 400 mm, efficiency: 0.9}}
+  drums: {w: {at: [-6 m, 0 m, -3 m], core_diameter: 400 mm, brake_torque: 30 kN m}}
+  reevings: [{rope: r, path: [{drum: w}, {over: head}, {anchor: hook}], length: 14 m}]
+analyses:
+  - equilibrium: {name: h, motion: lower}
+)" + sweep + "checks: {ropes: {r: {safety_factor: 3}}}\n");
+  };
+  const std::string from = "  - sweep: {parameter: bodies.hook.mass, from: 100 kg, to: 500 kg, steps: 2, motion: ";
+  const Result rests = hook(from + "at_rest}\n"), lowers = hook(from + "lower}\n");
+  ASSERT_TRUE(verdict_of(rests) && verdict_of(lowers)) << to_text(rests.errors);
+  EXPECT_THAT(rests.unmade, IsEmpty());
+  EXPECT_THAT(lowers.unmade,
+              ElementsAre(HasSubstr("w.brake_torque is not checked"), HasSubstr("only while it runs off")));
+}
+
+/// The same of a guy in the tag line's place.
+TEST(SweptApart, AGuyThatOneStateLoadsIsJudged) {
+  const auto held = [](const std::string& to) {
+    std::string deck = tagged(
+        "  guys: {g1: {rope: r, from: b, to: load, length: 15 m}}\nanalyses: [{sweep: {parameter: "
+        "points.b.at.x, from: 10 m, to: " +
+        to +
+        ", steps: 2}}]\nchecks: {ropes: {hoist: {safety_factor: 5}}, "
+        "guys: {g1: {safety_factor: 2, may_go_slack: true}}}\n");
+    const std::size_t tag = deck.find("    - {rope: r, name: tag");
+    deck.erase(tag, deck.find('\n', tag) + 1 - tag);
+    return run_text(deck);
+  };
+  const Result loaded = held("16 m"), slack = held("11 m");
+  ASSERT_TRUE(verdict_of(loaded) && verdict_of(slack)) << loaded.message << to_text(loaded.errors);
+  EXPECT_THAT(loaded.unmade, IsEmpty());
+  EXPECT_THAT(slack.unmade, ElementsAre(HasSubstr("g1: its safety is not checked: no load case gives it a tension")));
 }
 
 }  // namespace swept_apart_test

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <regex>
 #include <utility>
 #include <vector>
 
@@ -23,12 +24,32 @@ void keep_worst(Value one, std::vector<Value>& values) {
   }
 }
 
+/// Whether a name may have this letter: a number beside one is a part of a name, as in r2 and 6x36.
+bool of_name(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
+
+/// Numbers that stand by themselves, "-1.5e+03", are what a sentence has another one of in each state.
+std::string without_numbers(const std::string& sentence) {
+  static const std::regex number(R"([-+]?\d+(\.\d+)?(e[-+]?\d+)?)");
+  std::string kind;
+  auto at = sentence.cbegin();
+  for (std::sregex_iterator found(at, sentence.cend(), number), none; found != none; ++found) {
+    const auto from = sentence.cbegin() + found->position(), to = from + found->length();
+    const bool named = (from != sentence.cbegin() && of_name(*(from - 1))) || (to != sentence.cend() && of_name(*to));
+    const bool quoted = from != sentence.cbegin() && *(from - 1) == '\'';
+    kind.append(at, named || quoted ? to : from);
+    at = to;
+  }
+  return kind.append(at, sentence.cend());
+}
+
 }  // namespace
 
-bool SweptVerdict::is_new(const std::string& sentence) {
-  std::string kind = sentence;
-  std::erase_if(kind, [](unsigned char c) { return std::isdigit(c) != 0 || c == '.'; });
-  return known_.insert(std::move(kind)).second;
+bool SweptVerdict::is_new(const std::string& sentence) { return known_.insert(without_numbers(sentence)).second; }
+
+bool SweptVerdict::is_new(const std::string& kind, const std::string& sentence, const About& about) {
+  // what no state shows is one thing, whichever states the sentence names
+  return about.no_state.empty() ? is_new(fmt::format("{} {} {}", kind, about.part, sentence))
+                                : known_.insert(kind + " " + about.no_state).second;
 }
 
 void SweptVerdict::take(Result at, const std::string& words) {
@@ -46,15 +67,25 @@ void SweptVerdict::take(Result at, const std::string& words) {
     one.label += fmt::format(", {}", words);
     keep_worst(std::move(one), values_);
   }
-  for (std::string& one : at.warnings) {
+  const auto about = [&at](const std::string& sentence) {
+    const auto found = at.about.find(sentence);
+    return found == at.about.end() ? About{} : found->second;
+  };
+  for (const std::string& one : at.warnings) {
     const bool unsafe = std::find(at.unsafe.begin(), at.unsafe.end(), one) != at.unsafe.end();
-    if (!is_new((unsafe ? "unsafe " : "warning ") + one)) continue;
-    std::string sentence = fmt::format("{}: {}", words, one);
+    const About own = about(one);
+    if (!is_new(unsafe ? "unsafe" : "warning", one, own)) continue;
+    std::string sentence = own.no_state.empty() ? fmt::format("{}: {}", words, one) : one;
+    all_.about.insert_or_assign(sentence, own);
     unsafe ? warn_unsafe(all_, std::move(sentence)) : all_.warnings.push_back(std::move(sentence));
   }
   for (std::string& one : at.unmade) {
-    if (is_new("unmade " + one)) all_.unmade.push_back(std::move(one));
+    const About own = about(one);
+    if (!is_new("unmade", one, own)) continue;
+    all_.about.insert_or_assign(one, own);
+    all_.unmade.push_back(std::move(one));
   }
+  all_.shown.merge(at.shown);
   for (std::string& one : at.unjudged) {
     if (is_new("unjudged " + one)) all_.unjudged.push_back(std::move(one));
   }

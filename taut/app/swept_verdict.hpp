@@ -20,10 +20,11 @@ class SweptVerdict {
 
  private:
   bool is_new(const std::string& sentence);
+  bool is_new(const std::string& kind, const std::string& sentence, const About& about);
 
   Result all_;
   std::vector<Value> values_;
-  std::set<std::string> known_;  ///< sentences without their numbers
+  std::set<std::string> known_;  ///< sentences without their numbers, or what no state shows
 };
 
 }  // namespace taut::app

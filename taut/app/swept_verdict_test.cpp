@@ -60,4 +60,55 @@ TEST(SweptVerdict, KeepsTheWorstValueOfTheChecks) {
   EXPECT_EQ(r.values[2].value, 15);
 }
 
+/// r1 and r2 are two ropes; 1 m and 2 m are the same of two states.
+TEST(SweptVerdict, NamesWithNumbersAreNotTakenForAnother) {
+  const auto left = [](const std::string& rope, const std::string& length) {
+    Result r;
+    r.unmade = {rope + ": its drum is not checked with " + length};
+    return r;
+  };
+  SweptVerdict verdict;
+  verdict.take(left("r1", "1.5 m"), "a = 1");
+  verdict.take(left("r2", "-1.5e+03 m"), "a = 1");
+  verdict.take(left("r2", "2 m"), "a = 2");
+  verdict.take(left("'3'", "2 m"), "a = 2");
+  verdict.take(left("'4'", "2 m"), "a = 2");
+  Result r;
+  verdict.put_into(r);
+  ASSERT_EQ(r.unmade.size(), 4U);
+  EXPECT_EQ(r.unmade[1], "r2: its drum is not checked with -1.5e+03 m");
+  EXPECT_EQ(r.unmade[3], "'4': its drum is not checked with 2 m");
+}
+
+/// What no state shows falls with the first that shows it, by a check or otherwise; what is said of one state does not.
+TEST(SweptVerdict, WhatOneStateShowsIsNotMissingInAnother) {
+  const auto none = [](const std::string& state) {
+    Result r;
+    leave_unmade(r, "a is not checked: nothing pulls at it (" + state + ")", {.part = "a", .no_state = "a, pulled"});
+    leave_unmade(r, "b.turn is not checked: it stands (" + state + ")", {.part = "b", .no_state = "b.turn"});
+    leave_unmade(r, "c is not checked: it has no diameter", {.part = "c"});
+    return r;
+  };
+  const auto all_of = [&](Result last) {
+    SweptVerdict verdict;
+    verdict.take(none("low"), "z = 1 m");
+    verdict.take(none("high"), "z = 2 m");
+    verdict.take(std::move(last), "z = 3 m");
+    Result r = none("at rest");
+    verdict.put_into(r);
+    drop_shown(r);
+    return r;
+  };
+  const Result open = all_of({});
+  ASSERT_EQ(open.unmade.size(), 4U);  // that of c twice: with its state, and without
+  EXPECT_EQ(open.unmade[0], "a is not checked: nothing pulls at it (at rest)");
+  EXPECT_EQ(open.unmade[1], "b.turn is not checked: it stands (at rest)");
+  Result shows;
+  shows.shown.insert("a, pulled");
+  shows.checks.push_back(make_check("b.turn", 1, si::one, {.limit = 2, .rule = "a rule", .trust = "user"}));
+  const Result made = all_of(shows);
+  for (const std::string& one : made.unmade) EXPECT_TRUE(one.starts_with("c is not")) << one;
+  for (const std::string& one : made.warnings) EXPECT_NE(one.find("c is not"), std::string::npos) << one;
+}
+
 }  // namespace taut::app::swept_verdict_test

@@ -219,4 +219,58 @@ TEST(VerdictDeck, TerrainCoversWhatAClearanceIsAskedOf) {
   EXPECT_NE(verdict_of(half)->reason.find("40 m"), std::string::npos) << verdict_of(half)->reason;
 }
 
+/// A slide of 100 kg between two ropes of just their lengths, pulled tight in turn: both are slack at first.
+std::string slide(const std::string& pulls) {
+  return R"(taut: 1
+machine:
+  ropes: {a: {mass: 0 kg/m, stiffness: 5 MN, breaking_force: 60 kN}}
+  bodies: {s: {mass: 100 kg, at: [0 m, 0 m, 0 m], guide: [1, 0, 0]}}
+  points: {pa: [-10 m, 0 m, 0 m], pb: [10 m, 0 m, 0 m], pc: [10 m, 0 m, 1 m]}
+  reevings:
+    - {rope: a, path: [{anchor: pa}, {anchor: s}], length: 10 m}
+    - {rope: a, name: b, path: [{anchor: pb}, {anchor: s}], length: 10 m}
+    - {rope: a, name: c, path: [{anchor: pc}, {anchor: s}], length: 11 m}
+analyses: [pretension: {pull: [{rope: a, until: s.x, moves: 5 mm}, {rope: b, force: 8 kN})" +
+         pulls + R"(]}]
+checks: {ropes: {a: {safety_factor: 2}, b: {safety_factor: 2}}, exempt: [c]}
+)";
+}
+
+/// It is one motion, shown pull by pull: a rope is slack all the time where no pull tightens it.
+TEST(VerdictDeck, APretensionThatTightensARopeHasItNotSlackAllTheTime) {
+  const Result r = run_text(slide(""));
+  ASSERT_TRUE(verdict_of(r)) << r.message << to_text(r.errors);
+  std::vector<std::string> slack;
+  for (const std::string& one : r.warnings) {
+    if (one.find("slack all the time") != std::string::npos) slack.push_back(one);
+  }
+  ASSERT_EQ(slack.size(), 1U) << verdict_of(r)->reason;
+  EXPECT_EQ(slack.front(), "pretension: c between pc and s is slack all the time");
+  EXPECT_TRUE(r.unsafe.empty()) << r.unsafe.front();  // c is exempt
+  EXPECT_EQ(verdict_of(r)->kind, VerdictKind::passes) << verdict_of(r)->reason;
+}
+
+/// All ropes that a deck breaks are named, those of one time together.
+TEST(VerdictDeck, EachBreakIsNamed) {
+  const auto preface = [](const std::string& events) {
+    return run_text(R"(taut: 1
+machine:
+  ropes: {l: {mass: 0.5 kg/m, stiffness: 5 MN, breaking_force: 40 kN, damping_ratio: 0.05}}
+  bodies: {b: {mass: 1 t, at: [0 m, 0 m, 0 m], free: [x, z]}}
+  points: {pl: [-5 m, 0 m, 5 m], pr: [5 m, 0 m, 5 m], pm: [0 m, 0 m, 5 m]}
+  reevings:
+    - {rope: l, path: [{anchor: pl}, {anchor: b}], length: 7.07 m}
+    - {rope: l, name: r, path: [{anchor: pr}, {anchor: b}], length: 7.07 m}
+  events: )" + events +
+                    R"(
+analyses: [transient: {duration: 0.5 s, output_step: 0.1 s}]
+checks: {ropes: {l: {safety_factor: 1}}}
+)")
+        .preface;
+  };
+  EXPECT_EQ(preface("[{at: 0.2 s, break: r}, {at: 0.2 s, break: l}]"), "The deck breaks r and l at 0.2 s");
+  EXPECT_EQ(preface("[{at: 0.3 s, break: l}, {at: 0.2 s, break: r}]"), "The deck breaks r at 0.2 s, l at 0.3 s");
+  EXPECT_EQ(preface("[{at: 0.2 s, break: r}]"), "The deck breaks r at 0.2 s");
+}
+
 }  // namespace taut::verdict_deck_test

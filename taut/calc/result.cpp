@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <set>
+#include <utility>
 
 #include "taut/base/on_limit.hpp"
 #include "taut/calc/method.hpp"
@@ -201,6 +203,51 @@ Table without_detail(const Table& t) {
 void warn_unsafe(Result& r, std::string sentence) {
   r.unsafe.push_back(sentence);
   r.warnings.push_back(std::move(sentence));
+}
+
+void leave_unmade(Result& r, std::string sentence, About about) {
+  r.about.insert_or_assign(sentence, std::move(about));
+  r.unmade.push_back(sentence);
+  r.warnings.push_back(std::move(sentence));
+}
+
+AboutPart::AboutPart(Result& r, std::string part)
+    : r_(r), part_(std::move(part)), unmade_(r.unmade.size()), unsafe_(r.unsafe.size()) {}
+
+AboutPart::~AboutPart() {
+  const auto name = [this](const std::vector<std::string>& sentences, std::size_t from) {
+    for (std::size_t i = from; i < sentences.size(); ++i) r_.about.try_emplace(sentences[i], About{.part = part_});
+  };
+  name(r_.unmade, unmade_);
+  name(r_.unsafe, unsafe_);
+}
+
+void drop_shown(Result& r) {
+  std::set<std::string> shown = r.shown;
+  for (const Check& one : r.checks) shown.insert(one.name);
+  // each thing once: as a check that is unmade, and as a warning
+  const auto drop = [&](std::vector<std::string>& sentences) {
+    std::set<std::string> told;
+    std::erase_if(sentences, [&](const std::string& sentence) {
+      const auto found = r.about.find(sentence);
+      if (found == r.about.end() || found->second.no_state.empty()) return false;
+      return shown.contains(found->second.no_state) || !told.insert(found->second.no_state).second;
+    });
+  };
+  drop(r.unmade);
+  drop(r.warnings);
+}
+
+void take_out(const std::vector<std::string>& parts, Result& r) {
+  const auto is_out = [&](const std::string& sentence) {
+    const auto found = r.about.find(sentence);
+    return found != r.about.end() && std::find(parts.begin(), parts.end(), found->second.part) != parts.end();
+  };
+  for (const std::string& one : r.unmade) {
+    if (is_out(one)) std::erase(r.warnings, one);
+  }
+  std::erase_if(r.unmade, is_out);
+  std::erase_if(r.unsafe, is_out);
 }
 
 std::vector<Value> values_of(const Description& d, const void* output) {

@@ -3,6 +3,7 @@
 #include <array>
 #include <map>
 #include <memory>
+#include <set>
 #include <string>
 #include <utility>
 #include <variant>
@@ -189,6 +190,12 @@ struct Project {
   static const Description& describe();
 };
 
+/// What a sentence of `unmade`, or an unsafe warning, is about.
+struct About {
+  std::string part;           ///< empty: the whole machine, or not known
+  std::string no_state = {};  ///< it says that no state shows this, "w.brake_torque"; empty: it is no such sentence
+};
+
 /// One line of the main answer: what to build, or what the machine carries.
 struct Answer {
   std::string label;  ///< "Build", "Carries"
@@ -220,6 +227,8 @@ struct Result {
   std::vector<MissingStates> missing;  ///< by analysis
   std::vector<std::string> unmade;     ///< checks that the deck asks for and that yield no number, one sentence each
   std::vector<std::string> unjudged;   ///< parts that need a limit and have none
+  std::map<std::string, About> about;  ///< of sentences in `unmade` and `unsafe`, as far as it is known
+  std::set<std::string> shown;         ///< what states show and no check is named after, see About::no_state
   std::vector<std::string> exempt;     ///< parts that the deck takes out of the verdict
   std::vector<std::string> left_out;   ///< analyses that the deck takes out of the verdict: `judge: false`
   std::vector<std::string> beside;     ///< parts that the verdict does not cover: anchors, sheaves, carriages
@@ -250,6 +259,30 @@ int exit_code(const Result& r, bool strict = false);
 /// Adds an unsafe warning: the verdict can then be no better than "passes, with warnings". Keep the sentence within 160
 /// characters.
 void warn_unsafe(Result& r, std::string sentence);
+
+/// Leaves a check unmade, and warns of it.
+void leave_unmade(Result& r, std::string sentence, About about);
+
+/// While it lives, what is left unmade or warned of as unsafe is about one part, unless it is said to be about another.
+class AboutPart {
+ public:
+  AboutPart(Result& r, std::string part);
+  ~AboutPart();
+  AboutPart(const AboutPart&) = delete;
+  AboutPart& operator=(const AboutPart&) = delete;
+
+ private:
+  Result& r_;
+  std::string part_;
+  std::size_t unmade_, unsafe_;
+};
+
+/// Drops what says that no state shows a thing which a check or `shown` has, and of several such sentences of one thing
+/// all but the first.
+void drop_shown(Result& r);
+
+/// Takes parts out: what is left unmade of them goes, what is unsafe of them stays as a plain warning.
+void take_out(const std::vector<std::string>& parts, Result& r);
 
 /// The numbers of an output struct that were computed (not NaN), in the order of its description.
 std::vector<Value> values_of(const Description& d, const void* output);

@@ -188,6 +188,7 @@ void add_checks(const CheckedDeck& deck, const machine::Model& model, const Chec
     if (c.part.empty()) c.part = part_of(c.name, parts);
   }
   finish_checks(deck.checks.value_or(ChecksRequest{}), r);
+  drop_shown(r);
   seen.judge.add_scope(r);
 }
 

@@ -510,23 +510,25 @@ void DriveUses::add_checks(Result& r) const {
   for (const auto& [name, check] : worst_) r.checks.push_back(check);
   for (const auto& [drum, words] : unloaded_brakes_) {
     if (braked_.contains(drum) || worst_.contains(drum + ".brake_torque")) continue;
-    r.unmade.push_back(
+    leave_unmade(
+        r,
         fmt::format("{}.brake_torque is not checked: the drum turns, or bears nothing, in every state ({}); add "
                     "an analysis at rest",
-                    drum, words));
-    r.warnings.push_back(r.unmade.back());
+                    drum, words),
+        {.part = drum, .no_state = drum + ".brake_torque"});
   }
+  for (const std::string& drum : braked_) r.shown.insert(drum + ".brake_torque");
   for (const auto& [rope, words] : paid_out_) {
-    if (hauled_.contains(rope)) continue;
-    r.unmade.push_back(words);
-    r.warnings.push_back(words);
+    if (!hauled_.contains(rope)) leave_unmade(r, words, {.part = rope, .no_state = rope + ", hauled in"});
   }
-  for (const auto& [name, words] : unmade_) {
-    r.unmade.push_back(words);
-    r.warnings.push_back(words);
-  }
+  for (const std::string& rope : hauled_) r.shown.insert(rope + ", hauled in");
+  for (const auto& [name, words] : unmade_) leave_unmade(r, words, {.part = name.substr(0, name.rfind('.'))});
+  const auto warn = [&r](const std::string& part, const std::string& words) {
+    const AboutPart about(r, part);
+    warn_unsafe(r, words);
+  };
   for (const auto& [name, slip] : slips_) {
-    warn_unsafe(r, slip.words);
+    warn(name, slip.words);
     r.checks.push_back(make_check(name + ".slipped", slip.slipped, si::m,
                                   {.sense = Sense::at_most,
                                    .limit = slip.limit,
@@ -534,15 +536,15 @@ void DriveUses::add_checks(Result& r) const {
                                    .trust = "derived"}));
     r.checks.back().where = slip.where;
   }
-  for (const auto& [drum, words] : unbraked_) warn_unsafe(r, words);
-  for (const auto& [cylinder, words] : yielding_) warn_unsafe(r, words);
-  for (const auto& [drum, words] : layers_) warn_unsafe(r, words);
+  for (const auto* const warned : {&unbraked_, &yielding_, &layers_}) {
+    for (const auto& [part, words] : *warned) warn(part, words);
+  }
   const RuleLimit least = rule_limit("layout.turns_left", false);
   for (const auto& [drum, turns] : turns_) {
     if (turns.left >= least.value) continue;
-    warn_unsafe(r, fmt::format("{}: {:.2g} turns are left on '{}'; at least {:g} have to take the tension from the "
-                               "rope's end. Put more rope on it",
-                               turns.words, turns.left, drum, least.value));
+    warn(drum, fmt::format("{}: {:.2g} turns are left on '{}'; at least {:g} have to take the tension from the "
+                           "rope's end. Put more rope on it",
+                           turns.words, turns.left, drum, least.value));
   }
 }
 

@@ -116,12 +116,14 @@ Judge::Judge(const CheckedDeck& deck, const machine::Model& model)
       beams_(model.beams.size()),
       footings_(footings_of(deck.machine, model)) {}
 
-void Judge::warn(const std::string& once, const std::string& text, bool unsafe, double size) {
-  const auto [at, is_new] = known_.try_emplace(once, warned_.size());
+void Judge::warn(const Once& once, const std::string& text, bool unsafe, double size) {
+  const auto [at, is_new] = known_.try_emplace(once.part + " " + once.what, warned_.size());
+  if (!is_new && !(size > warned_[at->second].size)) return;
+  Warned warned{.text = text, .unsafe = unsafe, .size = size, .part = once.part};
   if (is_new) {
-    warned_.push_back({.text = text, .unsafe = unsafe, .size = size});
-  } else if (size > warned_[at->second].size) {
-    warned_[at->second] = {.text = text, .unsafe = unsafe, .size = size};
+    warned_.push_back(std::move(warned));
+  } else {
+    warned_[at->second] = std::move(warned);
   }
 }
 
@@ -146,7 +148,7 @@ void Judge::take_beams(const solve::EquilibriumResult& e, const std::string& wor
 void Judge::take_contacts(const machine::Model& m, const solve::EquilibriumResult& e, const std::string& words) {
   if (!e.indifferent.empty()) {
     warn(
-        "indifferent",
+        {.what = "indifferent"},
         fmt::format("{}: in balance all along a way; of its places the one found is not that nearest to where the deck "
                     "has it: {}; describe it where it is to stand, or hold it there",
                     words, e.indifferent),
@@ -155,7 +157,8 @@ void Judge::take_contacts(const machine::Model& m, const solve::EquilibriumResul
   for (const solve::ContactResult& c : e.contacts) {
     const machine::Node& node = m.reevings[c.reeving].nodes[c.node];
     if (c.state == solve::ContactState::lifted) {
-      warn(node.name + " lifted", fmt::format("{}: the rope has lifted off '{}'", words, node.name), !node.may_lift);
+      warn({.part = node.name, .what = "lifted"}, fmt::format("{}: the rope has lifted off '{}'", words, node.name),
+           !node.may_lift);
     }
     if (c.state == solve::ContactState::pulled) warn_of_pulled(m, node, c.force, words);
   }
@@ -179,7 +182,7 @@ void Judge::warn_of_pulled(const machine::Model& m, const machine::Node& node, c
         "say 'uplift: hold' where a guard holds it",
         words, node.name, deck_->display.brief(force.z(), si::N));
   }
-  warn(node.name + " pulled", text, true, force.norm());
+  warn({.part = node.name, .what = "pulled"}, text, true, force.norm());
 }
 
 /// A motion holds a rope on its rounds, also where their `uplift` does not. Where one is held down, or may pass on
@@ -203,11 +206,11 @@ bool Judge::may_slack(const std::string& reeving) const {
                      [&](const auto& one) { return one.may_slack && name_of(one) == reeving; });
 }
 
-std::vector<std::string> Judge::slack_branches(const machine::Model& m, const solve::TransientFrame& moment) const {
-  std::vector<std::string> all;
+std::vector<Judge::Once> Judge::slack_branches(const machine::Model& m, const solve::TransientFrame& moment) const {
+  std::vector<Once> all;
   for (const solve::TransientFrame::Branch& s : moment.branches) {
     if (!has_no_shape(m, moment, s) || may_slack(m.reevings[s.reeving].name)) continue;
-    all.push_back(span_words(m, s.reeving, s.from, s.to));
+    all.push_back({.part = m.reevings[s.reeving].name, .what = span_words(m, s.reeving, s.from, s.to)});
   }
   return all;
 }
@@ -216,7 +219,8 @@ void Judge::take_slack(const machine::Model& m, const solve::EquilibriumResult& 
   for (const solve::BranchResult& s : e.branches) {
     if (!s.slack) continue;
     const std::string name = span_words(m, s.reeving, s.from, s.to);
-    warn(name, fmt::format("{}: {} is slack", words, name), !may_slack(m.reevings[s.reeving].name));
+    const std::string& rope = m.reevings[s.reeving].name;
+    warn({.part = rope, .what = name}, fmt::format("{}: {} is slack", words, name), !may_slack(rope));
   }
 }
 
@@ -226,7 +230,7 @@ void Judge::take_places(const machine::Model& m, const solve::EquilibriumResult&
     if (m.bodies[b].beam) continue;
     const double angle = turned_by(m, e, b);
     if (angle <= fallen_angle) continue;
-    warn(m.bodies[b].name + " fallen",
+    warn({.part = m.bodies[b].name, .what = "fallen"},
          fmt::format("{}: '{}' comes to rest turned by {} from where the deck has it: it falls over, or begins far "
                      "from its place; hold it by more ropes, or put it where it is meant to stand",
                      words, m.bodies[b].name, deck_->display.brief(angle, si::rad)),
@@ -240,7 +244,7 @@ void Judge::take_spans(const machine::Model& m, const machine::State& state, con
   for (const machine::Carriage& car : m.carriages) {
     if (broken.contains(m.reevings[car.reeving].name)) continue;
     const std::string where = beside_its_span(m, state, car, deck_->display);
-    if (!where.empty()) warn(car.name + " beside", fmt::format("{}: {}", words, where), true);
+    if (!where.empty()) warn({.part = car.name, .what = "beside"}, fmt::format("{}: {}", words, where), true);
   }
 }
 
@@ -307,20 +311,18 @@ void Judge::take(const machine::Model& m, const solve::EquilibriumResult& e, con
 void Judge::take(const machine::Model& m, const solve::TransientResult& motion, const std::string& words) {
   double broken = std::numeric_limits<double>::infinity();
   for (const solve::TransientEvent& event : motion.events) {
-    if (event.what != "break" || event.t >= broken) continue;
-    broken = event.t;
-    preface_ = fmt::format("The deck breaks {} at {:.4g} s", event.where, event.t);
+    if (event.what != "break") continue;
+    broken = std::min(broken, event.t);
+    auto& together = breaks_[event.t];
+    if (std::find(together.begin(), together.end(), event.where) == together.end()) together.push_back(event.where);
   }
   take_peaks(m, motion, words);
   take_stop(motion, words);
   take_feet(m, words);
-  for (const std::string& branch : hangs_) {
-    warn("slack " + branch, fmt::format("{}: {} is slack all the time", words, branch), true);
-  }
-  hangs_.clear();
+  if (!in_pieces_) warn_of_hanging(words);
   for (const solve::TransientEvent& event : motion.events) {
     if (event.what != "unstable") continue;
-    warn("unstable " + words,
+    warn({.what = words + " unstable"},
          fmt::format("{}: at t = {:.4g} s the machine rests in an equilibrium that it does not stay in: at the least "
                      "push {}; the motion, which nothing pushes there, does not show it",
                      words, event.t, event.where),
@@ -331,10 +333,33 @@ void Judge::take(const machine::Model& m, const solve::TransientResult& motion, 
     const bool slack = event.what == "slack";
     if ((!slack && event.what != "lift_off") || event.t >= broken) continue;
     if (slack && event.reeving && may_slack(m.reevings[*event.reeving].name)) continue;
-    warn(event.what + " " + event.where,
+    warn({.part = slack && event.reeving ? m.reevings[*event.reeving].name : event.where,
+          .what = event.what + " " + event.where},
          fmt::format("{}: {} {} at t = {:.4g} s", words, event.where, slack ? "goes slack" : "lifts off", event.t),
          true);
   }
+}
+
+void Judge::warn_of_hanging(const std::string& words) {
+  for (const Once& one : hangs_) {
+    warn({.part = one.part, .what = "slack " + one.what}, fmt::format("{}: {} is slack all the time", words, one.what),
+         true);
+  }
+  hangs_.clear();
+}
+
+void Judge::begin_pieces() { in_pieces_ = 0; }
+
+void Judge::end_pieces(const std::string& words) {
+  in_pieces_.reset();
+  warn_of_hanging(words);
+}
+
+/// "The deck breaks l and r at 2 s, m at 3 s"; empty where it breaks nothing.
+std::string Judge::break_words() const {
+  std::vector<std::string> all;
+  for (const auto& [t, ropes] : breaks_) all.push_back(fmt::format("{} at {:.4g} s", fmt::join(ropes, " and "), t));
+  return all.empty() ? std::string() : fmt::format("The deck breaks {}", fmt::join(all, ", "));
 }
 
 /// A motion that stops where it begins shows nothing.
@@ -343,7 +368,7 @@ void Judge::take_stop(const solve::TransientResult& motion, const std::string& w
   const double begins = motion.frames.front().t;
   for (const solve::TransientEvent& event : motion.events) {
     if (event.what != "stop" || event.t > begins) continue;
-    warn(words + " stopped",
+    warn({.what = words + " stopped"},
          fmt::format("{}: the event '{}' ends it at t = {:.4g} s, where it begins: it shows nothing", words,
                      event.where, begins),
          true);
@@ -370,13 +395,13 @@ void Judge::begin_motion(const machine::Model& m, const solve::TransientFrame& f
   footprints_.clear();
   // a motion that goes on from a saved state does not see where its feet stood before: they count as all down
   for (std::size_t i = 0; first.t > 0 && i < first.faces.size(); ++i) stood_.insert(i);
+  if (in_pieces_ && (*in_pieces_)++ > 0) return;  // it goes on with what is slack so far
   hangs_ = slack_branches(m, first);
 }
 
-void Judge::keep_slack(const std::vector<std::string>& branches) {
-  std::erase_if(hangs_, [&](const std::string& one) {
-    return std::find(branches.begin(), branches.end(), one) == branches.end();
-  });
+void Judge::keep_slack(const std::vector<Once>& branches) {
+  std::erase_if(hangs_,
+                [&](const Once& one) { return std::find(branches.begin(), branches.end(), one) == branches.end(); });
 }
 
 namespace {
@@ -509,6 +534,7 @@ void Judge::add_values(Result& r) const {
   add_off_line(r);
   for (const Warned& one : warned_) {
     if (one.unsafe) {
+      const AboutPart about(r, one.part);
       warn_unsafe(r, one.text);
     } else {
       r.warnings.push_back(one.text);
@@ -516,7 +542,7 @@ void Judge::add_values(Result& r) const {
   }
   off_groove_.add_warnings(r, deck_->display);
   two_blocked_.add_warnings(r, deck_->display);
-  r.preface = preface_;
+  r.preface = break_words();
 }
 
 void Judge::add_scope_of(const std::string& part, const Result& r, std::vector<std::string>& unjudged) const {
@@ -531,6 +557,7 @@ void Judge::add_scope(Result& r) const {
   std::erase_if(r.checks, [&](const Check& c) {
     return !c.part.empty() && std::find(r.exempt.begin(), r.exempt.end(), c.part) != r.exempt.end();
   });
+  take_out(r.exempt, r);
   const bool payload = std::any_of(deck_->analyses.begin(), deck_->analyses.end(),
                                    [](const auto& one) { return one.payload.has_value(); });
   if (payload) pass_on_own_limit(r.checks);

@@ -4,6 +4,7 @@
 #include <map>
 #include <memory>
 #include <numbers>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -89,6 +90,9 @@ class Judge {
   void take_rest(const machine::Model& model, const solve::TransientResult& still, const std::string& words);
   /// A tension at rest, N, that counts for the safety factor of a rope alone.
   void take_share(const machine::Reeving& rope, double T, const std::string& words);
+  /// The motions from now on are pieces of one, which goes on from each to the next; `end_pieces` ends it.
+  void begin_pieces();
+  void end_pieces(const std::string& words);
   /// A motion as a whole: which ropes bear tension, what goes slack.
   void take(const machine::Model& model, const solve::TransientResult& motion, const std::string& words);
 
@@ -133,6 +137,13 @@ class Judge {
     std::string text;
     bool unsafe = false;
     double size = 0;
+    std::string part;
+  };
+  /// What a warning is of, whatever the state: a part, or none, and what of it.
+  struct Once {
+    std::string part = {};
+    std::string what;
+    bool operator==(const Once&) const = default;
   };
 
   RopeWorst& take_tension(const machine::Reeving& rope, double T, const std::string& words);
@@ -155,8 +166,8 @@ class Judge {
   void take_beams(const solve::EquilibriumResult& state, const std::string& words);
   void take_footings(const machine::Model& model, const solve::EquilibriumResult& state, const std::string& words);
   bool holds_uplift(const std::string& anchor) const;
-  /// `once`: what it is of, whatever the state; of several states the one with the largest `size`, else the first.
-  void warn(const std::string& once, const std::string& text, bool unsafe, double size = 0);
+  /// Of several states the one with the largest `size`, else the first.
+  void warn(const Once& once, const std::string& text, bool unsafe, double size = 0);
   void take_contacts(const machine::Model& model, const solve::EquilibriumResult& state, const std::string& words);
   void warn_of_pulled(const machine::Model& model, const machine::Node& node, const Vector3& force,
                       const std::string& words);
@@ -177,10 +188,12 @@ class Judge {
                   const std::string& words);
   void take_slack(const machine::Model& model, const solve::EquilibriumResult& state, const std::string& words);
   void begin_motion(const machine::Model& model, const solve::TransientFrame& first);
-  void keep_slack(const std::vector<std::string>& branches);
+  void keep_slack(const std::vector<Once>& branches);
+  void warn_of_hanging(const std::string& words);
+  [[nodiscard]] std::string break_words() const;
   /// Branches of ropes that may not be slack, and are.
-  [[nodiscard]] std::vector<std::string> slack_branches(const machine::Model& model,
-                                                        const solve::TransientFrame& moment) const;
+  [[nodiscard]] std::vector<Once> slack_branches(const machine::Model& model,
+                                                 const solve::TransientFrame& moment) const;
   void take_places(const machine::Model& model, const solve::EquilibriumResult& state, const std::string& words);
   std::string strength_trust(std::size_t reeving) const;
   bool may_slack(const std::string& reeving) const;
@@ -203,15 +216,16 @@ class Judge {
   OffGroove off_groove_;
   TwoBlocked two_blocked_;
   std::vector<Warned> warned_;
-  std::map<std::string, std::size_t> known_;  ///< where in `warned_` the warning of a thing stands
-  std::string preface_;
-  std::size_t events_seen_ = 0;                ///< of the motion that is shown now
-  std::set<std::string> broken_;               ///< its ropes that the deck has broken so far
-  std::set<std::size_t> stood_;                ///< its contacts with faces that have been closed so far
+  std::map<std::string, std::size_t> known_;           ///< where in `warned_` the warning of a thing stands
+  std::map<double, std::vector<std::string>> breaks_;  ///< ropes that the deck breaks, by time, s
+  std::size_t events_seen_ = 0;                        ///< of the motion that is shown now
+  std::set<std::string> broken_;                       ///< its ropes that the deck has broken so far
+  std::set<std::size_t> stood_;                        ///< its contacts with faces that have been closed so far
   std::map<std::size_t, std::string> lifted_;  ///< warnings of feet that were lifted, unless their body is a load
   std::set<int> picked_up_;                    ///< bodies that are loads: upright, on no foot
   std::map<std::size_t, Vector3> footprints_;  ///< where feet were when all of their body stood, m
-  std::vector<std::string> hangs_;             ///< its branches that have been slack so far, from its beginning on
+  std::vector<Once> hangs_;                    ///< its branches that have been slack so far, from its beginning on
+  std::optional<int> in_pieces_;               ///< how many motions of one that is shown in pieces have begun
 };
 
 }  // namespace taut::checks

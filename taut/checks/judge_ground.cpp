@@ -125,7 +125,7 @@ void Judge::warn_of_buried(const machine::Model& m, const std::string& words) {
       if (anchor || node.at.body != machine::ground) continue;
       const double height = node.at.at.z() - study::ground_height(m.terrain, terrain_x(m, node.at.at));
       if (!(height < -rough)) continue;
-      warn(node.name + " buried",
+      warn({.part = node.name, .what = "buried"},
            fmt::format("{}: '{}' is {} below the ground", words, node.name, deck_->display.brief(-height, si::m)), true,
            -height);
     }
@@ -162,7 +162,7 @@ void Judge::warn_of_sunk(const machine::Model& m, const machine::State& state, c
   for (const auto& [b, lowest] : all) {
     if (!(lowest.height < -rough)) continue;
     const std::string& name = m.bodies[b].name;
-    warn(name + " sunk",
+    warn({.part = name, .what = "sunk"},
          fmt::format("{}: {} of '{}' is {} below the ground", words, lowest.what, name,
                      deck_->display.brief(-lowest.height, si::m)),
          true, -lowest.height);
@@ -185,7 +185,7 @@ void Judge::take_footings(const machine::Model& m, const solve::EquilibriumResul
     if (!(uplift > rounding) || holds_uplift(one.name)) continue;
     const std::string what = one.of.empty() ? fmt::format("the joint of '{}'", one.name)
                                             : fmt::format("the foot of {} at '{}'", fmt::join(one.of, ", "), one.name);
-    warn(one.name + " pulled up",
+    warn({.part = one.name, .what = "pulled up"},
          fmt::format("{}: {} is pulled up with {}: it must be anchored to hold it; 'uplift' or 'strength' of "
                      "'checks: anchors: {}' says what it holds",
                      words, what, deck_->display.brief(uplift, si::N), one.name),
@@ -240,6 +240,7 @@ void Judge::add_off_line(Result& r) const {
         rope.name, distance, deck_->display.brief(off.x, si::m), off.where, corridor,
         asked ? "its clearance is not judged, as the ground under the line is not the ground under the rope"
               : "the ground under the line is taken for the ground under the rope");
+    const AboutPart about(r, rope.name);
     if (!asked) {
       warn_unsafe(r, std::move(words));
       continue;
@@ -256,6 +257,7 @@ void Judge::add_gaps(Result& r) const {
     std::vector<std::string> where;
     if (beyond.before > 0) where.push_back(deck_->display.brief(beyond.before, si::m) + " before the first place");
     if (beyond.after > 0) where.push_back(deck_->display.brief(beyond.after, si::m) + " behind the last place");
+    const AboutPart about(r, car);
     warn_unsafe(r, fmt::format("{} stands up to {} of the terrain: its height is not judged there; give the ground "
                                "under all of its way",
                                car, fmt::join(where, " and up to ")));
@@ -265,6 +267,7 @@ void Judge::add_gaps(Result& r) const {
     const auto found = gaps_.find(rope);
     if (found == gaps_.end() || asks_clearance(deck_->checks, rope)) continue;
     const study::TerrainGap& gap = found->second;
+    const AboutPart about(r, rope);
     if (std::max(gap.before, gap.after) > to_anchor) warn_unsafe(r, gap_words(rope, gap, deck_->display));
   }
 }

@@ -102,6 +102,13 @@ std::string link_name(std::string name) {
   return name.empty() || name == "." ? "_" : name;
 }
 
+/// The same, of a name that the group has not yet; what it stands for is in its attribute.
+std::string new_link(hid_t group, const std::string& name) {
+  std::string link = link_name(name);
+  while (H5Lexists(group, link.c_str(), H5P_DEFAULT) > 0) link += '_';
+  return link;
+}
+
 bool write_column(hid_t group, const Table& t, std::size_t column) {
   const auto rows = static_cast<hsize_t>(t.long_rows ? t.long_rows->size() : t.rows.size());
   const bool texts = std::any_of(t.rows.begin(), t.rows.end(),
@@ -109,8 +116,8 @@ bool write_column(hid_t group, const Table& t, std::size_t column) {
   const Handle space(H5Screate_simple(1, &rows, nullptr), H5Sclose);
   const Handle type = texts ? text_type() : Handle(H5Tcopy(H5T_IEEE_F64LE), H5Tclose);
   const Handle list = untimed(H5P_DATASET_CREATE);
-  const Handle set(H5Dcreate2(group, link_name(t.columns[column].name).c_str(), type.get(), space.get(), H5P_DEFAULT,
-                              list.get(), H5P_DEFAULT),
+  const Handle set(H5Dcreate2(group, new_link(group, t.columns[column].name).c_str(), type.get(), space.get(),
+                              H5P_DEFAULT, list.get(), H5P_DEFAULT),
                    H5Dclose);
   if (!set.ok()) return false;
   herr_t written = 0;

@@ -42,6 +42,24 @@ std::vector<Table> made() {
   return {empty, t};
 }
 
+/// Links have no '/': two names that differ by one alone are two columns, each with its own name.
+TEST(Hdf5, ColumnsWhoseLinksWouldBeTheSameAreBothWritten) {
+  Table t;
+  t.name = "time";
+  t.columns = {{.name = "a_b", .unit = si::m}, {.name = "a/b", .unit = si::N}};
+  t.rows = {{1.0, 2.0}};
+  const fs::path path = fresh_file("links.h5");
+  const auto written = write_hdf5({t}, path.string());
+  ASSERT_TRUE(written) << written.error();
+  const auto read = read_hdf5(path.string());
+  ASSERT_TRUE(read) << read.error();
+  ASSERT_EQ(read->front().columns.size(), 2U);
+  EXPECT_EQ(read->front().columns[0].name, "a_b");
+  EXPECT_EQ(read->front().columns[1].name, "a/b");
+  EXPECT_EQ(std::get<double>(read->front().rows[0][1]), 2);
+  fs::remove(path);
+}
+
 TEST(Hdf5, LongRowsAreWrittenAsOthers) {
   Table t;
   t.name = "time";

@@ -41,8 +41,9 @@ class RopeChecker {
     } else if (use_.tension > 0) {
       statics();
     } else {
-      leave_out("its strength", "no load case gives it a tension");
+      leave_out("its strength", "no load case gives it a tension", loaded());
     }
+    if (std::max(use_.tension, use_.peak) > 0) out_.shown.insert(loaded());
     dynamics();
     heat();
     ratios();
@@ -59,8 +60,11 @@ class RopeChecker {
   }
   bool has_diameter() const { return use_.rope.diameter > 0; }
 
-  void leave_out(const std::string& what, const std::string& why) {
+  std::string loaded() const { return use_.name + ", loaded"; }
+
+  void leave_out(const std::string& what, const std::string& why, const std::string& no_state = {}) {
     out_.left_out.push_back(fmt::format("{}: {} is not checked: {}", use_.name, what, why));
+    if (!no_state.empty()) out_.no_state.emplace(out_.left_out.back(), no_state);
   }
 
   void add(const std::string& key, double value, const Unit& unit, Bound bound) {
@@ -143,6 +147,7 @@ class RopeChecker {
       }
     }
     std::move(at_peak.out_.left_out.begin(), at_peak.out_.left_out.end(), std::back_inserter(out_.left_out));
+    out_.no_state.merge(at_peak.out_.no_state);
   }
 
   void strength_static() {
@@ -227,7 +232,7 @@ class RopeChecker {
     unmeasured("EN 13001-3-2");
     const auto counts = [](const Bend& bend) { return bend.kind != BendKind::saddle && bend.tension > 0; };
     if (use_.unmeasured.empty() && std::none_of(use_.bends.begin(), use_.bends.end(), counts))
-      leave_out("EN 13001-3-2", "no sheave or drum bends it under tension");
+      leave_out("EN 13001-3-2", "no sheave or drum bends it under tension", use_.name + ".resistance");
     for (const Bend& bend : use_.bends) {
       if (!counts(bend)) continue;
       const double ratio = ratio_of(bend, use_);
@@ -436,9 +441,14 @@ class RopeChecker {
       if (!asked) return;
       if (use_.drums.empty()) return leave_out(what, "it ends on no drum");
       for (const DrumEnd& drum : use_.drums) {
+        const std::string pulls = fmt::format("{}, pulls at {}", use_.name, drum.name);
+        if (drum.tension > 0) out_.shown.insert(pulls);
         if (known(drum)) continue;
-        leave_out(what, drum.tension > 0 ? fmt::format("the drum '{}' needs {}", drum.name, needs(drum))
-                                         : fmt::format("in no state the rope pulls at the drum '{}'", drum.name));
+        if (drum.tension > 0) {
+          leave_out(what, fmt::format("the drum '{}' needs {}", drum.name, needs(drum)));
+        } else {
+          leave_out(what, fmt::format("in no state the rope pulls at the drum '{}'", drum.name), pulls);
+        }
       }
     };
     tell(

@@ -1,5 +1,7 @@
 #pragma once
+#include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -58,7 +60,10 @@ struct RopeRules {
 struct RopeChecks {
   std::vector<Check> checks;
   std::vector<std::string> left_out;  ///< asked for, and not made
-  std::vector<std::string> remarks;   ///< nobody asked, and a designer would expect it
+  /// Of those that no load case shows: what would be shown, "r, loaded"; of the others nothing.
+  std::map<std::string, std::string> no_state;
+  std::set<std::string> shown;       ///< what load cases show of that
+  std::vector<std::string> remarks;  ///< nobody asked, and a designer would expect it
 };
 RopeChecks check_rope(const RopeUse& use, const RopeRules& rules);
 

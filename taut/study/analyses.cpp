@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 
 #include "taut/study/deck/parameter.hpp"
 #include "taut/units/parse.hpp"
@@ -24,6 +25,18 @@ void check_clamps(const std::vector<EquilibriumRun>& equilibria, Names& names) {
         {fmt::format("machine.carriages.{}", given.name),
          fmt::format("is {} somewhere: give 'length_before', or 'carriage' and 'x' in the equilibrium",
                      clamped ? "clamped" : "fixed to '" + *given.fixed_to + "'")});
+  }
+}
+
+/// Of two states in one file the second would be left.
+void check_saves(const std::vector<AnalysisRequest>& all, std::vector<Complaint>& complaints) {
+  std::map<std::string, std::size_t> saved;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (!all[i].transient || !all[i].transient->save) continue;
+    const auto [first, is_new] = saved.try_emplace(*all[i].transient->save, i);
+    if (is_new) continue;
+    complaints.push_back({fmt::format("analyses[{}].transient.save", i),
+                          fmt::format("analyses[{}] saves its state in '{}' too", first->second, first->first)});
   }
 }
 
@@ -191,6 +204,7 @@ AskedAll resolve(const std::vector<AnalysisRequest>& analyses, bool must_judge, 
   AnalysesResolver resolver(names, must_judge);
   const DeckPlace list("analyses");
   for (std::size_t i = 0; i < all.size(); ++i) resolver.resolve(all[i], {list, i});
+  check_saves(all, complaints);
   check_clamps(resolver.all.equilibria, names);
   return std::move(resolver.all);
 }

@@ -334,7 +334,7 @@ const Description& InstallationRequest::describe() {
           .field(&InstallationRequest::to, "to", "", si::K.in("degC"), "last temperature")
           .above(0)
           .at_most(2000)
-          .field(&InstallationRequest::steps, "steps", "n", si::one, "equal steps between them")
+          .field(&InstallationRequest::steps, "steps", "n", si::one, "equal steps between them; default: 10")
           .at_least(1)
           .at_most(10000)
           .record(&InstallationRequest::given, "given", "tension, length or sag; default: what the reeving gives");

@@ -457,6 +457,13 @@ PretensionRun resolve(const PretensionRequest& request, const std::string& path,
     run.pulls.push_back(resolved_pull(request.pull[i], request.longest, fmt::format("{}.pull[{}]", path, i), names));
   }
   if (request.pull.empty()) names.complaints.push_back({path + ".pull", "names no rope"});
+  for (const machine::Observable& measure : names.model.measures) {
+    const auto& columns = pull_quantities();
+    if (std::none_of(columns.begin(), columns.end(), [&](const auto& q) { return q.about.name == measure.name; }))
+      continue;
+    names.complaints.push_back({fmt::format("machine.measures.{}", measure.name),
+                                "is the name of a column in the table of a pretension: choose another one"});
+  }
   if (pulled_slowly(names.model, run.pulls)) {
     if (!names.machine.beams.empty()) {
       names.complaints.push_back({path, "a machine with beams is pulled without contacts, cylinders and 'until'"});

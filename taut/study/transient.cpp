@@ -37,8 +37,15 @@ void check_names(const TransientRequest& request, const std::string& path, std::
   if (!is_plain_name(*request.save)) {
     complaints.push_back({path + ".save", "a file's name is expected; the state goes to the folder of the results"});
   }
-  for (const char* taken : {"result.json", "report.html", "report.md", "series.h5"}) {
-    if (*request.save == taken) complaints.push_back({path + ".save", "is the name of another file of the results"});
+  // every table of the results, and every picture of their scenes, is a file
+  for (const char* taken : {"result.json", "report.html", "report.md", ".h5", ".csv", ".vtp", ".pvd"}) {
+    const bool ending = *taken == '.';
+    if (ending ? !request.save->ends_with(taken) : *request.save != taken) continue;
+    complaints.push_back(
+        {path + ".save",
+         ending ? fmt::format("'{}' ends as tables and scenes of the results do: name it as in 'state.json'",
+                              *request.save)
+                : fmt::format("'{}' is the name of another file of the results", *request.save)});
   }
 }
 

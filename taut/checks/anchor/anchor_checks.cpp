@@ -249,6 +249,8 @@ void add_anchor_checks(const std::vector<AnchorStates>& anchors, Result& r) {
   bool reported = false;
   for (const AnchorStates& s : anchors) {
     const AnchorCheckRequest& one = *s.request;
+    const AboutPart about(r, one.name);
+    if (s.force > 0) r.shown.insert(one.name + ", pulled");
     if (!s.unknown.empty()) {
       r.unmade.push_back(fmt::format("{} is not checked in a motion ({}), which does not know the force on its joint",
                                      one.name, s.unknown));
@@ -256,10 +258,11 @@ void add_anchor_checks(const std::vector<AnchorStates>& anchors, Result& r) {
     }
     const bool pressed = s.force == 0 && s.uplift == 0;
     if (s.force == 0 && !(pressed && one.uplift && !one.strength && !one.angle)) {
-      r.unmade.push_back(
+      leave_unmade(
+          r,
           fmt::format("{} is not checked: no load case of the deck pulls {}", one.name,
-                      s.footing ? "it up, and what only presses it or pulls it aside is not counted" : "at it"));
-      r.warnings.push_back(r.unmade.back());
+                      s.footing ? "it up, and what only presses it or pulls it aside is not counted" : "at it"),
+          {.part = one.name, .no_state = one.name + ", pulled"});
       continue;
     }
     if (!reported && s.ropes) r.assumptions.emplace_back(fastening);

@@ -220,11 +220,12 @@ void add_guy_checks(const std::vector<GuyStates>& guys, const CheckedDeck& deck,
   for (const GuyStates& one : guys) {
     const machine::Reeving& rope = model.reevings[one.reeving];
     const double strength = rope.breaking_force > 0 ? rope.breaking_force : one.request->breaking_force.value_or(0);
+    const AboutPart about(r, rope.name);
     if (one.T_max > 0) {
       check_safety(one, rope.name, strength, r);
     } else {
-      r.unmade.push_back(fmt::format("{}: its safety is not checked: no load case gives it a tension", rope.name));
-      r.warnings.push_back(r.unmade.back());
+      leave_unmade(r, fmt::format("{}: its safety is not checked: no load case gives it a tension", rope.name),
+                   {.part = rope.name, .no_state = rope.name + ".guy_safety"});
     }
     if (!one.request->may_go_slack && std::isinf(one.T_slack)) {
       r.unmade.push_back(fmt::format(

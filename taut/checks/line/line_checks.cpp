@@ -204,10 +204,11 @@ void check_clearance(const LineStates& line, Result& r) {
   }
   if (std::isnan(line.clearance.value)) {
     if (!slack.empty()) return;
-    r.unmade.push_back(fmt::format(
-        "{}: its clearance is not checked: in no state of the deck is a lowest place of it over the terrain",
-        request.name));
-    r.warnings.push_back(r.unmade.back());
+    leave_unmade(r,
+                 fmt::format("{}: its clearance is not checked: in no state of the deck is a lowest place of it over "
+                             "the terrain",
+                             request.name),
+                 {.part = request.name, .no_state = request.name + ".clearance"});
     return;
   }
   if (line.gap.missing() > 0) {
@@ -224,12 +225,15 @@ void check_clearance(const LineStates& line, Result& r) {
 
 void check_tail(const LineStates& line, Result& r) {
   const LineCheckRequest& request = *line.request;
-  if (request.tail_tree && (std::isnan(line.tail_angle.value) || std::isnan(line.off_line.value))) {
-    r.unmade.push_back(
-        fmt::format("{}: the angles of its tail tree are not checked: in no state is '{}' between the "
-                    "anchor and the line",
-                    request.name, *request.tail_tree));
-    r.warnings.push_back(r.unmade.back());
+  const std::string tail = request.name + ", its tail tree";
+  const bool seen = !std::isnan(line.tail_angle.value) && !std::isnan(line.off_line.value);
+  if (seen) r.shown.insert(tail);
+  if (request.tail_tree && !seen) {
+    leave_unmade(r,
+                 fmt::format("{}: the angles of its tail tree are not checked: in no state is '{}' between the "
+                             "anchor and the line",
+                             request.name, *request.tail_tree),
+                 {.part = request.name, .no_state = tail});
   }
   const auto add = [&](const char* name, const LineExtreme& x, const std::optional<double>& own, const char* rule,
                        const char* words) {
@@ -251,12 +255,14 @@ void check_tail(const LineStates& line, Result& r) {
 
 void check_bends(const LineStates& line, Result& r) {
   const LineCheckRequest& request = *line.request;
+  const std::string empty = request.name + ", empty";
+  if (line.seen_empty) r.shown.insert(empty);
   if (!line.bends.empty() && !line.seen_empty) {
-    r.unmade.push_back(
-        fmt::format("{}: its least bends are not checked: the empty line, which bends least, is not "
-                    "among the states: give its 'install', or add an 'installation'",
-                    request.name));
-    r.warnings.push_back(r.unmade.back());
+    leave_unmade(r,
+                 fmt::format("{}: its least bends are not checked: the empty line, which bends least, is not "
+                             "among the states: give its 'install', or add an 'installation'",
+                             request.name),
+                 {.part = request.name, .no_state = empty});
   }
   for (const LineStates::Bend& bend : line.bends) {
     const auto& ends = request.end_masts;
@@ -289,9 +295,8 @@ void check_bends(const LineStates& line, Result& r) {
 void check_limiter(const LineCheckRequest& request, Result& r) {
   const Value* T = r.find_value(request.name + ".T_max");
   if (T == nullptr) {
-    r.unmade.push_back(
-        fmt::format("{}.limiter_tension is not checked: no state gives the line a tension", request.name));
-    r.warnings.push_back(r.unmade.back());
+    leave_unmade(r, fmt::format("{}.limiter_tension is not checked: no state gives the line a tension", request.name),
+                 {.part = request.name, .no_state = request.name + ".limiter_tension"});
     return;
   }
   add_part_check(request.name, "limiter_tension", T->value, si::N,
@@ -402,6 +407,7 @@ void take(const CheckState& state, LineStates& line) {
 
 void add_line_checks(const std::vector<LineStates>& lines, const machine::Model& model, Result& r) {
   for (const LineStates& line : lines) {
+    const AboutPart about(r, line.request->name);
     check_tail(line, r);
     check_bends(line, r);
     check_clearance(line, r);

@@ -562,6 +562,7 @@ void add_machine_masts(const std::vector<MastStates>& masts, const CheckedDeck& 
                        Result& r) {
   for (const MastStates& mast : masts) {
     const MastCheckRequest& one = *mast.request;
+    const AboutPart about(r, one.name);
     if (mast.beams.empty()) {
       add_mast_report(one,
                       one.carries.empty() ? own_mast(one, one.loads, model.gravity, deck.display)

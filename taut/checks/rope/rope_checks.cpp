@@ -171,6 +171,10 @@ void add_checks_of(const RopeCheckRequest& request, const AskedRules& asked, con
     found.left_out.push_back(fmt::format("{}: {} is not checked: {}", use.name, one.key, one.words));
   }
   std::move(found.checks.begin(), found.checks.end(), std::back_inserter(r.checks));
+  for (const auto& [sentence, thing] : found.no_state) {
+    r.about.insert_or_assign(sentence, About{.part = use.name, .no_state = thing});
+  }
+  r.shown.merge(found.shown);
   r.warnings.insert(r.warnings.end(), found.left_out.begin(), found.left_out.end());
   r.warnings.insert(r.warnings.end(), found.remarks.begin(), found.remarks.end());
   std::move(found.left_out.begin(), found.left_out.end(), std::back_inserter(r.unmade));
@@ -201,6 +205,7 @@ void add_rope_checks(const ChecksRequest& request, const CheckedDeck& deck, cons
     const RopeCheckRequest& one = request.ropes[k];
     for (const std::size_t i : reevings_named(one.name, deck, model)) {
       rope::RopeUse use = uses[i];
+      const AboutPart about(r, use.name);
       use.chosen = deck.chosen.contains(rope_name_of(deck.machine, i));
       put_request(one, use, r);
       set_compensating(one, use);

@@ -197,12 +197,16 @@ void take_empty_line(const CheckState& state, const std::string& reeving, bool p
 
 void add_yarder_checks(const std::vector<YarderLineStates>& lines, Result& r) {
   for (const YarderLineStates& s : lines) {
+    const std::string line = fmt::format("{}, its {}", s.request->name, s.line.line);
+    const AboutPart about(r, s.request->name);
     if (std::isnan(s.in_use.value) || std::isnan(s.tension.value)) {
-      r.unmade.push_back(fmt::format("{}: its {} is not checked: no load case of the deck has '{}'", s.request->name,
-                                     s.line.line, s.line.reeving));
-      r.warnings.push_back(r.unmade.back());
+      leave_unmade(r,
+                   fmt::format("{}: its {} is not checked: no load case of the deck has '{}'", s.request->name,
+                               s.line.line, s.line.reeving),
+                   {.part = s.request->name, .no_state = line});
       continue;
     }
+    r.shown.insert(line);
     add_line(r, "yarder_lines", "Lines of the yarders: needed against available length, tension against rated pull",
              yarder_quantities(), s);
     check_length(s, r);

@@ -156,6 +156,26 @@ void add_contacts(const Machine& machine, const Links& links, Model& model, Comp
   }
 }
 
+/// A cylinder that is never anything but locked or free needs nothing that moves it.
+void check_drive_of(const description::Actuator& given, const Machine& machine, const std::string& path,
+                    Complaints& complaints) {
+  const int count = (given.force ? 1 : 0) + (given.law ? 1 : 0) + (given.speed ? 1 : 0);
+  if (count > 1) complaints.push_back({path, "give one of force, law, speed, not several"});
+  if (count > 0) return;
+  const auto moves = [](ActuatorMode mode) { return mode == ActuatorMode::extend || mode == ActuatorMode::retract; };
+  if (moves(given.mode)) {
+    complaints.push_back({path, "needs one of force, law, speed, unless its 'mode' is lock or free"});
+    return;
+  }
+  for (std::size_t i = 0; i < machine.events.size(); ++i) {
+    const description::Event& event = machine.events[i];
+    if (event.actuator != given.name || (event.mode != "extend" && event.mode != "retract")) continue;
+    complaints.push_back(
+        {path, fmt::format("needs one of force, law, speed: 'events[{}]' sets its mode to {}", i, *event.mode)});
+    return;
+  }
+}
+
 void add_actuators(const Machine& machine, const Links& links, Model& model, Complaints& complaints) {
   for (const auto& given : machine.actuators) {
     const std::string path = fmt::format("actuators.{}", given.name);
@@ -174,7 +194,8 @@ void add_actuators(const Machine& machine, const Links& links, Model& model, Com
       a.kind = kind;
       if (auto signal = signal_or_constant(text, unit, model.signals, path + key, complaints)) a.signal = *signal;
     };
-    if (given.force) take(*given.force, ActuatorKind::force, si::N, ".force");
+    check_drive_of(given, machine, path, complaints);
+    if (!given.speed && !given.law) take(given.force.value_or("0 N"), ActuatorKind::force, si::N, ".force");
     if (given.speed) take(*given.speed, ActuatorKind::speed, si::m_per_s, ".speed");
     if (given.law) {
       take(given.law->reference, ActuatorKind::law, si::m_per_s, ".law.reference");
@@ -319,8 +340,11 @@ void add_motion(const Machine& machine, const Links& links, ModelFor use, Model&
       complaints.push_back({fmt::format("observe[{}]", i), fmt::format("'{}' stands here a second time", *here)});
       continue;
     }
-    const auto found = observable(machine.observe[i], model, fmt::format("observe[{}]", i), complaints);
-    if (found) model.observed.push_back(*found);
+    const std::string path = fmt::format("observe[{}]", i);
+    const auto found = observable(machine.observe[i], model, path, complaints);
+    if (!found) continue;
+    if (found->name == time_name) complaints.push_back({path, time_name_taken});
+    model.observed.push_back(*found);
   }
   if (machine.observe.empty() && use == ModelFor::motion) model.observed = usual_observables(model);
   observe_measures(model);

@@ -116,7 +116,7 @@ const Description& Body::describe() {
           .at_least(-farthest)
           .at_most(farthest)
           .or_map(&Body::over_ground)
-          .field(&Body::centre, "centre", "", si::m, "centre of mass relative to the origin")
+          .field(&Body::centre, "centre", "", si::m, "centre of mass relative to the origin; default: there")
           .at_least(-farthest)
           .at_most(farthest)
           .field(&Body::free, "free",
@@ -165,7 +165,7 @@ const Description& Round::describe() {
                   {{"hold", Uplift::hold}, {"report", Uplift::report}, {"lift", Uplift::lift}},
                   "where the rope pulls upwards: hold it (default of a sheave), report it (default of a saddle), or "
                   "let it lift off")
-          .field(&Round::inertia, "inertia", "J", si::kg_m2, "moment of inertia; used in motion only")
+          .field(&Round::inertia, "inertia", "J", si::kg_m2, "moment of inertia; used in motion only; default: none")
           .at_least(0)
           .field(&Round::drag, "drag", "c", si::N_m_s,
                  "viscous drag of its turning: moment by angular velocity; used in motion only, with an 'inertia'")

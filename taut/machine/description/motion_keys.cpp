@@ -149,7 +149,8 @@ const Description& Face::describe() {
           .at_least(-farthest)
           .at_most(farthest)
           .required()
-          .field(&Face::normal, "normal", "", si::one, "direction out of the body, towards the points without contact");
+          .field(&Face::normal, "normal", "", si::one,
+                 "direction out of the body, towards the points without contact; default: [0, 0, 1]");
   return d;
 }
 
@@ -180,7 +181,7 @@ const Description& FaceContact::describe() {
                  "kinetic friction coefficient, of fast sliding; default: the static one")
           .at_least(0)
           .field(&FaceContact::stribeck_speed, "stribeck_speed", "v_s", si::m_per_s,
-                 "sliding speed over which friction falls from static to kinetic")
+                 "sliding speed over which friction falls from static to kinetic; default: 0.01 m/s")
           .above(0);
   return d;
 }
@@ -210,20 +211,22 @@ const Description& Actuator::describe() {
           .field(&Actuator::force, "force", "pushes the two apart: a signal, or a force")
           .record(&Actuator::law, "law", "force F0 + gain (reference - speed)")
           .field(&Actuator::speed, "speed", "speed at which the two move apart: a signal, or a speed")
-          .choice(&Actuator::mode, "mode",
-                  {{"extend", ActuatorMode::extend},
-                   {"retract", ActuatorMode::retract},
-                   {"lock", ActuatorMode::lock},
-                   {"free", ActuatorMode::free}},
-                  "retract: reference speed reversed, without F0; lock: constant length; free: no force")
+          .choice(
+              &Actuator::mode, "mode",
+              {{"extend", ActuatorMode::extend},
+               {"retract", ActuatorMode::retract},
+               {"lock", ActuatorMode::lock},
+               {"free", ActuatorMode::free}},
+              "retract: reference speed reversed, without F0; lock: constant length; free: no force. Locked or free, "
+              "and set to nothing else by an event, it needs no force, law or speed")
           .field(&Actuator::lock_stiffness, "lock_stiffness", "k", si::N_per_m, "stiffness while it is locked")
           .above(0)
-          .field(&Actuator::lock_damping, "lock_damping", "c", si::N_s_per_m, "damping while it is locked")
+          .field(&Actuator::lock_damping, "lock_damping", "c", si::N_s_per_m,
+                 "damping while it is locked; default: none")
           .at_least(0)
           .field(&Actuator::force_limit, "force_limit", "F_max", si::N,
-                 "largest force in both directions, unless locked")
-          .above(0)
-          .exactly_one({"force", "law", "speed"});
+                 "largest force in both directions, unless locked; default: no limit")
+          .above(0);
   return d;
 }
 
@@ -256,7 +259,8 @@ const Description& Event::describe() {
           .field(&Event::brake, "brake", "a drum whose brake is set, or with 'mode: open' opened")
           .field(&Event::drive, "drive",
                  "a drum or driven sheave that gets a new speed, torque or pull; a brake that is set stays set")
-          .field(&Event::mode, "mode", "new mode of an actuator: extend, retract, lock, free; of a brake: set, open")
+          .field(&Event::mode, "mode",
+                 "new mode of an actuator: extend, retract, lock, free; of a brake: set (the default), open")
           .field(&Event::speed, "speed", "new speed of a drive: a signal, or a speed")
           .field(&Event::torque, "torque", "new torque of a drive: a signal, or a moment")
           .field(&Event::pull, "pull", "new pull of a drum drive: a signal, or a force")

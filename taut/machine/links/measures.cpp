@@ -120,6 +120,8 @@ class MeasureReader {
   void check_name() {
     if (given_.name.find_first_of(".[]<>= ") != std::string::npos) {
       complain("", "a name without blanks, dots and brackets is expected");
+    } else if (given_.name == time_name) {
+      complain("", time_name_taken);
     } else if (index_of(model_.signals, given_.name)) {
       complain("", "there is a signal of this name already");
     }

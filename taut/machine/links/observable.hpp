@@ -10,6 +10,10 @@
 
 namespace taut::machine {
 
+/// The first column of every series, whose name nothing else in it may have.
+inline constexpr const char* time_name = "t";
+inline constexpr const char* time_name_taken = "'t' is the time in the series of every motion: choose another name";
+
 /// What a path of a deck asks for: "car.z", "skyline.T_max", "ext[2].T", "winch.torque", "energy.kinetic", the name of
 /// a signal. `model`: its bodies, reevings, drums, contacts, actuators, signals and places are there. Complains at
 /// `path` with what there is instead.

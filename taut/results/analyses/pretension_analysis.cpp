@@ -156,11 +156,13 @@ void add_answer(const study::PretensionRun& asked, MachineRun& machine, Result& 
                                                   .done = static_cast<double>(i) / static_cast<double>(count),
                                                   .words = fmt::format("pull {} of {}", i + 1, count)});
   };
+  if (machine.checked->judged) machine.checked->judge.begin_pieces();
   study::solve(machine.model, run, go_on, [&](const machine::Model& model, const solve::TransientResult& motion) {
     for (const solve::TransientFrame& frame : motion.frames)
       machine.checked->take_moment(model, motion, frame, run.words, analysis, true);
     machine.checked->take(model, motion, run.words, true);
   });
+  if (machine.checked->judged) machine.checked->judge.end_pieces(run.words);
   const study::PretensionResult& result = run.answer;
   if (result.interrupted) {
     r.interrupted = true;

@@ -8,6 +8,7 @@
 #include "taut/base/expects.hpp"
 #include "taut/calc/shown.hpp"
 #include "taut/catalogue/rule.hpp"
+#include "taut/machine/links/observable.hpp"
 #include "taut/results/described.hpp"
 #include "taut/results/motion/straight_ropes.hpp"
 
@@ -29,7 +30,7 @@ const Quantities<EnergyRow>& energy_quantities() {
 }
 
 QuantityWords time_itself() {
-  return {.name = "t", .symbol = "t", .unit = si::s, .words = "time since the start of the motion"};
+  return {.name = machine::time_name, .symbol = "t", .unit = si::s, .words = "time since the start of the motion"};
 }
 
 void add_series(const study::TransientRun& run, Result& r) {

@@ -94,10 +94,12 @@ std::optional<int> worst_freedom(const mechanics::System& s, const mechanics::Ev
   return worst;
 }
 
-/// The branch that all but vanished beside a body that rolls on the rope.
+/// The branch that all but vanished beside a body that rolls on the rope: a carriage, or a roller without a radius. A
+/// sheave with one is part of a block, which is drawn up.
 std::optional<int> vanished(const mechanics::System& s, const mechanics::Configuration& c) {
   for (const mechanics::Layout::Turn& t : s.layout.turns) {
-    if (s.model.reevings[t.reeving].nodes[t.node].at.body == machine::ground) continue;
+    const machine::Node& node = s.model.reevings[t.reeving].nodes[t.node];
+    if (node.at.body == machine::ground || (node.radius > 0 && !machine::rides(s.model, node))) continue;
     for (const int branch : {t.before, t.after}) {
       if (c.branches[branch].length < vanishing * s.layout.length) return branch;
     }
@@ -119,6 +121,12 @@ std::string drawn_up(const mechanics::System& s, const machine::Reeving& rope, c
       others.insert(fmt::format("'{}'", s.model.bodies[node.at.body].name));
   }
   const std::string& body = s.model.bodies[own.at.body].name;
+  if (rope.given == machine::Given::tension_at_start || rope.given == machine::Given::tension_at_end) {
+    return fmt::format(
+        "body '{}' is drawn up to '{}': the tension given of rope '{}', which runs through, does not balance there, "
+        "and nothing is left between them; give another tension, or a length",
+        body, other.name, rope.name);
+  }
   if (others.empty()) {
     return fmt::format(
         "body '{}' is drawn up to '{}': rope '{}' between them shrinks to nothing; make it heavier, give the rope more "

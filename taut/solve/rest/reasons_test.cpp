@@ -66,6 +66,22 @@ TEST(Reasons, AHookTooLightForItsRopeIsDrawnUpToTheHead) {
   EXPECT_NE(r.outcome.message.find("body 'block' is drawn up to 'head'"), std::string::npos) << r.outcome.message;
 }
 
+/// A Spanish burton: the hook hangs on both ropes, and the runner on the first. Without loss the second rope has T, the
+/// first 2 T, the hook W = 3 T: with more than 3.269 kN it goes up until it meets the runner. Nothing rolls there.
+TEST(Reasons, ATensionGivenThatHaulsABlockTogetherIsNamed) {
+  machine::Model m;
+  m.bodies.push_back(body("hook", {0, 0, 0}, 1000, "z"));
+  m.bodies.push_back(body("runner", {0.2, 0, 5}, 0, "z"));
+  m.reevings.push_back(
+      reeve("r1", {anchor_on("hook", 0), sheave("top", {0.1, 0, 10}, 0.1, 1), anchor_on("runner", 1)}, 15, 0, 100e6));
+  machine::Node runner = sheave("sheave", {0, 0, 0}, 0.2, 1);
+  runner.at.body = 1;
+  m.reevings.push_back(reeve("r2", {anchor_on("hook", 0), runner, anchor("post", {0.4, 0, -20})}, 0, 0, 100e6));
+  m.reevings[1].given = machine::Given::tension_at_end;
+  m.reevings[1].value = 3500;
+  expect_reason(m, "is drawn up to 'sheave': the tension given of rope 'r2'");
+}
+
 TEST(Reasons, ACarriageBeyondTheEndOfItsLineIsTold) {
   const machine::Model m = rollers(1, 0, 0, 500);
   for (const double x : {-40.0, 300.0}) {

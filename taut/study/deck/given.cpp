@@ -143,7 +143,8 @@ const Description& GivenRequest::describe() {
           .field(&GivenRequest::of, "of",
                  "the rope that the winch pulls, or all ropes of the loop; default: this rope alone")
           .field(&GivenRequest::efficiency, "efficiency", "eta", si::one,
-                 "efficiency of the lead sheaves of a winch: the tension of the rope is winch_pull times this")
+                 "efficiency of the lead sheaves of a winch: the tension of the rope is winch_pull times this; "
+                 "default: 1")
           .above(0)
           .at_most(1)
           .choice(&GivenRequest::at, "at", {{"start", RopeEnd::start}, {"end", RopeEnd::end}},
