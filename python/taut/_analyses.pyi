@@ -1,6 +1,6 @@
 """Made from the descriptions by python/tools/make_stub.py; do not edit. `./dev python stub` makes it again.
 
-schema: 43200c3e497c9ecac618367114af9533d21eaef59bd1ed175e9b6ff55d1404a6
+schema: 655e797befa234ac0b101498112a2d0cff7321a00231bb91b2dcdb77caf841b9
 """
 
 from collections.abc import Mapping, Sequence
@@ -145,7 +145,7 @@ class Analyses:
             degC).
         from_: K. first temperature, in place of a list (above -273.15 degC and at most 1726.8 degC).
         to: K. last temperature (above -273.15 degC and at most 1726.8 degC).
-        steps: equal steps between them (at least 1 and at most 10000).
+        steps: equal steps between them; default: 10 (at least 1 and at most 10000).
         given: tension, length or sag; default: what the reeving gives.
         set: values over the deck for this call alone, by path; a bare number is SI.
         progress: called with what, part done (0 to 1), words; a returned False ends it.

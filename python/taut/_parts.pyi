@@ -1,6 +1,6 @@
 """Made from the descriptions by python/tools/make_stub.py; do not edit. `./dev python stub` makes it again.
 
-schema: 43200c3e497c9ecac618367114af9533d21eaef59bd1ed175e9b6ff55d1404a6
+schema: 655e797befa234ac0b101498112a2d0cff7321a00231bb91b2dcdb77caf841b9
 """
 
 from collections.abc import Mapping, Sequence
@@ -75,7 +75,7 @@ class Parts:
         mass: kg. mass; its weight acts at the centre of mass (at least 0 kg and at most 1e9 kg). Default: 0 kg.
         free: degrees of freedom along and about the axes of the ground, of a body 'on' another along and about those of
             that one at the start; none: fixed: `x`, `y`, `z`, `rx`, `ry`, `rz`.
-        centre: m. centre of mass relative to the origin (at least -1e7 m and at most 1e7 m).
+        centre: m. centre of mass relative to the origin; default: there (at least -1e7 m and at most 1e7 m).
         guide: direction of its only translation, a slide.
         inertia: kg m^2. about the centre of mass: one for all axes, or Ixx, Iyy, Izz; used in motion only (at least 0 kg
             m^2).
@@ -116,7 +116,7 @@ class Parts:
             0).
         uplift: where the rope pulls upwards: hold it (default of a sheave), report it (default of a saddle), or let it lift
             off: `hold`, `report`, `lift`.
-        inertia: kg m^2. moment of inertia; used in motion only (at least 0 kg m^2).
+        inertia: kg m^2. moment of inertia; used in motion only; default: none (at least 0 kg m^2).
         drag: N m s. viscous drag of its turning: moment by angular velocity; used in motion only, with an 'inertia' (at
             least 0 N m s and at most 1e12 N m s). Default: 0 N m s.
         holds: 'ahead_of CARRIAGE': it holds a rope that ends at this carriage only while the carriage has not passed it;
@@ -159,7 +159,7 @@ class Parts:
         efficiency: T_small/T_large over the turning sheave (above 0 and at most 1). Default: 1.
         uplift: where the rope pulls upwards: hold it (default of a sheave), report it (default of a saddle), or let it lift
             off: `hold`, `report`, `lift`.
-        inertia: kg m^2. moment of inertia; used in motion only (at least 0 kg m^2).
+        inertia: kg m^2. moment of inertia; used in motion only; default: none (at least 0 kg m^2).
         drag: N m s. viscous drag of its turning: moment by angular velocity; used in motion only, with an 'inertia' (at
             least 0 N m s and at most 1e12 N m s). Default: 0 N m s.
         holds: 'ahead_of CARRIAGE': it holds a rope that ends at this carriage only while the carriage has not passed it;
@@ -557,7 +557,7 @@ class Parts:
         from_: m. one end, in the frame of its body (at least -1e7 m and at most 1e7 m).
         to: m. the other end; there is no contact beyond the ends (at least -1e7 m and at most 1e7 m).
         body: the body to which it belongs; default: the ground.
-        normal: direction out of the body, towards the points without contact.
+        normal: direction out of the body, towards the points without contact; default: [0, 0, 1].
 
         A number is SI, a text has its unit. Returns the machine; its mistakes are told when it is calculated.
         """
@@ -588,7 +588,8 @@ class Parts:
         clearance: m. gap that has to close first (at least 0 mm). Default: 0 mm.
         static_friction: static friction coefficient (at least 0). Default: 0.
         kinetic_friction: kinetic friction coefficient, of fast sliding; default: the static one (at least 0).
-        stribeck_speed: m/s. sliding speed over which friction falls from static to kinetic (above 0 m/s).
+        stribeck_speed: m/s. sliding speed over which friction falls from static to kinetic; default: 0.01 m/s (above 0
+            m/s).
 
         A number is SI, a text has its unit. Returns the machine; its mistakes are told when it is calculated.
         """
@@ -613,12 +614,12 @@ class Parts:
         force: pushes the two apart: a signal, or a force.
         law: force F0 + gain (reference - speed).
         speed: speed at which the two move apart: a signal, or a speed.
-        mode: retract: reference speed reversed, without F0; lock: constant length; free: no force: `extend`, `retract`,
-            `lock`, `free`. Default: extend.
+        mode: retract: reference speed reversed, without F0; lock: constant length; free: no force. Locked or free, and set
+            to nothing else by an event, it needs no force, law or speed: `extend`, `retract`, `lock`, `free`. Default:
+            extend.
         lock_stiffness: N/m. stiffness while it is locked (above 0 N/m).
-        lock_damping: N s/m. damping while it is locked (at least 0 N s/m).
-        force_limit: N. largest force in both directions, unless locked (above 0 kN).
-        Give exactly one of force, law, speed.
+        lock_damping: N s/m. damping while it is locked; default: none (at least 0 N s/m).
+        force_limit: N. largest force in both directions, unless locked; default: no limit (above 0 kN).
 
         A number is SI, a text has its unit. Returns the machine; its mistakes are told when it is calculated.
         """
@@ -663,7 +664,7 @@ class Parts:
         actuator: an actuator that changes its mode.
         brake: a drum whose brake is set, or with 'mode: open' opened.
         drive: a drum or driven sheave that gets a new speed, torque or pull; a brake that is set stays set.
-        mode: new mode of an actuator: extend, retract, lock, free; of a brake: set, open.
+        mode: new mode of an actuator: extend, retract, lock, free; of a brake: set (the default), open.
         speed: new speed of a drive: a signal, or a speed.
         torque: new torque of a drive: a signal, or a moment.
         pull: new pull of a drum drive: a signal, or a force.

@@ -1,6 +1,6 @@
 """Made from the descriptions by python/tools/make_stub.py; do not edit. `./dev python stub` makes it again.
 
-schema: 43200c3e497c9ecac618367114af9533d21eaef59bd1ed175e9b6ff55d1404a6
+schema: 655e797befa234ac0b101498112a2d0cff7321a00231bb91b2dcdb77caf841b9
 """
 
 from collections.abc import Mapping, Sequence

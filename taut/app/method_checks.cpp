@@ -61,14 +61,13 @@ rope::RopeUse rope_of_loop(const char* name, const std::optional<std::string>& r
   rope::RopeUse use = named_use(name);
   if (row) {
     if (const auto known = catalogue::find_rope_in_words(*row)) use.rope = *known;
-  } else if (!in.choose_ropes) {
-    use.own_factor = in.safety_factor;
-  } else {
+  } else if (in.choose_ropes) {
     use.chosen = true;
     use.rope.construction = in.choose_ropes->construction.value_or("");
     use.rope.core = in.choose_ropes->core.value_or("");
     use.rope.grade = in.choose_ropes->grade;
   }
+  use.own_factor = in.safety_factor;
   return use;
 }
 
@@ -159,17 +158,29 @@ void complain_of_chosen(const checks::RopeCheckRequest& one, const catalogue::Ro
 
 /// The safety factor that a method's input asks of a rope of which it has the weight alone, with the strength that
 /// `checks` gives. It stands beside the limits of `checks`: both were asked.
-void judge_own_factor(const rope::RopeUse& use, Result& r) {
+/// By the breaking force of `checks`, and by the strength that the rope has at its temperature: the method knows a cold
+/// one.
+void judge_own_factor(const rope::RopeUse& use, const rope::RopeRules& rules, Result& r) {
   if (!use.own_factor || !(use.rope.breaking_force > 0)) return;
-  const std::string part = use.name + " rope";
+  const std::string part = use.name + " rope", name = fmt::format("safety factor of the {}", part);
+  if (!rules.no_strength.empty()) {
+    leave_unmade(r, fmt::format("{} is not checked: {}", name, rules.no_strength), {.part = use.name});
+    return;
+  }
+  const double share = rope::heat_share(rules);
+  const bool judged = std::any_of(r.checks.begin(), r.checks.end(), [&](const Check& c) { return c.name == name; });
+  if (judged && share == 1) return;
   std::vector<Doubt> doubts;
+  if (share < 1) rope::add_doubt(rules.heat_strength->trust, rules.heat_strength->rule, doubts);
   rope::add_doubt_of_rope(use.rope, doubts);
-  Check c = make_check(fmt::format("safety factor of the {}", part), use.rope.breaking_force / use.tension, si::one,
+  const std::string strength =
+      judged ? std::string("breaking force") : fmt::format("breaking force of 'checks: ropes: {}'", use.name);
+  const std::string hot = share < 1 ? fmt::format(" x {:.3g} ({})", share, rules.heat_strength->rule) : std::string();
+  Check c = make_check(name, share * use.rope.breaking_force / use.tension, si::one,
                        {.sense = Sense::at_least,
                         .limit = *use.own_factor,
-                        .rule = fmt::format("breaking force of 'checks: ropes: {}' / largest tension ({}) at least "
-                                            "safety_factor of the deck's input",
-                                            use.name, use.where),
+                        .rule = fmt::format("{}{} / largest tension ({}) at least safety_factor of the deck's input",
+                                            strength, hot, use.where),
                         .trust = rope::trust_with("user", doubts),
                         .doubts = doubts});
   c.part = use.name;
@@ -237,7 +248,7 @@ void add_method_checks(const checks::ChecksRequest& request, const checks::Asked
       if (use.name != one.name) continue;
       checks::put_request(one, use, r);
       checks::add_checks_of(one, asked.ropes.at(k), use, r);
-      judge_own_factor(use, r);
+      judge_own_factor(use, checks::rope_rules(one, asked.ropes.at(k), use.rope), r);
     }
   }
   checks::add_method_masts(request.masts, display, r);

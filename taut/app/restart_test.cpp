@@ -37,7 +37,7 @@ machine:
   actuators:
     a: {from: floor, to: p, speed: u, lock_stiffness: 10 MN/m, lock_damping: 50 kN s/m}
   measures:
-    rise: {of: p.z, since: 0.5 s, relative: difference}
+    rise: MEASURE
     late: {of: p.z, since: 2.5 s}
 EVENTS  observe: [b.z, c.z, d.speed, a.speed, l.T_max, p.z]
 analyses:
@@ -48,7 +48,8 @@ void replace(std::string& text, const std::string& what, const std::string& by) 
 }
 
 struct Part {
-  std::string duration, events, more = ", step: 1 ms}\n", speed = "0.3 m/s", drive = "{speed: v}";
+  std::string duration, events, more = ", step: 1 ms}\n", speed = "0.3 m/s", drive = "{speed: v}",
+                                measure = "{of: p.z, since: 0.5 s, relative: difference}";
 };
 
 class Restart : public testing::Test {
@@ -58,6 +59,7 @@ class Restart : public testing::Test {
     replace(text, "EVENTS", part.events.empty() ? "" : "  events: [" + part.events + "]\n");
     replace(text, "SPEED", part.speed);
     replace(text, "DRIVE", part.drive);
+    replace(text, "MEASURE", part.measure);
     Result r = app::run(Job{.text = text + part.duration + part.more,
                             .name = "deck",
                             .set = {},
@@ -131,6 +133,46 @@ TEST_F(Restart, DrivesOfEventsAreThoseOfTheSecondDeck) {
   const Result r = second({"2 s", ""});
   EXPECT_EQ(r.status, Status::infeasible);
   EXPECT_THAT(r.message, HasSubstr("has given 'd' the drive that it has there: leave that event in the deck"));
+}
+
+// In three parts what has happened stays, also where the second one does not know of it.
+TEST_F(Restart, WhatHasHappenedStaysInAThirdPart) {
+  const std::string lifts = "{when: p.z > 2.1 m, brake: d}";
+  const Result whole = run({"4 s", lifts});
+  ASSERT_EQ(first(lifts).status, Status::ok);
+  Part between{"1 s", "", ", step: 1 ms, save: s}\n"};
+  ASSERT_EQ(second(between).status, Status::ok);
+  expect_equal(second({"1 s", lifts}), whole);
+  // a brake that the deck describes as set, and then no more, was set by the event all the same
+  ASSERT_EQ(first(lifts).status, Status::ok);
+  between.drive = "{speed: v, brake: set}";
+  between.events = lifts;
+  ASSERT_EQ(second(between).status, Status::ok);
+  expect_equal(second({"1 s", lifts}), whole);
+}
+
+// A drum that pulls turns as its rope goes: what drives it then has to know how fast.
+TEST_F(Restart, APullingDrumGetsAnotherDriveByAnEvent) {
+  const std::string pulls = "{at: 1 s, drive: d, pull: 1.1 kN}";
+  ASSERT_EQ(first(pulls).status, Status::ok);
+  Part other{"1 s", pulls};
+  other.drive = "{speed: v, brake: set}";
+  EXPECT_THAT(second(other).message, HasSubstr("'d' pulls its rope in it: an event has to give it another drive"));
+  other.events += ", {at: 2 s, brake: d}";
+  other.drive = "{speed: v}";
+  EXPECT_EQ(second(other).status, Status::ok);
+}
+
+// A measure of the same name that counts otherwise is another one.
+TEST_F(Restart, AMeasureThatTheFirstPartDoesNotHaveCanNotLookBack) {
+  ASSERT_EQ(first("").status, Status::ok);
+  Part other{"1 s", ""};
+  other.measure = "{of: p.z, since: 1.5 s, relative: difference}";
+  EXPECT_THAT(second(other).message, HasSubstr("does not know the measure 'rise'"));
+  other.measure = "{of: p.z, since: 2 s, relative: difference}";
+  const Result r = second(other);
+  ASSERT_EQ(r.status, Status::ok) << r.message << to_text(r.errors);
+  EXPECT_NEAR(r.find_value("rise_end")->value, 0.2, 1e-3);
 }
 
 // Measures go on, also where the integrator begins anew: with another kind of step, say.

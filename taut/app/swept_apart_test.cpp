@@ -154,7 +154,8 @@ TEST(SweptApart, WhatIsExemptIsOutWithAllThatIsSaidOfIt) {
 }
 
 /// The brake is asked at rest, and the rope's losses at rest or hauled in: a sweep at rest shows both.
-TEST(SweptApart, WhatASweepAtRestShowsIsNotMissingInAnotherAnalysis) {
+/// Nor says a lighter hook at rest what the brake bears, and what the rope has, with the 5 t that are only let down.
+TEST(SweptApart, WhatOneMachineShowsIsStillMissingInAnother) {
   const auto hook = [](const std::string& sweep) {
     return run_text(R"(taut: 1
 machine:
@@ -170,9 +171,10 @@ analyses:
   const std::string from = "  - sweep: {parameter: bodies.hook.mass, from: 100 kg, to: 500 kg, steps: 2, motion: ";
   const Result rests = hook(from + "at_rest}\n"), lowers = hook(from + "lower}\n");
   ASSERT_TRUE(verdict_of(rests) && verdict_of(lowers)) << to_text(rests.errors);
-  EXPECT_THAT(rests.unmade, IsEmpty());
-  EXPECT_THAT(lowers.unmade,
-              ElementsAre(HasSubstr("w.brake_torque is not checked"), HasSubstr("only while it runs off")));
+  for (const Result* r : {&rests, &lowers}) {
+    EXPECT_THAT(r->unmade, testing::Contains(HasSubstr("w.brake_torque is not checked")));
+    EXPECT_THAT(r->unmade, testing::Contains(HasSubstr("only while it runs off")));
+  }
 }
 
 /// The same of a guy in the tag line's place.

@@ -47,9 +47,9 @@ std::string without_numbers(const std::string& sentence) {
 bool SweptVerdict::is_new(const std::string& sentence) { return known_.insert(without_numbers(sentence)).second; }
 
 bool SweptVerdict::is_new(const std::string& kind, const std::string& sentence, const About& about) {
-  // what no state shows is one thing, whichever states the sentence names
-  return about.no_state.empty() ? is_new(fmt::format("{} {} {}", kind, about.part, sentence))
-                                : known_.insert(kind + " " + about.no_state).second;
+  // what no state loads is one thing, whichever states the sentence names
+  return about.no_load.empty() ? is_new(fmt::format("{} {} {}", kind, about.part, sentence))
+                               : known_.insert(kind + " " + about.no_load).second;
 }
 
 void SweptVerdict::take(Result at, const std::string& words) {
@@ -75,7 +75,7 @@ void SweptVerdict::take(Result at, const std::string& words) {
     const bool unsafe = std::find(at.unsafe.begin(), at.unsafe.end(), one) != at.unsafe.end();
     const About own = about(one);
     if (!is_new(unsafe ? "unsafe" : "warning", one, own)) continue;
-    std::string sentence = own.no_state.empty() ? fmt::format("{}: {}", words, one) : one;
+    std::string sentence = own.no_load.empty() ? fmt::format("{}: {}", words, one) : one;
     all_.about.insert_or_assign(sentence, own);
     unsafe ? warn_unsafe(all_, std::move(sentence)) : all_.warnings.push_back(std::move(sentence));
   }
@@ -85,7 +85,7 @@ void SweptVerdict::take(Result at, const std::string& words) {
     all_.about.insert_or_assign(one, own);
     all_.unmade.push_back(std::move(one));
   }
-  all_.shown.merge(at.shown);
+  all_.loaded.merge(at.loaded);
   for (std::string& one : at.unjudged) {
     if (is_new("unjudged " + one)) all_.unjudged.push_back(std::move(one));
   }

@@ -222,16 +222,14 @@ AboutPart::~AboutPart() {
   name(r_.unsafe, unsafe_);
 }
 
-void drop_shown(Result& r) {
-  std::set<std::string> shown = r.shown;
-  for (const Check& one : r.checks) shown.insert(one.name);
+void drop_loaded(Result& r) {
   // each thing once: as a check that is unmade, and as a warning
   const auto drop = [&](std::vector<std::string>& sentences) {
     std::set<std::string> told;
     std::erase_if(sentences, [&](const std::string& sentence) {
       const auto found = r.about.find(sentence);
-      if (found == r.about.end() || found->second.no_state.empty()) return false;
-      return shown.contains(found->second.no_state) || !told.insert(found->second.no_state).second;
+      if (found == r.about.end() || found->second.no_load.empty()) return false;
+      return r.loaded.contains(found->second.no_load) || !told.insert(found->second.no_load).second;
     });
   };
   drop(r.unmade);

@@ -192,8 +192,9 @@ struct Project {
 
 /// What a sentence of `unmade`, or an unsafe warning, is about.
 struct About {
-  std::string part;           ///< empty: the whole machine, or not known
-  std::string no_state = {};  ///< it says that no state shows this, "w.brake_torque"; empty: it is no such sentence
+  std::string part;  ///< empty: the whole machine, or not known
+  /// It says that no state loads this, "rope w, loaded": what nothing loads needs no check. Empty: no such sentence.
+  std::string no_load = {};
 };
 
 /// One line of the main answer: what to build, or what the machine carries.
@@ -228,7 +229,7 @@ struct Result {
   std::vector<std::string> unmade;     ///< checks that the deck asks for and that yield no number, one sentence each
   std::vector<std::string> unjudged;   ///< parts that need a limit and have none
   std::map<std::string, About> about;  ///< of sentences in `unmade` and `unsafe`, as far as it is known
-  std::set<std::string> shown;         ///< what states show and no check is named after, see About::no_state
+  std::set<std::string> loaded;        ///< what states load, see About::no_load; also those of other values of a sweep
   std::vector<std::string> exempt;     ///< parts that the deck takes out of the verdict
   std::vector<std::string> left_out;   ///< analyses that the deck takes out of the verdict: `judge: false`
   std::vector<std::string> beside;     ///< parts that the verdict does not cover: anchors, sheaves, carriages
@@ -277,9 +278,9 @@ class AboutPart {
   std::size_t unmade_, unsafe_;
 };
 
-/// Drops what says that no state shows a thing which a check or `shown` has, and of several such sentences of one thing
-/// all but the first.
-void drop_shown(Result& r);
+/// Drops what says that no state loads a thing which `loaded` has, and of several such sentences of one thing all but
+/// the first.
+void drop_loaded(Result& r);
 
 /// Takes parts out: what is left unmade of them goes, what is unsafe of them stays as a plain warning.
 void take_out(const std::vector<std::string>& parts, Result& r);

@@ -53,12 +53,15 @@ std::vector<Check> worst_of_each(std::vector<Check> all) {
 
 bool has(const std::string& words, const std::string& text) { return words.find(text) != std::string::npos; }
 
+/// Whether a text is the name of a check, or its last part, that of the checks of all parts: "elastic_limit".
+bool is_name(const std::string& text, const std::string& name) { return name == text || name.ends_with("." + text); }
+
 /// Takes away the doubts that the text names: all of a check by its name, else those with such a source. The first one
 /// that is left has the trust.
 void confirm(const std::string& text, Check& c) {
   if (!is_unverified(c.trust)) return;
   if (c.doubts.empty()) c.doubts.push_back({.trust = c.trust, .source = c.rule});
-  const bool whole = has(c.name, text);
+  const bool whole = is_name(text, c.name);
   std::erase_if(c.doubts, [&](const Doubt& one) { return whole || has(one.source, text); });
   c.trust = c.doubts.empty() ? fmt::format("user: confirmed in the deck ('{}')", text) : c.doubts.front().trust;
 }
@@ -68,7 +71,7 @@ void confirm(const std::vector<std::string>& confirmed, Result& r) {
   for (const std::string& text : confirmed) {
     bool met = false;
     for (Check& c : r.checks) {
-      met |= has(c.rule, text) || has(c.name, text) ||
+      met |= has(c.rule, text) || is_name(text, c.name) ||
              std::any_of(c.doubts.begin(), c.doubts.end(), [&](const Doubt& one) { return has(one.source, text); });
       confirm(text, c);
     }
@@ -188,7 +191,7 @@ void add_checks(const CheckedDeck& deck, const machine::Model& model, const Chec
     if (c.part.empty()) c.part = part_of(c.name, parts);
   }
   finish_checks(deck.checks.value_or(ChecksRequest{}), r);
-  drop_shown(r);
+  drop_loaded(r);
   seen.judge.add_scope(r);
 }
 

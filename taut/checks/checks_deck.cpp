@@ -18,9 +18,11 @@ const Description& ChecksRequest::describe() {
                          "trees that carry a line, by the name of the support or sheave on them")
           .named_records(&ChecksRequest::yarders, "yarders",
                          "drums of a yarder of the catalogue against the lines on them; the name is yours")
-          .field(&ChecksRequest::confirmed, "confirmed",
-                 "sources that you have compared, such as 'EN 1993-1-1' or 'ISO 4309': checks whose name or rule "
-                 "contains the text are no longer unverified; their trust is 'user'")
+          .field(
+              &ChecksRequest::confirmed, "confirmed",
+              "sources that you have compared, such as 'EN 1993-1-1' or 'ISO 4309': numbers whose source contains the "
+              "text are no longer unverified, and a check with no other doubts has the trust 'user'; the name of a "
+              "check, or its last part, confirms all of it")
           .field(&ChecksRequest::exempt, "exempt",
                  "parts that do not count for the verdict, by the name of a reeving, guy, beam or carriage; page 1 "
                  "names them")

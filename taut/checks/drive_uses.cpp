@@ -506,6 +506,13 @@ void DriveUses::take_brakes(const machine::Model& m, const solve::TransientResul
   }
 }
 
+namespace {
+
+/// A drum may have the name of its rope, which a deck may exempt.
+std::string part_of_drive(const std::string& name) { return "drive " + name; }
+
+}  // namespace
+
 void DriveUses::add_checks(Result& r) const {
   for (const auto& [name, check] : worst_) r.checks.push_back(check);
   for (const auto& [drum, words] : unloaded_brakes_) {
@@ -515,16 +522,15 @@ void DriveUses::add_checks(Result& r) const {
         fmt::format("{}.brake_torque is not checked: the drum turns, or bears nothing, in every state ({}); add "
                     "an analysis at rest",
                     drum, words),
-        {.part = drum, .no_state = drum + ".brake_torque"});
+        {.part = part_of_drive(drum)});
   }
-  for (const std::string& drum : braked_) r.shown.insert(drum + ".brake_torque");
   for (const auto& [rope, words] : paid_out_) {
-    if (!hauled_.contains(rope)) leave_unmade(r, words, {.part = rope, .no_state = rope + ", hauled in"});
+    if (!hauled_.contains(rope)) leave_unmade(r, words, {.part = rope});
   }
-  for (const std::string& rope : hauled_) r.shown.insert(rope + ", hauled in");
-  for (const auto& [name, words] : unmade_) leave_unmade(r, words, {.part = name.substr(0, name.rfind('.'))});
+  for (const auto& [name, words] : unmade_)
+    leave_unmade(r, words, {.part = part_of_drive(name.substr(0, name.rfind('.')))});
   const auto warn = [&r](const std::string& part, const std::string& words) {
-    const AboutPart about(r, part);
+    const AboutPart about(r, part_of_drive(part));
     warn_unsafe(r, words);
   };
   for (const auto& [name, slip] : slips_) {

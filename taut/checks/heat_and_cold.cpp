@@ -59,12 +59,14 @@ void add_unjudged_heat(const CheckedDeck& deck, const machine::Model& model, Res
   const std::set<std::string> weakened = weakened_ropes(deck, model);
   for (const machine::Reeving& rope : model.reevings) {
     if (weakened.contains(rope.name) || !is_judged(r, rope.name)) continue;
+    const AboutPart about(r, rope.name);
     leave_open(
         fmt::format("{}: how much weaker it is at {} is not checked: name it under 'checks: ropes'", rope.name, hot),
         r);
   }
   for (const machine::Beam& beam : model.beams) {
     if (!is_judged(r, beam.name)) continue;
+    const AboutPart about(r, beam.name);
     leave_open(soft_steel(beam.name, hot), r);
   }
   for (const std::string& mast : masts_of_their_own(deck, model)) leave_open(soft_steel(mast, hot), r);

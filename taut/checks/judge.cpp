@@ -157,8 +157,8 @@ void Judge::take_contacts(const machine::Model& m, const solve::EquilibriumResul
   for (const solve::ContactResult& c : e.contacts) {
     const machine::Node& node = m.reevings[c.reeving].nodes[c.node];
     if (c.state == solve::ContactState::lifted) {
-      warn({.part = node.name, .what = "lifted"}, fmt::format("{}: the rope has lifted off '{}'", words, node.name),
-           !node.may_lift);
+      warn({.part = "node " + node.name, .what = "lifted"},
+           fmt::format("{}: the rope has lifted off '{}'", words, node.name), !node.may_lift);
     }
     if (c.state == solve::ContactState::pulled) warn_of_pulled(m, node, c.force, words);
   }
@@ -182,7 +182,7 @@ void Judge::warn_of_pulled(const machine::Model& m, const machine::Node& node, c
         "say 'uplift: hold' where a guard holds it",
         words, node.name, deck_->display.brief(force.z(), si::N));
   }
-  warn({.part = node.name, .what = "pulled"}, text, true, force.norm());
+  warn({.part = "node " + node.name, .what = "pulled"}, text, true, force.norm());
 }
 
 /// A motion holds a rope on its rounds, also where their `uplift` does not. Where one is held down, or may pass on
@@ -230,7 +230,7 @@ void Judge::take_places(const machine::Model& m, const solve::EquilibriumResult&
     if (m.bodies[b].beam) continue;
     const double angle = turned_by(m, e, b);
     if (angle <= fallen_angle) continue;
-    warn({.part = m.bodies[b].name, .what = "fallen"},
+    warn({.part = "body " + m.bodies[b].name, .what = "fallen"},
          fmt::format("{}: '{}' comes to rest turned by {} from where the deck has it: it falls over, or begins far "
                      "from its place; hold it by more ropes, or put it where it is meant to stand",
                      words, m.bodies[b].name, deck_->display.brief(angle, si::rad)),
@@ -496,6 +496,10 @@ void Judge::add_strength(std::size_t reeving, const RopeWorst& own, Result& r) c
                                        .limit = moves ? rope.breaking_force : own.breaking_force,
                                        .rule = "minimum breaking force of the rope",
                                        .trust = strength_trust(reeving)});
+  if (is_unverified(c.trust)) {
+    const std::string row = row_in(*deck_, rope_name_of(deck_->machine, reeving)).id;
+    c.doubts = {{.trust = c.trust, .source = "breaking force of the rope " + row}};
+  }
   c.where = moves ? own.where_of_peak : own.where_of_share;
   r.checks.push_back(std::move(c));
 }

@@ -125,7 +125,7 @@ void Judge::warn_of_buried(const machine::Model& m, const std::string& words) {
       if (anchor || node.at.body != machine::ground) continue;
       const double height = node.at.at.z() - study::ground_height(m.terrain, terrain_x(m, node.at.at));
       if (!(height < -rough)) continue;
-      warn({.part = node.name, .what = "buried"},
+      warn({.part = "node " + node.name, .what = "buried"},
            fmt::format("{}: '{}' is {} below the ground", words, node.name, deck_->display.brief(-height, si::m)), true,
            -height);
     }
@@ -162,7 +162,7 @@ void Judge::warn_of_sunk(const machine::Model& m, const machine::State& state, c
   for (const auto& [b, lowest] : all) {
     if (!(lowest.height < -rough)) continue;
     const std::string& name = m.bodies[b].name;
-    warn({.part = name, .what = "sunk"},
+    warn({.part = "body " + name, .what = "sunk"},
          fmt::format("{}: {} of '{}' is {} below the ground", words, lowest.what, name,
                      deck_->display.brief(-lowest.height, si::m)),
          true, -lowest.height);
@@ -185,7 +185,7 @@ void Judge::take_footings(const machine::Model& m, const solve::EquilibriumResul
     if (!(uplift > rounding) || holds_uplift(one.name)) continue;
     const std::string what = one.of.empty() ? fmt::format("the joint of '{}'", one.name)
                                             : fmt::format("the foot of {} at '{}'", fmt::join(one.of, ", "), one.name);
-    warn({.part = one.name, .what = "pulled up"},
+    warn({.part = "foot " + one.name, .what = "pulled up"},
          fmt::format("{}: {} is pulled up with {}: it must be anchored to hold it; 'uplift' or 'strength' of "
                      "'checks: anchors: {}' says what it holds",
                      words, what, deck_->display.brief(uplift, si::N), one.name),

@@ -247,7 +247,7 @@ void Judge::take_ways_of_feet(const machine::Model& m, const solve::TransientFra
     const auto [stood, first] = footprints_.try_emplace(foot, is.point);
     const double way = (is.point - stood->second).norm();
     if (first || way <= dragged_way) continue;
-    warn({.part = m.bodies[contact.body].name, .what = "dragged"},
+    warn({.part = "body " + m.bodies[contact.body].name, .what = "dragged"},
          fmt::format("{}: '{}' is dragged {} from where it stood: the friction of '{}' does not hold it", words,
                      m.bodies[contact.body].name, deck_->display.brief(way, si::m), contact.name),
          true, way);
@@ -259,7 +259,7 @@ void Judge::take_lean(const machine::Model& m, const solve::TransientFrame& mome
   const std::string& name = m.bodies[body].name;
   const double lean = leans_by(turned_to(m, moment, body));
   if (lean <= fallen_angle) return;
-  warn({.part = name, .what = "fallen"},
+  warn({.part = "body " + name, .what = "fallen"},
        fmt::format("{}: '{}' has tipped over, or begins far from where it works: it leans {} from where the "
                    "deck has it; where that is its work, describe it in the middle of its range",
                    words, name, deck_->display.brief(lean, si::rad)),

@@ -41,7 +41,7 @@ void append(Result& from, Result& to) {
   move_behind(from.unmade, to.unmade);
   move_behind(from.unjudged, to.unjudged);
   to.about.merge(from.about);
-  to.shown.merge(from.shown);
+  to.loaded.merge(from.loaded);
   move_behind(from.exempt, to.exempt);
   move_behind(from.left_out, to.left_out);
   move_behind(from.beside, to.beside);

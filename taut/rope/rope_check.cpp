@@ -41,9 +41,9 @@ class RopeChecker {
     } else if (use_.tension > 0) {
       statics();
     } else {
-      leave_out("its strength", "no load case gives it a tension", loaded());
+      leave_out("its strength", "no load case gives it a tension", itself());
     }
-    if (std::max(use_.tension, use_.peak) > 0) out_.shown.insert(loaded());
+    if (use_.tension > 0) out_.loaded.insert(itself());
     dynamics();
     heat();
     ratios();
@@ -60,11 +60,11 @@ class RopeChecker {
   }
   bool has_diameter() const { return use_.rope.diameter > 0; }
 
-  std::string loaded() const { return use_.name + ", loaded"; }
+  std::string itself() const { return "rope " + use_.name; }
 
-  void leave_out(const std::string& what, const std::string& why, const std::string& no_state = {}) {
+  void leave_out(const std::string& what, const std::string& why, const std::string& no_load = {}) {
     out_.left_out.push_back(fmt::format("{}: {} is not checked: {}", use_.name, what, why));
-    if (!no_state.empty()) out_.no_state.emplace(out_.left_out.back(), no_state);
+    if (!no_load.empty()) out_.no_load.emplace(out_.left_out.back(), no_load);
   }
 
   void add(const std::string& key, double value, const Unit& unit, Bound bound) {
@@ -147,7 +147,7 @@ class RopeChecker {
       }
     }
     std::move(at_peak.out_.left_out.begin(), at_peak.out_.left_out.end(), std::back_inserter(out_.left_out));
-    out_.no_state.merge(at_peak.out_.no_state);
+    out_.no_load.merge(at_peak.out_.no_load);
   }
 
   void strength_static() {
@@ -198,7 +198,7 @@ class RopeChecker {
     if (rules_.bending_asked && rules_.safety_factors.empty())
       return leave_out("the weakening on sheaves", "no rule gives a safety factor at rest");
     if (!has_strength() || std::all_of(rules_.safety_factors.begin(), rules_.safety_factors.end(), covered)) return;
-    if (rules_.bending_asked) {
+    if (rules_.bending_asked || (use_.chosen && use_.measurable)) {
       unmeasured("the weakening on sheaves");
     } else if (!use_.unmeasured.empty()) {
       out_.remarks.push_back(fmt::format("{}: the weakening on sheaves is not checked: no diameter is known of {}",
@@ -232,7 +232,7 @@ class RopeChecker {
     unmeasured("EN 13001-3-2");
     const auto counts = [](const Bend& bend) { return bend.kind != BendKind::saddle && bend.tension > 0; };
     if (use_.unmeasured.empty() && std::none_of(use_.bends.begin(), use_.bends.end(), counts))
-      leave_out("EN 13001-3-2", "no sheave or drum bends it under tension", use_.name + ".resistance");
+      leave_out("EN 13001-3-2", "no sheave or drum bends it under tension");
     for (const Bend& bend : use_.bends) {
       if (!counts(bend)) continue;
       const double ratio = ratio_of(bend, use_);
@@ -326,7 +326,7 @@ class RopeChecker {
   }
 
   void ratios() {
-    if (rules_.ratio_asked) unmeasured("D/d");
+    if (rules_.ratio_asked || (use_.chosen && use_.measurable && rules_.runs)) unmeasured("D/d");
     const auto check = [&](BendKind kind, const std::vector<Limit>& limits, const char* key) {
       if (limits.empty()) return;
       for (const Bend& bend : use_.bends) {
@@ -344,9 +344,18 @@ class RopeChecker {
     };
     const bool bent = std::any_of(use_.bends.begin(), use_.bends.end(),
                                   [](const Bend& bend) { return bend.kind != BendKind::saddle; });
-    if (rules_.runs && bent && rules_.sheave_ratios.empty() && rules_.drum_ratios.empty()) {
-      // a candidate must not win because no rule knows its construction
-      auto& told = rules_.ratio_asked || use_.chosen ? out_.left_out : out_.remarks;
+    const auto low = std::find_if(use_.bends.begin(), use_.bends.end(),
+                                  [](const Bend& bend) { return bend.kind == BendKind::compensating_sheave; });
+    // a candidate must not win because no rule knows its construction
+    auto& told = rules_.ratio_asked || use_.chosen ? out_.left_out : out_.remarks;
+    const bool no_rule = rules_.sheave_ratios.empty() && rules_.drum_ratios.empty();
+    if (rules_.runs && !no_rule && low != use_.bends.end() && rules_.compensating_ratios.empty()) {
+      told.push_back(
+          fmt::format("{}: D/d of '{}' is not checked: no rule is for a compensating sheave: give 'class' or "
+                      "'diameter_ratio'",
+                      use_.name, low->name));
+    }
+    if (rules_.runs && bent && no_rule) {
       told.push_back(
           fmt::format("{}: D/d is not checked: no rule is for its construction{}: give 'construction', "
                       "'class' or 'diameter_ratio', or 'running: stands' of a rope that does not run",
@@ -441,8 +450,8 @@ class RopeChecker {
       if (!asked) return;
       if (use_.drums.empty()) return leave_out(what, "it ends on no drum");
       for (const DrumEnd& drum : use_.drums) {
-        const std::string pulls = fmt::format("{}, pulls at {}", use_.name, drum.name);
-        if (drum.tension > 0) out_.shown.insert(pulls);
+        const std::string pulls = fmt::format("{} at drum {}", itself(), drum.name);
+        if (drum.tension > 0) out_.loaded.insert(pulls);
         if (known(drum)) continue;
         if (drum.tension > 0) {
           leave_out(what, fmt::format("the drum '{}' needs {}", drum.name, needs(drum)));

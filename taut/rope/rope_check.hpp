@@ -60,9 +60,9 @@ struct RopeRules {
 struct RopeChecks {
   std::vector<Check> checks;
   std::vector<std::string> left_out;  ///< asked for, and not made
-  /// Of those that no load case shows: what would be shown, "r, loaded"; of the others nothing.
-  std::map<std::string, std::string> no_state;
-  std::set<std::string> shown;       ///< what load cases show of that
+  /// Of those that are left out because no load case loads something: what that is, "rope r".
+  std::map<std::string, std::string> no_load;
+  std::set<std::string> loaded;      ///< what load cases load of that
   std::vector<std::string> remarks;  ///< nobody asked, and a designer would expect it
 };
 RopeChecks check_rope(const RopeUse& use, const RopeRules& rules);

@@ -58,6 +58,7 @@ struct RopeUse {
   double last = 0;  ///< on average at the end of calculated motions, the largest, N: what may go on from there; 0: none
   std::vector<Bend> bends;              ///< along its path
   std::vector<std::string> unmeasured;  ///< sheaves and drums that it bends on, of no known diameter
+  bool measurable = false;              ///< the deck can give those diameters: that of a machine, of no published method
   std::vector<RopeEnd> ends;
   std::vector<DrumEnd> drums;
   int copies = 1;       ///< equal ropes side by side; all tensions are of one of them

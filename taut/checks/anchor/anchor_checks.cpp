@@ -249,8 +249,8 @@ void add_anchor_checks(const std::vector<AnchorStates>& anchors, Result& r) {
   bool reported = false;
   for (const AnchorStates& s : anchors) {
     const AnchorCheckRequest& one = *s.request;
-    const AboutPart about(r, one.name);
-    if (s.force > 0) r.shown.insert(one.name + ", pulled");
+    const AboutPart about(r, "anchor " + one.name);
+    if (s.force > 0) r.loaded.insert("anchor " + one.name);
     if (!s.unknown.empty()) {
       r.unmade.push_back(fmt::format("{} is not checked in a motion ({}), which does not know the force on its joint",
                                      one.name, s.unknown));
@@ -262,7 +262,7 @@ void add_anchor_checks(const std::vector<AnchorStates>& anchors, Result& r) {
           r,
           fmt::format("{} is not checked: no load case of the deck pulls {}", one.name,
                       s.footing ? "it up, and what only presses it or pulls it aside is not counted" : "at it"),
-          {.part = one.name, .no_state = one.name + ", pulled"});
+          {.part = "anchor " + one.name, .no_load = "anchor " + one.name});
       continue;
     }
     if (!reported && s.ropes) r.assumptions.emplace_back(fastening);

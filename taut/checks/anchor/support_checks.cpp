@@ -216,13 +216,13 @@ void complain_of_supports(const std::vector<SupportCheckRequest>& supports, cons
 void add_support_checks(const std::vector<SupportStates>& supports, Result& r) {
   for (const SupportStates& s : supports) {
     const std::string& name = s.request->name;
-    const AboutPart about(r, name);
+    const AboutPart about(r, "support " + name);
     if (s.force == 0) {
       leave_unmade(r, fmt::format("{} is not checked: no load case of the deck loads it", name),
-                   {.part = name, .no_state = name + ", loaded"});
+                   {.part = "support " + name, .no_load = "support " + name});
       continue;
     }
-    r.shown.insert(name + ", loaded");
+    r.loaded.insert("support " + name);
     add_line(r, "support_forces",
              "Largest force of all ropes together on a support, without factors, and the tree that carries it",
              support_quantities(), s);

@@ -222,10 +222,11 @@ void add_guy_checks(const std::vector<GuyStates>& guys, const CheckedDeck& deck,
     const double strength = rope.breaking_force > 0 ? rope.breaking_force : one.request->breaking_force.value_or(0);
     const AboutPart about(r, rope.name);
     if (one.T_max > 0) {
+      r.loaded.insert("guy " + rope.name);
       check_safety(one, rope.name, strength, r);
     } else {
       leave_unmade(r, fmt::format("{}: its safety is not checked: no load case gives it a tension", rope.name),
-                   {.part = rope.name, .no_state = rope.name + ".guy_safety"});
+                   {.part = rope.name, .no_load = "guy " + rope.name});
     }
     if (!one.request->may_go_slack && std::isinf(one.T_slack)) {
       r.unmade.push_back(fmt::format(

@@ -202,18 +202,18 @@ void check_clearance(const LineStates& line, Result& r) {
     r.unmade.push_back(slack);
     r.warnings.push_back(slack);
   }
+  if (line.gap.missing() > 0) {
+    r.unmade.push_back(gap_words(request.name, line.gap, line.display));
+    r.warnings.push_back(r.unmade.back());
+  }
   if (std::isnan(line.clearance.value)) {
     if (!slack.empty()) return;
     leave_unmade(r,
                  fmt::format("{}: its clearance is not checked: in no state of the deck is a lowest place of it over "
                              "the terrain",
                              request.name),
-                 {.part = request.name, .no_state = request.name + ".clearance"});
+                 {.part = request.name});
     return;
-  }
-  if (line.gap.missing() > 0) {
-    r.unmade.push_back(gap_words(request.name, line.gap, line.display));
-    r.warnings.push_back(r.unmade.back());
   }
   add_part_check(request.name, "clearance", line.clearance.value, si::m,
                  {.sense = Sense::at_least,
@@ -225,15 +225,13 @@ void check_clearance(const LineStates& line, Result& r) {
 
 void check_tail(const LineStates& line, Result& r) {
   const LineCheckRequest& request = *line.request;
-  const std::string tail = request.name + ", its tail tree";
   const bool seen = !std::isnan(line.tail_angle.value) && !std::isnan(line.off_line.value);
-  if (seen) r.shown.insert(tail);
   if (request.tail_tree && !seen) {
     leave_unmade(r,
                  fmt::format("{}: the angles of its tail tree are not checked: in no state is '{}' between the "
                              "anchor and the line",
                              request.name, *request.tail_tree),
-                 {.part = request.name, .no_state = tail});
+                 {.part = request.name});
   }
   const auto add = [&](const char* name, const LineExtreme& x, const std::optional<double>& own, const char* rule,
                        const char* words) {
@@ -255,14 +253,12 @@ void check_tail(const LineStates& line, Result& r) {
 
 void check_bends(const LineStates& line, Result& r) {
   const LineCheckRequest& request = *line.request;
-  const std::string empty = request.name + ", empty";
-  if (line.seen_empty) r.shown.insert(empty);
   if (!line.bends.empty() && !line.seen_empty) {
     leave_unmade(r,
                  fmt::format("{}: its least bends are not checked: the empty line, which bends least, is not "
                              "among the states: give its 'install', or add an 'installation'",
                              request.name),
-                 {.part = request.name, .no_state = empty});
+                 {.part = request.name});
   }
   for (const LineStates::Bend& bend : line.bends) {
     const auto& ends = request.end_masts;
@@ -296,7 +292,7 @@ void check_limiter(const LineCheckRequest& request, Result& r) {
   const Value* T = r.find_value(request.name + ".T_max");
   if (T == nullptr) {
     leave_unmade(r, fmt::format("{}.limiter_tension is not checked: no state gives the line a tension", request.name),
-                 {.part = request.name, .no_state = request.name + ".limiter_tension"});
+                 {.part = request.name});
     return;
   }
   add_part_check(request.name, "limiter_tension", T->value, si::N,

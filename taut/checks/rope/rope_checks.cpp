@@ -158,6 +158,7 @@ void put_request(const RopeCheckRequest& request, rope::RopeUse& use, Result& r)
   }
   std::vector<std::string> denied;
   use.rope = candidate_with_request(std::move(use.rope), request, fmt::format("checks.ropes.{}", request.name), denied);
+  for (std::string& one : denied) one = fmt::format("{}: {}", use.name, one);
   r.warnings.insert(r.warnings.end(), denied.begin(), denied.end());
   std::move(denied.begin(), denied.end(), std::back_inserter(r.unmade));
 }
@@ -171,10 +172,10 @@ void add_checks_of(const RopeCheckRequest& request, const AskedRules& asked, con
     found.left_out.push_back(fmt::format("{}: {} is not checked: {}", use.name, one.key, one.words));
   }
   std::move(found.checks.begin(), found.checks.end(), std::back_inserter(r.checks));
-  for (const auto& [sentence, thing] : found.no_state) {
-    r.about.insert_or_assign(sentence, About{.part = use.name, .no_state = thing});
+  for (const auto& [sentence, thing] : found.no_load) {
+    r.about.insert_or_assign(sentence, About{.part = use.name, .no_load = thing});
   }
-  r.shown.merge(found.shown);
+  r.loaded.merge(found.loaded);
   r.warnings.insert(r.warnings.end(), found.left_out.begin(), found.left_out.end());
   r.warnings.insert(r.warnings.end(), found.remarks.begin(), found.remarks.end());
   std::move(found.left_out.begin(), found.left_out.end(), std::back_inserter(r.unmade));

@@ -167,6 +167,7 @@ RopeUses::RopeUses(const CheckedDeck& deck, const machine::Model& model)
   for (std::size_t i = 0; i < uses_.size(); ++i) {
     uses_[i].name = model.reevings[i].name;
     uses_[i].display = deck.display;
+    uses_[i].measurable = true;
     uses_[i].closed = model.reevings[i].closed;
     uses_[i].copies = model.reevings[i].copies;
     uses_[i].rope = row_in(deck, rope_name_of(deck.machine, i));

@@ -197,16 +197,14 @@ void take_empty_line(const CheckState& state, const std::string& reeving, bool p
 
 void add_yarder_checks(const std::vector<YarderLineStates>& lines, Result& r) {
   for (const YarderLineStates& s : lines) {
-    const std::string line = fmt::format("{}, its {}", s.request->name, s.line.line);
-    const AboutPart about(r, s.request->name);
+    const AboutPart about(r, "yarder " + s.request->name);
     if (std::isnan(s.in_use.value) || std::isnan(s.tension.value)) {
       leave_unmade(r,
                    fmt::format("{}: its {} is not checked: no load case of the deck has '{}'", s.request->name,
                                s.line.line, s.line.reeving),
-                   {.part = s.request->name, .no_state = line});
+                   {.part = "yarder " + s.request->name});
       continue;
     }
-    r.shown.insert(line);
     add_line(r, "yarder_lines", "Lines of the yarders: needed against available length, tension against rated pull",
              yarder_quantities(), s);
     check_length(s, r);

@@ -83,6 +83,7 @@ Json happened(const solve::DynamicState& state, const machine::Model& m) {
   for (std::size_t i = 0; i < m.events.size() && i < state.happened.size(); ++i) {
     if (state.happened[i] != 0) keys.push_back(key_of(m.events[i]));
   }
+  for (const std::string& key : state.done) keys.push_back(key);
   return keys;
 }
 
@@ -101,6 +102,7 @@ std::string take_happened(const Json& keys, const machine::Model& m, solve::Dyna
           event.words, *event.at, s.t);
     }
   }
+  s.done = std::move(left);
   return {};
 }
 
@@ -128,7 +130,7 @@ Json drives(const std::vector<machine::Drive>& state, const All& all, const mach
 }
 
 /// A drive from a state on. Kind and signal are those of the deck, or of the event that gave them; a brake is as the
-/// state has it, unless the deck describes another one. `anew`: it is no more what it was.
+/// state has it, or is set then where the deck describes it so for the first time. `anew`: it is no more what it was.
 struct DriveOn {
   machine::Drive drive;
   bool anew = false;
@@ -153,10 +155,14 @@ tl::expected<DriveOn, std::string> drive_on(const Json& j, const machine::Drive&
     now.by = static_cast<int>(by - m.events.begin());
   }
   if (j.at("let_go").get<bool>() && now.kind == DriveKind::held) now.kind = DriveKind::free;
-  const bool brake = j.at("brake").get<bool>();
-  if (described.brake == j.at("brake_described").get<bool>()) {
-    now.brake = brake;
-    now.brake_since = number_in(j.at("brake_since"));
+  const bool brake = j.at("brake").get<bool>(), sets = described.brake && !j.at("brake_described").get<bool>();
+  now.brake = brake || sets;
+  now.brake_since = brake || !sets ? number_in(j.at("brake_since")) : t;
+  // a drum that pulls does not know how fast it turns
+  const bool pulled = j.at("is").at(0).get<int>() == static_cast<int>(DriveKind::pull) && !brake;
+  if (pulled && (now.kind != DriveKind::pull || now.brake)) {
+    return tl::unexpected(
+        fmt::format("'{}' pulls its rope in it: an event has to give it another drive, or set its brake", name));
   }
   const machine::SignalValue goes = machine::at(now.signal, t);
   const Json is = {static_cast<int>(now.kind), json_number(goes.value), json_number(goes.rate)};

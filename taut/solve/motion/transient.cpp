@@ -296,6 +296,7 @@ TransientResult finished(Run& run) {
   run.result.iterations = run.newton.used;
   run.result.state = state_of(run.m, run.before, run.origin);
   shift(run.model.origin, run.result.state);
+  run.result.state.begins_anew = false;
   run.result.state.happened.assign(run.happened.begin(), run.happened.end());
   run.result.state.tears = tears_of(run);
   run.result.state.memory = memory_of(run);
@@ -378,10 +379,19 @@ TransientResult transient(const machine::Model& described, const TransientOption
     options.step = equal_step(options, options.step > 0 ? options.step : verlet_share * limit);
   }
   run.h = options.step;
-  const Remembered memory = options.from ? take_memory(run, options.from->memory) : Remembered::other;
+  std::string forgotten;
+  const Remembered memory = options.from ? take_memory(run, options.from->memory, forgotten) : Remembered::other;
   if (memory == Remembered::damaged) {
     run.result.outcome =
         infeasible("the state to go on from is damaged: numbers are missing in its 'memory', or too many");
+    return run.result;
+  }
+  if (!forgotten.empty()) {
+    run.result.outcome =
+        infeasible(fmt::format("the state to go on from does not know the measure '{}', which counts from before: "
+                               "measure it in the first part, "
+                               "too, as it is here, or give it 'since: {:.6g} s'",
+                               forgotten, run.before.t));
     return run.result;
   }
   run.resumed = memory == Remembered::taken;

@@ -84,6 +84,7 @@ struct DynamicState {
   Array<OnDrum> on_drums;        ///< by reeving, its start before its end
   Array<double> force;           ///< state variables of force elements (bristles of contacts), in their order
   Array<std::uint8_t> happened;  ///< by event of the model
+  Array<std::string> done;       ///< the others that have happened, of decks before, by their words
   bool begins_anew = false;      ///< drives or cylinders do from here on what they did not do up to here
   Array<machine::Drive> drum_drive, motor_drive;  ///< as events have left them
   Array<machine::ActuatorMode> actuator_mode;

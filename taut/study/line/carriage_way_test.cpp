@@ -71,11 +71,11 @@ TEST(CarriageWay, OnAShortSpanATenthOfItIsBeside) {
   EXPECT_NEAR(all[1], -0.07, 1e-12);
   EXPECT_NEAR(all[2], 0.12, 1e-12);
   EXPECT_EQ(places(m, way(0.1, 0.9, 16)), (std::vector<double>{0.1, 0.9})) << "all in one span";
-  EXPECT_EQ(left_out_words(m, way(0.1, 0.9, 16)), std::nullopt) << "the nearest ones are its ends";
+  EXPECT_EQ(left_out_words(m, way(0.1, 0.9, 16), Display{}), std::nullopt) << "the nearest ones are its ends";
   // 0.025 to 0.1 and 0.9 to 0.975 lie within 0.11 m of the sheaves
-  const auto words = left_out_words(m, way(0, 1, 40));
+  const auto words = left_out_words(m, way(0, 1, 40), Display{});
   ASSERT_TRUE(words);
-  EXPECT_EQ(left_out_words(m, way(0, 1, 10)), std::nullopt) << "the places beside stand for 0.1 m and 0.9 m";
+  EXPECT_EQ(left_out_words(m, way(0, 1, 10), Display{}), std::nullopt) << "the places beside stand for 0.1 m and 0.9 m";
   EXPECT_EQ(words->substr(0, words->find(" are")), "8 of 41 places") << *words;
 }
 

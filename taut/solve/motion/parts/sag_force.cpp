@@ -151,7 +151,8 @@ double sag_winding_rate(const Mechanism& m, std::size_t line_index, std::size_t 
   const LineValues& is = now.lines[line_index];
   std::array<double, 2> winding{1, 1};
   for (const std::size_t e : {0U, 1U}) {
-    if (line.contact[e] >= 0) winding[e] = now.contacts[line.contact[e]].lambda;
+    const int contact = line.contact[e];
+    if (contact >= 0) winding[e] = winding_stretch(m, now, m.contacts[contact], now.contacts[contact]);
   }
   SagColumns columns;
   sag_columns(line, m.bodies, now.bodies, winding, is, now.sags[line.sag], columns);

@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <optional>
 
 #include "taut/base/array.hpp"
@@ -183,6 +184,16 @@ inline double end_strain(const Mechanism& m, const Values& v, int line, std::siz
 /// Of the rope that comes to a contact.
 inline double entry_strain(const Mechanism& m, const Values& v, const Contact& contact, int entry) {
   return end_strain(m, v, entry, entry == contact.in ? 1 : 0);
+}
+/// The line whose rope the turning of a line lays on a round, or takes off it. On a drum that of the free rope there:
+/// what swings onto it comes off again as it was laid on. Else the line from which the rope comes.
+inline int winding_line(const Contact& contact, const ContactValues& is) {
+  return contact.drum >= 0 ? std::max(contact.in, contact.out) : is.entry;
+}
+/// The stretch of that rope.
+inline double winding_stretch(const Mechanism& m, const Values& v, const Contact& contact, const ContactValues& is) {
+  if (contact.drum < 0) return is.lambda;
+  return 1 + std::max(0.0, entry_strain(m, v, contact, winding_line(contact, is)));
 }
 /// Stretch of what lies on the rounds at its ends, as of the start of the step.
 std::array<double, 2> windings_of(const Line& line, const Values& before);

@@ -95,10 +95,9 @@ StepEnd try_step(Run& run, double h, double t, const Tries& tries) {
   s.slip_before = -more;
   for (std::size_t i = 0; i < run.m.contacts.size(); ++i) {
     ContactValues& contact = run.before.contacts[i];
-    const bool rope = contact.entry >= 0;
-    contact.winding =
-        contact.lambda +
-        (rope && run.before.lines[contact.entry].e > 0 ? h / 2 * run.before.lines[contact.entry].e_rate : 0);
+    const LineValues& line = run.before.lines[winding_line(run.m.contacts[i], contact)];
+    const double change = line.e > 0 ? h / 2 * line.e_rate : 0;  // in the middle of the step; no rope is pressed
+    contact.winding = std::max(1.0, winding_stretch(run.m, run.before, run.m.contacts[i], contact) + change);
   }
   if (run.options.method == TimeMethod::verlet) {
     fade(run, t, run.now);
@@ -123,8 +122,7 @@ StepEnd try_step(Run& run, double h, double t, const Tries& tries) {
   return solve_step(run.m, s, run.before, t, run.now, run.w, run.newton);
 }
 
-/// From which side the rope comes next, what drums hold. What a drum gives, as it turns or as the free rope swings off
-/// it, comes with the strain in which it lies there.
+/// From which side the rope comes next, what drums hold.
 void commit_contacts(Run& run) {
   for (std::size_t i = 0; i < run.m.contacts.size(); ++i) {
     const Contact& contact = run.m.contacts[i];
@@ -132,11 +130,10 @@ void commit_contacts(Run& run) {
     is.slip_mean = (is.slipped - run.before.contacts[i].slipped) / run.scheme.h;
     const int from = is.flow >= 0 ? contact.in : contact.out;
     const int other = is.flow >= 0 ? contact.out : contact.in;
-    is.entry = from >= 0 ? from : other;
+    is.entry = from >= 0 ? from : contact.drum >= 0 ? -1 : other;
     if (contact.drum < 0) continue;
     OnDrumValues& end = run.now.on_drums[contact.on_drum];
     end.content = content_at(run, contact, run.now);
-    if (end.content < run.before.on_drums[contact.on_drum].content) is.entry = -1;
     if (is.entry < 0) is.lambda = 1 + end.strain[end.layer - 1];
   }
 }

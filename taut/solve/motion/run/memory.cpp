@@ -1,5 +1,7 @@
 #include "taut/solve/motion/run/memory.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cstdint>
 #include <string>
@@ -160,34 +162,52 @@ Array<double> head_of(Run& run) {
           run.options.arcs == Arcs::rigid ? 1.0 : 0.0};
 }
 
-/// Measures by their names: what they relate to and their means so far. A deck that observes something else goes on
-/// without those that it does not have.
+/// Measures: what they relate to and their means so far. A deck that observes something else goes on without those that
+/// it does not have.
 constexpr std::size_t per_measure = 7;
 
-/// A number that tells names apart (Fowler, Noll, Vo: FNV-1a, 52 bits of it).
-double mark_of(const std::string& name) {
+/// A number that tells what is observed apart, by its name and all that it says (Fowler, Noll, Vo: FNV-1a, 52 bits).
+double mark_of(const machine::Observable& what) {
+  const auto number = [](const auto& x) { return x ? static_cast<double>(*x) : -1.0; };
+  std::string all = what.name;
+  for (const double x : {static_cast<double>(what.quantity), static_cast<double>(what.index), number(what.part),
+                         what.at.x(), what.at.y(), what.at.z(), static_cast<double>(what.seen_from), what.factor,
+                         what.offset, what.since, static_cast<double>(what.relative), what.has_mean ? 1.0 : 0.0,
+                         what.mean_from, what.mean_to, number(what.mean_of), number(what.joint)}) {
+    all += fmt::format(" {:.17g}", x);
+  }
   std::uint64_t hash = 14695981039346656037ULL;
-  for (const char c : name) hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211ULL;
+  for (const char c : all) hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211ULL;
   return static_cast<double>(hash >> 12U);
+}
+
+/// Whether a measure that counts from before the restart on needs what was before.
+bool looks_back(const Run& run, const machine::Observable& what) {
+  const bool relates = what.relative != machine::description::Relative::none && what.slot;
+  return (relates || what.has_mean) && what.since < run.before.t;
 }
 
 void keep_measures(const Run& run, Array<double>& memory) {
   memory.push_back(static_cast<double>(run.model.observed.size()));
   for (std::size_t i = 0; i < run.model.observed.size(); ++i) {
     const Run::Measured& all = run.measured[i];
-    memory.insert(memory.end(), {mark_of(run.model.observed[i].name), run.reference[i], all.integral, all.duration,
-                                 all.t, all.value, all.window});
+    memory.insert(memory.end(), {mark_of(run.model.observed[i]), run.reference[i], all.integral, all.duration, all.t,
+                                 all.value, all.window});
   }
 }
 
-void take_measures(Run& run, const Array<double>& memory, std::size_t first, std::size_t kept) {
+/// Those that the state does not have begin anew; `forgotten` is one that needs what was before.
+void take_measures(Run& run, const Array<double>& memory, std::size_t first, std::size_t kept, std::string& forgotten) {
   for (std::size_t i = 0; i < run.model.observed.size(); ++i) {
-    const double mark = mark_of(run.model.observed[i].name);
+    const double mark = mark_of(run.model.observed[i]);
+    bool known = false;
     for (std::size_t k = first; k < first + kept * per_measure; k += per_measure) {
       if (memory[k] != mark) continue;
+      known = true;
       run.reference[i] = memory[k + 1];
       run.measured[i] = {memory[k + 2], memory[k + 3], memory[k + 4], memory[k + 5], memory[k + 6], memory[k + 5]};
     }
+    if (!known && looks_back(run, run.model.observed[i])) forgotten = run.model.observed[i].name;
   }
 }
 
@@ -203,7 +223,7 @@ Array<double> memory_of(Run& run) {
   return memory;
 }
 
-Remembered take_memory(Run& run, const Array<double>& memory) {
+Remembered take_memory(Run& run, const Array<double>& memory, std::string& forgotten) {
   run.L_first.resize(run.m.lines.size());
   run.tight_first.resize(run.m.lines.size());
   const Array<double> head = head_of(run);
@@ -220,7 +240,7 @@ Remembered take_memory(Run& run, const Array<double>& memory) {
   for (std::size_t i = breaks; i < memory.size(); i += 3) {
     if (!(memory[i] >= 0 && memory[i] < static_cast<double>(run.m.lines.size()))) return Remembered::damaged;
   }
-  take_measures(run, memory, measures + 1, kept);
+  take_measures(run, memory, measures + 1, kept, forgotten);
   if (!std::equal(head.begin(), head.end(), memory.begin())) return Remembered::other;
   std::size_t next = numbers;
   auto see = [&](double& x) { x = memory[next++]; };

@@ -1,4 +1,6 @@
 #pragma once
+#include <string>
+
 #include "taut/base/array.hpp"
 #include "taut/solve/motion/run/run.hpp"
 
@@ -14,6 +16,7 @@ enum class Remembered {
   other,   ///< none, or of another machine, method or share of damping
   damaged  ///< of this run, but numbers are missing or left over
 };
-Remembered take_memory(Run& run, const Array<double>& memory);
+/// `forgotten`: a measure of the run that needs what was before, and that the list does not have; else it stays.
+Remembered take_memory(Run& run, const Array<double>& memory, std::string& forgotten);
 
 }  // namespace taut::solve::dynamics

@@ -188,7 +188,10 @@ StepEnd try_slowly(Run& run, double h, double t) {
   run.now.motor_drive = run.before.motor_drive;
   take_modes(run.before, run.now);
   fade(run, t, run.now);
-  for (ContactValues& contact : run.before.contacts) contact.winding = contact.lambda;
+  for (std::size_t i = 0; i < run.m.contacts.size(); ++i) {
+    ContactValues& contact = run.before.contacts[i];
+    contact.winding = winding_stretch(run.m, run.before, run.m.contacts[i], contact);
+  }
   run.newton.tolerance = 1e-3 * run.options.tolerance;
   const Array<machine::Drive> drum_drive = run.before.drum_drive, motor_drive = run.before.motor_drive;
   for (auto* drives : {&run.before.drum_drive, &run.before.motor_drive}) take_means(run.before.t, t, *drives);

@@ -139,7 +139,9 @@ double winding_rate(const ReferenceState& of, const Wound& one, const Values& no
   for (std::size_t k = 0; k < as_size(line.freedoms[0] + line.freedoms[1]); ++k) {
     rate += columns[k].angle[one.end] * now.nu[line.column[k]];
   }
-  return now.lines[one.line].radius[one.end] / now.contacts[line.contact[one.end]].lambda * rate;
+  const int contact = line.contact[one.end];
+  const double winding = winding_stretch(m, now, m.contacts[contact], now.contacts[contact]);
+  return now.lines[one.line].radius[one.end] / winding * rate;
 }
 
 void contact_rows(ReferenceState& of, std::size_t i, const double* rate, double* out) {
@@ -402,7 +404,10 @@ StepEnd Reference::step(Run& run, double limit, bool& changed) {
     }
     if (++changes_ > most_again) return StepEnd::to_and_fro;
   }
-  for (ContactValues& contact : run.now.contacts) contact.winding = contact.lambda;
+  for (std::size_t i = 0; i < run.m.contacts.size(); ++i) {
+    ContactValues& contact = run.now.contacts[i];
+    contact.winding = winding_stretch(run.m, run.now, run.m.contacts[i], contact);
+  }
   run.scheme.h = after - run.before.t;
   return StepEnd::ok;
 }
