@@ -81,7 +81,8 @@ std::optional<MethodDeck> read_method(const MethodEntry& method, const io::Node&
   MethodDeck deck = as_written(method, node, others, display, mistakes);
   if (deck.blocks.design) {
     io::place(*others,
-              {{"design", "the cases of a study have their choices made: a method's deck with 'design' has not"}},
+              {{.path = "design",
+                .message = "the cases of a study have their choices made: a method's deck with 'design' has not"}},
               mistakes);
   }
   if (mistakes.size() > before || !is_whole(node, others)) return std::nullopt;

@@ -52,6 +52,14 @@ struct Part {
                                 measure = "{of: p.z, since: 0.5 s, relative: difference}";
 };
 
+Part a_part(const std::string& duration, const std::string& events, const std::string& more = Part{}.more) {
+  Part one;
+  one.duration = duration;
+  one.events = events;
+  one.more = more;
+  return one;
+}
+
 class Restart : public testing::Test {
  protected:
   Result run(const Part& part) {
@@ -70,7 +78,7 @@ class Restart : public testing::Test {
     for (const auto& one : r.attachments) saved_[one.name] = one.text;
     return r;
   }
-  Result first(const std::string& events) { return run({"2 s", events, ", step: 1 ms, save: s}\n"}); }
+  Result first(const std::string& events) { return run(a_part("2 s", events, ", step: 1 ms, save: s}\n")); }
   Result second(Part part) {
     part.more = ", restart: s" + part.more;
     return run(part);
@@ -93,15 +101,15 @@ void expect_equal(const Result& r, const Result& whole, double share = 1e-12) {
 // An event is known by its words and its time, wherever it stands: those that have happened do not happen again, and
 // what they have done stays, whether the deck still has them or not; new ones are to come.
 TEST_F(Restart, EventsOfTheSecondDeckHappen) {
-  const Result whole = run({"4 s", brakes + ", " + breaks});
+  const Result whole = run(a_part("4 s", brakes + ", " + breaks));
   ASSERT_EQ(whole.status, Status::ok) << whole.message << to_text(whole.errors);
   EXPECT_GT(whole.find_value("l.T_max")->value, 25e3) << "where r breaks";
   ASSERT_EQ(first(brakes).status, Status::ok);
   for (const std::string& events : {brakes + ", " + breaks, breaks + ", " + brakes, breaks}) {
     SCOPED_TRACE(events);
-    expect_equal(second({"2 s", events}), whole);
+    expect_equal(second(a_part("2 s", events)), whole);
   }
-  const Result r = second({"2 s", brakes + ", {at: 1.5 s, break: r}"});
+  const Result r = second(a_part("2 s", brakes + ", {at: 1.5 s, break: r}"));
   EXPECT_EQ(r.status, Status::infeasible);
   EXPECT_THAT(r.message, HasSubstr("'break r' at 1.5 s has not happened in it, and it is of 2 s"));
 }
@@ -109,13 +117,13 @@ TEST_F(Restart, EventsOfTheSecondDeckHappen) {
 // A drum goes on by the drive that the deck gives now: here it begins to take in more from the restart on.
 TEST_F(Restart, DrivesAreThoseOfTheSecondDeck) {
   ASSERT_EQ(first("").status, Status::ok);
-  Part faster{"2 s", ""};
+  Part faster = a_part("2 s", "");
   faster.speed = "0.8 m/s";
   const Result r = second(faster);
   ASSERT_EQ(r.status, Status::ok) << r.message << to_text(r.errors);
   EXPECT_NEAR(r.find_value("d.speed_end")->value, 0.8, 1e-9);
   EXPECT_GT(r.find_value("w.T_max")->value, 2000) << "it is jerked";
-  Part weaker{"2 s", ""};
+  Part weaker = a_part("2 s", "");
   weaker.drive = "{torque: 20 N m}";
   const Result falls = second(weaker);
   ASSERT_EQ(falls.status, Status::ok) << falls.message << to_text(falls.errors);
@@ -125,12 +133,12 @@ TEST_F(Restart, DrivesAreThoseOfTheSecondDeck) {
 // A drive that an event has given is that of the event, as the deck has it now. Without it nobody knows the drive.
 TEST_F(Restart, DrivesOfEventsAreThoseOfTheSecondDeck) {
   const std::string drives = "{at: 1 s, drive: d, speed: 0.5 m/s}";
-  const Result whole = run({"4 s", drives});
+  const Result whole = run(a_part("4 s", drives));
   ASSERT_EQ(first(drives).status, Status::ok);
-  Part another{"2 s", drives};
+  Part another = a_part("2 s", drives);
   another.speed = "0.8 m/s";
   expect_equal(second(another), whole);
-  const Result r = second({"2 s", ""});
+  const Result r = second(a_part("2 s", ""));
   EXPECT_EQ(r.status, Status::infeasible);
   EXPECT_THAT(r.message, HasSubstr("has given 'd' the drive that it has there: leave that event in the deck"));
 }
@@ -138,24 +146,24 @@ TEST_F(Restart, DrivesOfEventsAreThoseOfTheSecondDeck) {
 // In three parts what has happened stays, also where the second one does not know of it.
 TEST_F(Restart, WhatHasHappenedStaysInAThirdPart) {
   const std::string lifts = "{when: p.z > 2.1 m, brake: d}";
-  const Result whole = run({"4 s", lifts});
+  const Result whole = run(a_part("4 s", lifts));
   ASSERT_EQ(first(lifts).status, Status::ok);
-  Part between{"1 s", "", ", step: 1 ms, save: s}\n"};
+  Part between = a_part("1 s", "", ", step: 1 ms, save: s}\n");
   ASSERT_EQ(second(between).status, Status::ok);
-  expect_equal(second({"1 s", lifts}), whole);
+  expect_equal(second(a_part("1 s", lifts)), whole);
   // a brake that the deck describes as set, and then no more, was set by the event all the same
   ASSERT_EQ(first(lifts).status, Status::ok);
   between.drive = "{speed: v, brake: set}";
   between.events = lifts;
   ASSERT_EQ(second(between).status, Status::ok);
-  expect_equal(second({"1 s", lifts}), whole);
+  expect_equal(second(a_part("1 s", lifts)), whole);
 }
 
 // A drum that pulls turns as its rope goes: what drives it then has to know how fast.
 TEST_F(Restart, APullingDrumGetsAnotherDriveByAnEvent) {
   const std::string pulls = "{at: 1 s, drive: d, pull: 1.1 kN}";
   ASSERT_EQ(first(pulls).status, Status::ok);
-  Part other{"1 s", pulls};
+  Part other = a_part("1 s", pulls);
   other.drive = "{speed: v, brake: set}";
   EXPECT_THAT(second(other).message, HasSubstr("'d' pulls its rope in it: an event has to give it another drive"));
   other.events += ", {at: 2 s, brake: d}";
@@ -166,7 +174,7 @@ TEST_F(Restart, APullingDrumGetsAnotherDriveByAnEvent) {
 // A measure of the same name that counts otherwise is another one.
 TEST_F(Restart, AMeasureThatTheFirstPartDoesNotHaveCanNotLookBack) {
   ASSERT_EQ(first("").status, Status::ok);
-  Part other{"1 s", ""};
+  Part other = a_part("1 s", "");
   other.measure = "{of: p.z, since: 1.5 s, relative: difference}";
   EXPECT_THAT(second(other).message, HasSubstr("does not know the measure 'rise'"));
   other.measure = "{of: p.z, since: 2 s, relative: difference}";
@@ -177,10 +185,10 @@ TEST_F(Restart, AMeasureThatTheFirstPartDoesNotHaveCanNotLookBack) {
 
 // Measures go on, also where the integrator begins anew: with another kind of step, say.
 TEST_F(Restart, MeasuresGoOn) {
-  const Result whole = run({"4 s", ""});
+  const Result whole = run(a_part("4 s", ""));
   ASSERT_EQ(first("").status, Status::ok);
-  expect_equal(second({"2 s", ""}), whole);
-  expect_equal(second({"2 s", "", ", tolerance: 1e-6}\n"}), whole, 1e-4);
+  expect_equal(second(a_part("2 s", "")), whole);
+  expect_equal(second(a_part("2 s", "", ", tolerance: 1e-6}\n")), whole, 1e-4);
 }
 
 // What is numbered alike is not the same part.
@@ -188,25 +196,25 @@ TEST_F(Restart, PartsAreKnownByTheirNames) {
   ASSERT_EQ(first("").status, Status::ok);
   std::string& state = saved_.at("s");
   replace(state, "\"actuators\": [\n   \"a\"", "\"actuators\": [\n   \"z\"");
-  const Result r = second({"1 s", ""});
+  const Result r = second(a_part("1 s", ""));
   EXPECT_EQ(r.status, Status::infeasible);
   EXPECT_THAT(r.message, HasSubstr("its actuators are others"));
 }
 
 // A rope of the first part that hangs can't go on straight: its length is that of another shape.
 TEST_F(Restart, RopesKeepTheirShape) {
-  ASSERT_EQ(run({"1 s", "", ", save: s, branches: catenary}\n"}).status, Status::ok);
-  EXPECT_EQ(second({"1 s", "", ", branches: catenary}\n"}).status, Status::ok);
-  const Result straight = second({"1 s", "", "}\n"});
+  ASSERT_EQ(run(a_part("1 s", "", ", save: s, branches: catenary}\n")).status, Status::ok);
+  EXPECT_EQ(second(a_part("1 s", "", ", branches: catenary}\n")).status, Status::ok);
+  const Result straight = second(a_part("1 s", "", "}\n"));
   EXPECT_EQ(straight.status, Status::infeasible);
   EXPECT_THAT(straight.message, HasSubstr("hung as a catenary between"));
-  ASSERT_EQ(run({"1 s", "", ", save: s}\n"}).status, Status::ok);
-  EXPECT_THAT(second({"1 s", "", ", branches: catenary}\n"}).message, HasSubstr("was straight between"));
+  ASSERT_EQ(run(a_part("1 s", "", ", save: s}\n")).status, Status::ok);
+  EXPECT_THAT(second(a_part("1 s", "", ", branches: catenary}\n")).message, HasSubstr("was straight between"));
 }
 
 // p is above 2.15 m from 1 s on: what counts since 2.5 s only can't hold before.
 TEST_F(Restart, AConditionCountsSinceItsTime) {
-  const Result r = run({"4 s", "{when: late > 2.15 m, break: r}"});
+  const Result r = run(a_part("4 s", "{when: late > 2.15 m, break: r}"));
   ASSERT_EQ(r.status, Status::ok) << r.message << to_text(r.errors);
   const Table* events = r.find_table("events");
   ASSERT_NE(events, nullptr);

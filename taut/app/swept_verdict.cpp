@@ -24,6 +24,11 @@ void keep_worst(Value one, std::vector<Value>& values) {
   }
 }
 
+About about_of(const Result& r, const std::string& sentence) {
+  const auto found = r.about.find(sentence);
+  return found == r.about.end() ? About{} : found->second;
+}
+
 /// Whether a name may have this letter: a number beside one is a part of a name, as in r2 and 6x36.
 bool of_name(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
 
@@ -67,20 +72,9 @@ void SweptVerdict::take(Result at, const std::string& words) {
     one.label += fmt::format(", {}", words);
     keep_worst(std::move(one), values_);
   }
-  const auto about = [&at](const std::string& sentence) {
-    const auto found = at.about.find(sentence);
-    return found == at.about.end() ? About{} : found->second;
-  };
-  for (const std::string& one : at.warnings) {
-    const bool unsafe = std::find(at.unsafe.begin(), at.unsafe.end(), one) != at.unsafe.end();
-    const About own = about(one);
-    if (!is_new(unsafe ? "unsafe" : "warning", one, own)) continue;
-    std::string sentence = own.no_load.empty() ? fmt::format("{}: {}", words, one) : one;
-    all_.about.insert_or_assign(sentence, own);
-    unsafe ? warn_unsafe(all_, std::move(sentence)) : all_.warnings.push_back(std::move(sentence));
-  }
+  take_warnings(at, words);
   for (std::string& one : at.unmade) {
-    const About own = about(one);
+    const About own = about_of(at, one);
     if (!is_new("unmade", one, own)) continue;
     all_.about.insert_or_assign(one, own);
     all_.unmade.push_back(std::move(one));
@@ -88,6 +82,17 @@ void SweptVerdict::take(Result at, const std::string& words) {
   all_.loaded.merge(at.loaded);
   for (std::string& one : at.unjudged) {
     if (is_new("unjudged " + one)) all_.unjudged.push_back(std::move(one));
+  }
+}
+
+void SweptVerdict::take_warnings(const Result& at, const std::string& words) {
+  for (const std::string& one : at.warnings) {
+    const bool unsafe = std::find(at.unsafe.begin(), at.unsafe.end(), one) != at.unsafe.end();
+    const About own = about_of(at, one);
+    if (!is_new(unsafe ? "unsafe" : "warning", one, own)) continue;
+    std::string sentence = own.no_load.empty() ? fmt::format("{}: {}", words, one) : one;
+    all_.about.insert_or_assign(sentence, own);
+    unsafe ? warn_unsafe(all_, std::move(sentence)) : all_.warnings.push_back(std::move(sentence));
   }
 }
 

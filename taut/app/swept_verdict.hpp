@@ -19,6 +19,7 @@ class SweptVerdict {
   void put_values_into(Result& r) &&;
 
  private:
+  void take_warnings(const Result& at, const std::string& words);
   bool is_new(const std::string& sentence);
   bool is_new(const std::string& kind, const std::string& sentence, const About& about);
 

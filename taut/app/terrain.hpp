@@ -6,6 +6,7 @@
 #include "taut/base/diagnostic.hpp"
 #include "taut/machine/description/machine.hpp"
 #include "taut/machine/model.hpp"
+#include "taut/units/display.hpp"
 
 namespace taut::app {
 

@@ -8,6 +8,7 @@
 
 #include "taut/calc/none.hpp"
 #include "taut/calc/shown.hpp"
+#include "taut/calc/verdict.hpp"
 #include "taut/catalogue/rope_values.hpp"
 #include "taut/catalogue/trust.hpp"
 #include "taut/checks/described.hpp"

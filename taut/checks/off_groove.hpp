@@ -7,6 +7,7 @@
 #include "taut/calc/result.hpp"
 #include "taut/solve/equilibrium.hpp"
 #include "taut/solve/motion/transient.hpp"
+#include "taut/units/display.hpp"
 
 namespace taut::checks {
 

@@ -7,6 +7,7 @@
 #include "taut/calc/result.hpp"
 #include "taut/machine/model.hpp"
 #include "taut/machine/state.hpp"
+#include "taut/units/display.hpp"
 
 namespace taut::checks {
 

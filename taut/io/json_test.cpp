@@ -122,8 +122,8 @@ TEST(Json, APlotHasTheUnitsOfItsFile) {
   Result r = sample();
   r.display = {{"length", "ft"}};
   std::get<Plot>(r.figures[0]).x.unit = si::K.in("degC");
-  r.series = {{.name = "time", .title = "", .columns = {{"z", si::m}}, .rows = {}},
-              {.name = "cases", .title = "", .columns = {{"z", si::m}}, .rows = {}, .detail = true}};
+  r.series = {{.name = "time", .title = "", .columns = {{.name = "z", .unit = si::m}}, .rows = {}},
+              {.name = "cases", .title = "", .columns = {{.name = "z", .unit = si::m}}, .rows = {}, .detail = true}};
   const auto series = [&](SeriesFiles files) { return nlohmann::ordered_json::parse(to_json(r, files))["series"]; };
   const auto shown = series(SeriesFiles::named);
   EXPECT_EQ(shown["sizes"]["columns"].dump(), R"([{"name":"x","unit":"degC"},{"name":"a","unit":"ft"}])");

@@ -325,23 +325,7 @@ class RopeChecker {
     leave_out(what, "no diameter is known of " + use_.unmeasured.front());
   }
 
-  void ratios() {
-    if (rules_.ratio_asked || (use_.chosen && use_.measurable && rules_.runs)) unmeasured("D/d");
-    const auto check = [&](BendKind kind, const std::vector<Limit>& limits, const char* key) {
-      if (limits.empty()) return;
-      for (const Bend& bend : use_.bends) {
-        if (bend.kind != kind) continue;
-        if (!has_diameter()) return leave_out("D/d", "the diameter is not known");
-        for (const Limit& limit : limits) {
-          keep_worst(key, ratio_of(bend, use_), si::one,
-                     {.sense = Sense::at_least,
-                      .limit = limit.value,
-                      .rule = fmt::format("D/d of '{}', {} over {}: {}", bend.name, millimetres(use_, bend.diameter),
-                                          millimetres(use_, use_.rope.diameter), limit.rule),
-                      .trust = limit.trust});
-        }
-      }
-    };
+  void ratios_left_out() {
     const bool bent = std::any_of(use_.bends.begin(), use_.bends.end(),
                                   [](const Bend& bend) { return bend.kind != BendKind::saddle; });
     const auto low = std::find_if(use_.bends.begin(), use_.bends.end(),
@@ -368,6 +352,26 @@ class RopeChecker {
       leave_out("D/d", fmt::format("{} slides over the saddle '{}', for which there is no rule: use a sheave there",
                                    rules_.no_saddles ? "a running rope" : "the rope", slides->name));
     }
+  }
+
+  void ratios() {
+    if (rules_.ratio_asked || (use_.chosen && use_.measurable && rules_.runs)) unmeasured("D/d");
+    const auto check = [&](BendKind kind, const std::vector<Limit>& limits, const char* key) {
+      if (limits.empty()) return;
+      for (const Bend& bend : use_.bends) {
+        if (bend.kind != kind) continue;
+        if (!has_diameter()) return leave_out("D/d", "the diameter is not known");
+        for (const Limit& limit : limits) {
+          keep_worst(key, ratio_of(bend, use_), si::one,
+                     {.sense = Sense::at_least,
+                      .limit = limit.value,
+                      .rule = fmt::format("D/d of '{}', {} over {}: {}", bend.name, millimetres(use_, bend.diameter),
+                                          millimetres(use_, use_.rope.diameter), limit.rule),
+                      .trust = limit.trust});
+        }
+      }
+    };
+    ratios_left_out();
     check(BendKind::sheave, rules_.sheave_ratios, "sheave_ratio");
     check(BendKind::compensating_sheave, rules_.compensating_ratios, "compensating_ratio");
     check(BendKind::drum, rules_.drum_ratios, "drum_ratio");

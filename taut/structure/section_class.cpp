@@ -79,21 +79,21 @@ std::optional<double> across_opposite(double side, double other, double n, doubl
 /// the ends of p has the neutral axis along a wall: that wall counts as pressed as a whole.
 Pressed at_corner(const ThinBox& box, double n, double M_y, double M_z) {
   const double L = box.web + box.flange - std::abs(n) / 2;
-  if (L <= 0) return {box.web, box.flange};  // more than all of it can bear
+  if (L <= 0) return {.web = box.web, .flange = box.flange};  // more than all of it can bear
   const double a = M_y - M_z, b = L * M_z, c = L * (M_z * (box.web - L) - M_y * box.flange);
   const auto beyond = [&](double p) { return (a * p + 2 * b) * p + c; };  // M_z M_y(p) - M_y M_z(p)
   const double least = std::max(0.0, L - box.web), most = std::min(box.flange, L);
-  if (beyond(most) <= 0) return {L - most, box.flange};
-  if (beyond(least) >= 0) return {box.web, least};
+  if (beyond(most) <= 0) return {.web = L - most, .flange = box.flange};
+  if (beyond(least) >= 0) return {.web = box.web, .flange = least};
   const double p = std::clamp(-c / (b + std::sqrt(std::max(b * b - a * c, 0.0))), least, most);
-  return {L - p, p};
+  return {.web = L - p, .flange = p};
 }
 
 /// In the plastic state under N, with moments in the ratio of M_y and M_z grown up to it; one of them is not 0.
 Pressed pressed_in(const ThinBox& box, double n, double M_y, double M_z) {
-  if (const auto web = across_opposite(box.web, box.flange, n, M_y, M_z)) return {*web, box.flange};
-  if (const auto flange = across_opposite(box.flange, box.web, n, M_z, M_y)) return {box.web, *flange};
-  if (n >= 0) return {box.web, box.flange};  // but a corner, or less, is pulled
+  if (const auto web = across_opposite(box.web, box.flange, n, M_y, M_z)) return {.web = *web, .flange = box.flange};
+  if (const auto flange = across_opposite(box.flange, box.web, n, M_z, M_y)) return {.web = box.web, .flange = *flange};
+  if (n >= 0) return {.web = box.web, .flange = box.flange};  // but a corner, or less, is pulled
   return at_corner(box, n, M_y, M_z);
 }
 
@@ -135,11 +135,11 @@ std::vector<WallClass> wall_classes(const SectionRow& r, double yield, const Cro
   const double M_y = std::abs(f.M_y), M_z = std::abs(f.M_z);
   const double axial = f.N / r.area, y = M_y / r.W_el_y, z = M_z / r.W_el_z;
   const ThinBox box{.web = r.height - t, .flange = r.width - t};
-  Pressed pressed{0, 0};
+  Pressed pressed{.web = 0, .flange = 0};
   if (M_y > 0 || M_z > 0) {
     pressed = pressed_in(box, f.N / (t * yield), M_y / (M_y + M_z), M_z / (M_y + M_z));
   } else if (f.N > 0) {
-    pressed = {box.web, box.flange};
+    pressed = {.web = box.web, .flange = box.flange};
   }
   const auto wall = [&](const char* name, double side, double length, const WallStress& stress) {
     const double c = side - 3 * t;  // flat, between corners that reach t beyond the middle lines of the walls across

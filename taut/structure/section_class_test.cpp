@@ -144,7 +144,7 @@ class Fibres {
       (about_y * M_z < about_z * M_y ? low : high) = middle;
     }
     const double at = level(low, yield, N);
-    return {share(true, flat_web_, low, at), share(false, flat_flange_, low, at)};
+    return {.web = share(true, flat_web_, low, at), .flange = share(false, flat_flange_, low, at)};
   }
 
  private:
@@ -190,13 +190,24 @@ TEST(SectionClass, ThePressedPartIsThatOfFibres) {
     const char* section;
     double n, M_y, M_z;  // share of the thin box, and moments in any ratio
   };
-  for (const Case& c :
-       {Case{"RHS 300x200x10", 0.15, 3, 1}, Case{"RHS 300x200x10", -0.15, 3, 1}, Case{"RHS 300x200x10", 0, 1, 3},
-        Case{"RHS 300x200x10", 0.3, 1, 3}, Case{"RHS 300x200x10", -0.3, 1, 3}, Case{"RHS 300x200x5", -0.45, 1, 1},
-        Case{"RHS 300x200x5", -0.7, 2, 1.5}, Case{"RHS 300x200x5", -0.2, 1.6, 1}, Case{"RHS 300x200x5", 0.2, 1.6, 1},
-        Case{"RHS 300x200x5", 0.6, 2, 1}, Case{"SHS 200x5", 0, 1, 1}, Case{"SHS 200x5", 0, 1, 0.5},
-        Case{"SHS 200x5", 0.1, 1, 0.9}, Case{"SHS 200x5", -0.1, 1, 0.9}, Case{"SHS 200x5", -0.6, 1, 0.8},
-        Case{"SHS 200x5", -0.85, 0.8, 1}, Case{"SHS 350x10", 0.35, 10, 6}, Case{"SHS 350x10", -0.35, 10, 6}}) {
+  for (const Case& c : {Case{.section = "RHS 300x200x10", .n = 0.15, .M_y = 3, .M_z = 1},
+                        Case{.section = "RHS 300x200x10", .n = -0.15, .M_y = 3, .M_z = 1},
+                        Case{.section = "RHS 300x200x10", .n = 0, .M_y = 1, .M_z = 3},
+                        Case{.section = "RHS 300x200x10", .n = 0.3, .M_y = 1, .M_z = 3},
+                        Case{.section = "RHS 300x200x10", .n = -0.3, .M_y = 1, .M_z = 3},
+                        Case{.section = "RHS 300x200x5", .n = -0.45, .M_y = 1, .M_z = 1},
+                        Case{.section = "RHS 300x200x5", .n = -0.7, .M_y = 2, .M_z = 1.5},
+                        Case{.section = "RHS 300x200x5", .n = -0.2, .M_y = 1.6, .M_z = 1},
+                        Case{.section = "RHS 300x200x5", .n = 0.2, .M_y = 1.6, .M_z = 1},
+                        Case{.section = "RHS 300x200x5", .n = 0.6, .M_y = 2, .M_z = 1},
+                        Case{.section = "SHS 200x5", .n = 0, .M_y = 1, .M_z = 1},
+                        Case{.section = "SHS 200x5", .n = 0, .M_y = 1, .M_z = 0.5},
+                        Case{.section = "SHS 200x5", .n = 0.1, .M_y = 1, .M_z = 0.9},
+                        Case{.section = "SHS 200x5", .n = -0.1, .M_y = 1, .M_z = 0.9},
+                        Case{.section = "SHS 200x5", .n = -0.6, .M_y = 1, .M_z = 0.8},
+                        Case{.section = "SHS 200x5", .n = -0.85, .M_y = 0.8, .M_z = 1},
+                        Case{.section = "SHS 350x10", .n = 0.35, .M_y = 10, .M_z = 6},
+                        Case{.section = "SHS 350x10", .n = -0.35, .M_y = 10, .M_z = 6}}) {
     const auto r = row(c.section);
     const double yield = 355e6, N = c.n * 2 * r.thickness * (r.height + r.width - 2 * r.thickness) * yield;
     const Fibres::Alphas fibres = Fibres(r).alphas(yield, N, c.M_y, c.M_z);

@@ -126,6 +126,13 @@ bool wants_factor(const DeckPart& part, const std::string& rope) {
                      [&](const WantedValue& one) { return one.name == name || one.name == name + ".utilisation"; });
 }
 
+/// A rope's factor by the share of its strength that is left, where it is known.
+void weaken(const std::string& name, double share, Result& r) {
+  for (Value& value : r.values) {
+    if (value.name == name + ".safety_factor") value.value *= share;
+  }
+}
+
 /// The heat of which a deck's checks tell weakens a rope in each analysis, as in a run of the deck; so does that of the
 /// analysis alone, `part`. Why a factor that is wanted has no number: the rope is too hot for all tables.
 std::string weaken_by_heat(const MachineDeck& deck, const MachineDeck& part, const DeckPart& asked_of, Result& r) {
@@ -145,9 +152,7 @@ std::string weaken_by_heat(const MachineDeck& deck, const MachineDeck& part, con
       if ((own ? name : rope) != request.name) continue;
       const catalogue::RopeRow row = checks::with_request(checks::row_in(deck, rope), request);
       const rope::RopeRules rules = checks::rope_rules(request, deck.asked.ropes.at(k), row, hottest);
-      for (Value& value : r.values) {
-        if (value.name == name + ".safety_factor") value.value *= rope::heat_share(rules);
-      }
+      weaken(name, rope::heat_share(rules), r);
       if (!rules.no_strength.empty() && wants_factor(asked_of, name))
         why = fmt::format("{}: {}", name, rules.no_strength);
     }

@@ -216,6 +216,7 @@ TEST(MachineCases, EachAnalysisHasTheValuesOfARunWithItAlone) {
 /// The answers of all these cases, to the last bit, asked in this order.
 std::vector<std::vector<double>> answers_in(const CaseModel& m, const std::vector<std::vector<double>>& cases) {
   std::vector<std::vector<double>> all;
+  all.reserve(cases.size());
   for (const std::vector<double>& one : cases) all.push_back(m.answer(one).outputs);
   return all;
 }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cctype>
 #include <iterator>
+#include <numbers>
 #include <optional>
 #include <set>
 #include <vector>
@@ -73,7 +74,7 @@ std::string text_of_key(const Term& key) {
 /// The number of a rule in its unit: "3", "20 to 25 deg"; empty for a formula or words.
 std::string number_of(const catalogue::RuleRow& r) {
   if (!r.low || !r.high) return {};
-  const double degree = 3.14159265358979323846 / 180;
+  const double degree = std::numbers::pi / 180;
   const bool angle = r.unit == "rad";
   const double scale = angle ? 1 / degree : 1;
   const std::string unit = angle ? " deg" : r.unit == "1" ? "" : " " + r.unit;

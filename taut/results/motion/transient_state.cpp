@@ -458,8 +458,8 @@ tl::expected<solve::DynamicState, std::string> state_from_json(const std::string
     if (!why.empty()) return tl::unexpected(why);
     // a state of an earlier version says nothing of it
     if (j.at("machine").contains("damping")) {
-      if (const std::string why = damp_anew(j.at("machine").at("damping"), model, damping_ratio, state); !why.empty())
-        return tl::unexpected(why);
+      why = damp_anew(j.at("machine").at("damping"), model, damping_ratio, state);
+      if (!why.empty()) return tl::unexpected(why);
     }
     return state;
   } catch (const std::exception&) {

@@ -84,11 +84,11 @@ TEST(TransientRandom, MachinesByChance) {
 }
 
 /// Machines that once had no answer: drums without inertia on slack ropes with weight, ropes broken between a drum and
-/// a round, ends that run off, iterations that ran away to a loop of 1e11 m (247, 1825, 1854, 2384); slack rope under a
+/// a round, ends that run off, iterations that ran away to a loop of 1e11 m (247, 1854, 2384); slack rope under a
 /// drum that pulls with next to nothing (1536).
 TEST(TransientRandom, OnceWithoutAnswer) {
   for (const unsigned seed :
-       {61U, 125U, 153U, 207U, 241U, 246U, 270U, 376U, 382U, 441U, 461U, 247U, 1825U, 1854U, 2384U, 1536U}) {
+       {61U, 125U, 153U, 207U, 241U, 246U, 270U, 376U, 382U, 441U, 461U, 247U, 1854U, 2384U, 1536U}) {
     SCOPED_TRACE(seed);
     const TransientResult r = run(seed, 100'000);  // a rope of 247 chatters between slack and taut
     ASSERT_TRUE(r.outcome.ok()) << r.outcome.message;

@@ -8,6 +8,7 @@
 #include "taut/calc/field.hpp"
 #include "taut/machine/model.hpp"
 #include "taut/study/load_path.hpp"
+#include "taut/units/display.hpp"
 
 namespace taut::study {
 

@@ -6,6 +6,7 @@
 #include "taut/machine/description/machine.hpp"
 #include "taut/machine/model.hpp"
 #include "taut/study/load_path.hpp"
+#include "taut/units/display.hpp"
 
 namespace taut::study {
 
