@@ -121,12 +121,22 @@ class Contract(unittest.TestCase):
         with tempfile.TemporaryDirectory() as folder:
             out = pathlib.Path(folder)
             deck = str(EXAMPLES / "machines" / "base_tension.yaml")
-            rows = {}
+            rows, results = {}, {}
             for name, more in (("shown", ()), ("si", ("--si",))):
                 self.assertIn(taut("run", deck, "-q", "-o", str(out / name), *more).returncode, (0, 4))
                 with open(out / name / "put_up.csv", encoding="utf-8", newline="") as file:
                     rows[name] = list(csv.reader(file))
-            self.assertEqual((out / "shown" / "result.json").read_text(), (out / "si" / "result.json").read_text())
+                results[name] = json.loads((out / name / "result.json").read_text())
+                # the columns of a series have the units of its file
+                for series in results[name].pop("series").values():
+                    if not series["file"].endswith(".csv"):
+                        continue
+                    with open(out / name / series["file"], encoding="utf-8", newline="") as file:
+                        titles = next(csv.reader(file))
+                    for title, column in zip(titles, series["columns"]):
+                        unit = "" if column["unit"] == "1" else f" [{column['unit']}]"
+                        self.assertEqual(title, column["name"] + unit)
+            self.assertEqual(results["shown"], results["si"])
             column = rows["si"][0].index("T_start [N]")
             self.assertEqual(rows["shown"][0][column], "T_start [kN]")
             for kilonewton, newton in zip(rows["shown"][1:], rows["si"][1:]):
