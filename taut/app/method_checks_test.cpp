@@ -114,6 +114,25 @@ TEST(MethodChecks, BothHaulsOfALoopCountWhateverItsRopesAreGivenBy) {
   EXPECT_NEAR(strength / a.value, 800e3 / b.value, 1e-6 * 800e3 / b.value);
 }
 
+/// The factor of the input is one of the strength at the rope's temperature: EN 12385-3 leaves 0.65 of it at 350 degC,
+/// and says nothing beyond 400 degC.
+TEST(MethodChecks, TheFactorOfALoopIsThatOfItsHotRope) {
+  const auto at = [](const std::string& temperature) {
+    const std::string rope =
+        "{breaking_force: 800 kN, diameter: 30 mm, construction: 6x36, core: IWRC" + temperature + "}";
+    return run_text(
+        "taut: 1\nmethod: closed_loop\ninput: {span: 200 m, position: 100 m, sag: 10 m, gathering_force: 20 kN, "
+        "gathering_angle: 30 deg, tail_efficiency: 0.9, return_weight: 10 N/m, traction_weight: 15 N/m, "
+        "safety_factor: 3, wire_strength: 1500 MPa}\nchecks: {ropes: {return: " +
+        rope + ", traction: " + rope + "}}\n");
+  };
+  const Result cold = at(""), hot = at(", temperature: 350 degC"), unknown = at(", temperature: 410 degC");
+  ASSERT_EQ(cold.status, Status::ok) << cold.message << to_text(cold.errors);
+  const std::string name = "safety factor of the traction rope";
+  EXPECT_NEAR(check_of(hot, name).value, 0.65 * check_of(cold, name).value, 1e-9);
+  EXPECT_THAT(unknown.unmade, testing::Contains(HasSubstr(name + " is not checked: no strength is known")));
+}
+
 /// The deck asks a factor of ropes by their weight: `checks` may give their strength.
 TEST(MethodChecks, AFactorOfALoopNeedsAStrength) {
   const auto loop_of_weights = [](const std::string& checks) {

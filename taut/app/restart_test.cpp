@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -101,11 +102,12 @@ void expect_equal(const Result& r, const Result& whole, double share = 1e-12) {
 // An event is known by its words and its time, wherever it stands: those that have happened do not happen again, and
 // what they have done stays, whether the deck still has them or not; new ones are to come.
 TEST_F(Restart, EventsOfTheSecondDeckHappen) {
-  const Result whole = run(a_part("4 s", brakes + ", " + breaks));
+  const std::string both = fmt::format("{}, {}", brakes, breaks);
+  const Result whole = run(a_part("4 s", both));
   ASSERT_EQ(whole.status, Status::ok) << whole.message << to_text(whole.errors);
   EXPECT_GT(whole.find_value("l.T_max")->value, 25e3) << "where r breaks";
   ASSERT_EQ(first(brakes).status, Status::ok);
-  for (const std::string& events : {brakes + ", " + breaks, breaks + ", " + brakes, breaks}) {
+  for (const std::string& events : {both, fmt::format("{}, {}", breaks, brakes), breaks}) {
     SCOPED_TRACE(events);
     expect_equal(second(a_part("2 s", events)), whole);
   }

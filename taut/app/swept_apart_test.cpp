@@ -153,8 +153,8 @@ TEST(SweptApart, WhatIsExemptIsOutWithAllThatIsSaidOfIt) {
   EXPECT_THAT(slack.unsafe, IsEmpty());
 }
 
-/// The brake is asked at rest, and the rope's losses at rest or hauled in: a sweep at rest shows both.
-/// Nor says a lighter hook at rest what the brake bears, and what the rope has, with the 5 t that are only let down.
+/// A lighter hook at rest does not say what the brake bears, and what the rope has, with the 5 t that are only let
+/// down.
 TEST(SweptApart, WhatOneMachineShowsIsStillMissingInAnother) {
   const auto hook = [](const std::string& sweep) {
     return run_text(R"(taut: 1

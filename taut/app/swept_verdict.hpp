@@ -25,7 +25,7 @@ class SweptVerdict {
 
   Result all_;
   std::vector<Value> values_;
-  std::set<std::string> known_;  ///< sentences without their numbers, or what no state shows
+  std::set<std::string> known_;  ///< sentences without their numbers, or what no state loads
 };
 
 }  // namespace taut::app

@@ -359,6 +359,7 @@ void Judge::end_pieces(const std::string& words) {
 /// "The deck breaks l and r at 2 s, m at 3 s"; empty where it breaks nothing.
 std::string Judge::break_words() const {
   std::vector<std::string> all;
+  all.reserve(breaks_.size());
   for (const auto& [t, ropes] : breaks_) all.push_back(fmt::format("{} at {:.4g} s", fmt::join(ropes, " and "), t));
   return all.empty() ? std::string() : fmt::format("The deck breaks {}", fmt::join(all, ", "));
 }

@@ -213,7 +213,7 @@ void Judge::take_lifted(const machine::Model& m, const solve::TransientFrame& mo
     if (is_load) {
       lifted_.try_emplace(foot, told);
     } else {
-      warn({.part = m.contacts[foot].name, .what = "lifted"}, told, true);
+      warn({.part = "foot " + m.contacts[foot].name, .what = "lifted"}, told, true);
     }
   }
 }
@@ -223,12 +223,12 @@ void Judge::take_lifted(const machine::Model& m, const solve::TransientFrame& mo
 void Judge::take_feet(const machine::Model& m, const std::string& words) {
   for (const auto& [foot, lifted] : lifted_) {
     if (!picked_up_.contains(m.contacts[foot].body))
-      warn({.part = m.contacts[foot].name, .what = "lifted"}, lifted, true);
+      warn({.part = "foot " + m.contacts[foot].name, .what = "lifted"}, lifted, true);
   }
   for (const auto& [body, all] : standing(m)) {
     for (const std::size_t foot : meant_to_stand(m, all)) {
       if (stood_.contains(foot)) continue;
-      warn({.part = m.contacts[foot].name, .what = "never stood"},
+      warn({.part = "foot " + m.contacts[foot].name, .what = "never stood"},
            fmt::format("{}: '{}' never stands on '{}', though it does on feet that are no lower where the deck has "
                        "them: it tips or leans from the start",
                        words, m.bodies[body].name, m.contacts[foot].name),

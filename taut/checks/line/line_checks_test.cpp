@@ -269,23 +269,28 @@ checks:
   EXPECT_FALSE(bend.passes);
 }
 
+/// A rope without weight from a over a support to b; `support`: its place and diameter.
+Result over_support(const std::string& a, const std::string& b, const std::string& support) {
+  return run_text(fmt::format(R"(taut: 1
+machine:
+  ropes: {{r: {{mass: 0 kg/m, stiffness: .inf, breaking_force: 600 kN, diameter: 24 mm}}}}
+  points: {{a: {}, b: {}}}
+  supports: {{s1: {{{}, friction: 0}}}}
+  reevings: [{{name: r, rope: r, path: [{{anchor: a}}, {{over: s1}}, {{anchor: b}}], tension_at_start: 100 kN}}]
+analyses: [{{equilibrium: {{}}}}]
+checks:
+  ropes: {{r: {{safety_factor: 3}}}}
+  lines: {{r: {{break_angles: true}}}}
+)",
+                              a, b, support));
+}
+
 /// A bend in plan does not hold the rope on a point. By hand, without mass: 14.04 deg in plan, and upright only
 /// atan(0.2/50) + atan(0.2/sqrt(60^2 + 15^2)) = 0.2292 + 0.1853 deg. A thin round there bends it as little about its
 /// level axis, which lies across the line in plan.
 TEST(LineChecks, ABendInPlanDoesNotHoldTheRopeOnASupport) {
   const auto run_over = [](const std::string& diameter) {
-    return run_text(R"(taut: 1
-machine:
-  ropes: {r: {mass: 0 kg/m, stiffness: .inf, breaking_force: 600 kN, diameter: 24 mm}}
-  points: {a: [-50 m, 0 m, 9.8 m], b: [60 m, 15 m, 9.8 m]}
-  supports: {s1: {at: [0 m, 0 m, 10 m], friction: 0, diameter: )" +
-                    diameter + R"(}}
-  reevings: [{name: r, rope: r, path: [{anchor: a}, {over: s1}, {anchor: b}], tension_at_start: 100 kN}]
-analyses: [{equilibrium: {}}]
-checks:
-  ropes: {r: {safety_factor: 3}}
-  lines: {r: {break_angles: true}}
-)");
+    return over_support("[-50 m, 0 m, 9.8 m]", "[60 m, 15 m, 9.8 m]", "at: [0 m, 0 m, 10 m], diameter: " + diameter);
   };
   constexpr double degree = std::numbers::pi / 180;
   const double upright = std::atan(0.2 / 50) + std::atan(0.2 / std::hypot(60, 15));
@@ -298,17 +303,7 @@ checks:
 
 /// On a slope, in one upright plane, it is all of the bend: atan(40/50) - atan(30/50).
 TEST(LineChecks, TheLeastBendOnASlopeIsAllOfIt) {
-  const Result r = run_text(R"(taut: 1
-machine:
-  ropes: {r: {mass: 0 kg/m, stiffness: .inf, breaking_force: 600 kN, diameter: 24 mm}}
-  points: {a: [-30 m, -40 m, -40 m], b: [30 m, 40 m, 30 m]}
-  supports: {s1: {at: [0 m, 0 m, 0 m], friction: 0, diameter: 0 mm}}
-  reevings: [{name: r, rope: r, path: [{anchor: a}, {over: s1}, {anchor: b}], tension_at_start: 100 kN}]
-analyses: [{equilibrium: {}}]
-checks:
-  ropes: {r: {safety_factor: 3}}
-  lines: {r: {break_angles: true}}
-)");
+  const Result r = over_support("[-30 m, -40 m, -40 m]", "[30 m, 40 m, 30 m]", "at: [0 m, 0 m, 0 m], diameter: 0 mm");
   EXPECT_NEAR(check_of(r, "r.s1.least_break_angle").value, std::atan(0.8) - std::atan(0.6), 1e-9);
   EXPECT_NEAR(check_of(r, "r.s1.break_angle").value, std::atan(0.8) - std::atan(0.6), 1e-9);
 }

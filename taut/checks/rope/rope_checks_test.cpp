@@ -506,6 +506,14 @@ TEST(RopeChecks, a_design_by_an_own_factor_takes_no_rope_without_a_rule_of_its_r
   EXPECT_EQ(exit_code(chosen("safety_factor: 4, diameter_ratio: 10", "construction: 6x7, core: FC")), 0);
 }
 
+// A candidate is rejected by what can't be checked of it: its weakening on a sheave of no known diameter.
+TEST(RopeChecks, a_design_takes_no_rope_over_a_sheave_without_diameter) {
+  const std::vector<std::string> point = {"machine.sheaves.head.diameter=0 mm"};
+  const Result r = chosen("field: crane_stay, class: M3, diameter_ratio: 10", "construction: 6x36, core: IWRC", point);
+  EXPECT_EQ(to_text(verdict_of(r)->kind), "no_answer") << r.message;
+  EXPECT_THAT(r.message, HasSubstr("no diameter is known of 'head'"));
+}
+
 // Above 400 degC nobody knows what is left of a steel rope: neither a factor nor the value beside it.
 TEST(RopeChecks, a_rope_too_hot_for_the_tables_has_no_factor) {
   const Result r = run_text(checked("  ropes: {skyline: {field: skyline.ch, core: IWRC, temperature: 401 degC}}"));

@@ -166,18 +166,24 @@ Array<double> head_of(Run& run) {
 /// it does not have.
 constexpr std::size_t per_measure = 7;
 
-/// A number that tells what is observed apart, by its name and all that it says (Fowler, Noll, Vo: FNV-1a, 52 bits).
-double mark_of(const machine::Observable& what) {
+/// All that an observable says. What is numbered among others of its kind may have another number in another deck.
+std::string words_of(const machine::Model& m, const machine::Observable& what) {
   const auto number = [](const auto& x) { return x ? static_cast<double>(*x) : -1.0; };
   std::string all = what.name;
+  if (what.mean_of) all += " over " + words_of(m, m.mean_windows[*what.mean_of]);
   for (const double x : {static_cast<double>(what.quantity), static_cast<double>(what.index), number(what.part),
                          what.at.x(), what.at.y(), what.at.z(), static_cast<double>(what.seen_from), what.factor,
                          what.offset, what.since, static_cast<double>(what.relative), what.has_mean ? 1.0 : 0.0,
-                         what.mean_from, what.mean_to, number(what.mean_of), number(what.joint)}) {
+                         what.mean_from, what.mean_to, number(what.joint)}) {
     all += fmt::format(" {:.17g}", x);
   }
+  return all;
+}
+
+/// A number that tells what is observed apart (Fowler, Noll, Vo: FNV-1a, 52 bits).
+double mark_of(const machine::Model& m, const machine::Observable& what) {
   std::uint64_t hash = 14695981039346656037ULL;
-  for (const char c : all) hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211ULL;
+  for (const char c : words_of(m, what)) hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211ULL;
   return static_cast<double>(hash >> 12U);
 }
 
@@ -191,15 +197,15 @@ void keep_measures(const Run& run, Array<double>& memory) {
   memory.push_back(static_cast<double>(run.model.observed.size()));
   for (std::size_t i = 0; i < run.model.observed.size(); ++i) {
     const Run::Measured& all = run.measured[i];
-    memory.insert(memory.end(), {mark_of(run.model.observed[i]), run.reference[i], all.integral, all.duration, all.t,
-                                 all.value, all.window});
+    memory.insert(memory.end(), {mark_of(run.model, run.model.observed[i]), run.reference[i], all.integral,
+                                 all.duration, all.t, all.value, all.window});
   }
 }
 
 /// Those that the state does not have begin anew; `forgotten` is one that needs what was before.
 void take_measures(Run& run, const Array<double>& memory, std::size_t first, std::size_t kept, std::string& forgotten) {
   for (std::size_t i = 0; i < run.model.observed.size(); ++i) {
-    const double mark = mark_of(run.model.observed[i]);
+    const double mark = mark_of(run.model, run.model.observed[i]);
     bool known = false;
     for (std::size_t k = first; k < first + kept * per_measure; k += per_measure) {
       if (memory[k] != mark) continue;
