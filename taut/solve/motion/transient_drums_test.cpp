@@ -164,6 +164,7 @@ TEST(TransientDrums, WhatSwingsOntoThemComesOffAgain) {
       m.reevings[0].damping_time = 0.002;
       TransientOptions options = from_description(50);
       options.tolerance = 1e-5;
+      options.output_step = 0.01;
       const TransientResult r = run_to_end(m, options);
       const auto lowest_within = [&](double from, double to) {
         double z = 0;
