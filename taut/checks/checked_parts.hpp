@@ -5,7 +5,7 @@
 
 #include "taut/checks/anchor/support_checks.hpp"
 #include "taut/checks/checked_deck.hpp"
-#include "taut/checks/drive_uses.hpp"
+#include "taut/checks/drive/drive_uses.hpp"
 #include "taut/checks/guy/guy_checks.hpp"
 #include "taut/checks/judge.hpp"
 #include "taut/checks/limits_of_payloads.hpp"

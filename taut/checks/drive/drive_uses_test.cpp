@@ -1,4 +1,4 @@
-#include "taut/checks/drive_uses.hpp"
+#include "taut/checks/drive/drive_uses.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

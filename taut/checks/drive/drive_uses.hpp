@@ -7,7 +7,8 @@
 
 #include "taut/base/array.hpp"
 #include "taut/calc/result.hpp"
-#include "taut/checks/dragged.hpp"
+#include "taut/checks/drive/dragged.hpp"
+#include "taut/checks/drive/shown_loads.hpp"
 #include "taut/solve/drives.hpp"
 #include "taut/solve/equilibrium.hpp"
 
@@ -67,14 +68,13 @@ class DriveUses {
   struct Slide {
     double way = 0, speed = 0;  ///< m, so far in the motion that is shown now; m/s, at its last moment
   };
-  std::vector<Slide> slides_;                           // by contact
-  Dragged dragged_;                                     // what gives way to its load in it
-  double last_moment_ = 0;                              // s, of that motion
-  std::map<std::string, std::string> unbraked_;         // drums whose brake does not hold; drives that give way
-  std::map<std::string, std::string> unloaded_brakes_;  // drums that no state shows by their brake: where
+  std::vector<Slide> slides_;                    // by contact
+  Dragged dragged_;                              // what gives way to its load in it
+  double last_moment_ = 0;                       // s, of that motion
+  std::map<std::string, std::string> unbraked_;  // drums whose brake does not hold; drives that give way
+  ShownLoads brakes_;                            // drums: by their brake, or as they turn, or bear nothing
   std::map<std::string, std::string> paid_out_;  // ropes that a state shows as they run off their drum, with losses
   std::set<std::string> hauled_;                 // ropes that a state shows otherwise
-  std::set<std::string> braked_;                 // drums whose brake acts in full in a motion: their slip judges it
   std::map<std::string, std::string> layers_;    // drums with more layers than they are calculated with
   std::map<std::string, std::string> yielding_;  // cylinders at their force limit
   struct Turns {

@@ -1,4 +1,4 @@
-#include "taut/checks/dragged.hpp"
+#include "taut/checks/drive/dragged.hpp"
 
 #include <fmt/format.h>
 

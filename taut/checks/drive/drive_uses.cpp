@@ -1,9 +1,10 @@
-#include "taut/checks/drive_uses.hpp"
+#include "taut/checks/drive/drive_uses.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <utility>
 
@@ -19,6 +20,9 @@ namespace {
 /// Of the way of a rim, and of its radius: below, a rope creeps on it as in every start, above it slips.
 constexpr double least_slip = 0.01, least_way = 1e-3;
 constexpr double least_slide = 0.1;  ///< of the radius: a way that no creep beside a jump of tension makes
+
+/// What a motion shows of a part, it shows under whatever the part bears there.
+constexpr double any_load = std::numeric_limits<double>::infinity();
 
 constexpr double standing = 1e-6;  ///< m/s; a drum that is slower stands
 
@@ -101,6 +105,24 @@ std::map<int, DrumLoad> loads_of(const Array<solve::DrumResult>& ends, const Arr
   }
   for (auto& [drum, load] : loads) load.torque = std::abs(load.torque);
   return loads;
+}
+
+/// The smallest tension of a rope, N. Where it runs over losses its pull at rest is at least that.
+double least_tension_of(const solve::EquilibriumResult& state, int reeving) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const solve::BranchResult& branch : state.branches) {
+    if (branch.reeving == reeving) least = std::min({least, branch.T_from, branch.T_to});
+  }
+  return least;
+}
+
+/// What a drum bears at least when the machine of a state stands, as a share of what it bears in that state.
+double share_at_rest(const Array<solve::DrumResult>& ends, const solve::EquilibriumResult& state, int drum) {
+  double share = 1;
+  for (const solve::DrumResult& d : ends) {
+    if (d.drum == drum && d.pull > 0) share = std::min(share, least_tension_of(state, d.reeving) / d.pull);
+  }
+  return share;
 }
 
 /// Where the torque of a drum is given, the rope's tension follows from it, or it is a limit; not of a drum whose brake
@@ -353,10 +375,13 @@ void DriveUses::take(const machine::Model& m, const solve::EquilibriumResult& st
       continue;
     }
     if (!stands_by_brake(m.drums[drum])) continue;
+    const std::string& name = m.drums[drum].name;
     if (load.stands) {
       add_brake_check(m.drums[drum], load, made);
+      brakes_.show(name, {.weight = weight_of(m), .least = load.torque});
     } else {
-      unloaded_brakes_.try_emplace(m.drums[drum].name, words);
+      const double least = load.torque * share_at_rest(ends, state, drum);
+      brakes_.leave_out(name, {.weight = weight_of(m), .least = least}, words);
     }
   }
   check_capacities(m, ends, made);
@@ -388,12 +413,13 @@ void DriveUses::take_moment(const machine::Model& m, const solve::TransientFrame
   check_capacities(m, drums, made);
   for (const auto& [drum, load] : loads_of(drums, {})) {
     if (!m.drums[drum].brake) continue;
-    if (frame.drums[drum].braked) add_brake_check(m.drums[drum], load, made);
-    // a motion lets a drum stand whatever that takes, but in a brake that is set
-    if (!frame.drums[drum].held) continue;
-    // one that is driven at other times stands without a load before it takes one: that shows nothing
-    if (m.drums[drum].drive.kind == machine::DriveKind::held || load.torque > 0)
-      add_brake_check(m.drums[drum], load, made);
+    // a motion lets a drum stand whatever that takes, but in a brake that is set; one that is driven at other times
+    // stands without a load before it takes one: that shows nothing
+    const bool by_itself =
+        frame.drums[drum].held && (m.drums[drum].drive.kind == machine::DriveKind::held || load.torque > 0);
+    if (!by_itself && !frame.drums[drum].braked) continue;
+    add_brake_check(m.drums[drum], load, made);
+    brakes_.show(m.drums[drum].name, {.weight = weight_of(m), .least = load.torque});
   }
   for (const auto& d : drums) {
     keep_turns(m, d, when);
@@ -441,7 +467,9 @@ void DriveUses::keep_slip(const machine::Node& node, double slipped, double limi
 void DriveUses::take_set_brakes(const machine::Model& m, const solve::TransientFrame& rest, const std::string& words) {
   std::vector<Check> made;
   for (const auto& [drum, load] : loads_of(solve::drums(m, rest), {})) {
-    if (stands_by_brake(m.drums[drum]) && m.drums[drum].drive.brake) add_brake_check(m.drums[drum], load, made);
+    if (!stands_by_brake(m.drums[drum]) || !m.drums[drum].drive.brake) continue;
+    add_brake_check(m.drums[drum], load, made);
+    brakes_.show(m.drums[drum].name, {.weight = weight_of(m), .least = load.torque});
   }
   keep(std::move(made), words);
 }
@@ -454,10 +482,10 @@ void DriveUses::take(const machine::Model& m, const solve::TransientResult& moti
   for (std::size_t d = 0; d < m.drums.size(); ++d) {
     const machine::Drum& drum = m.drums[d];
     if (!stands_by_brake(drum)) continue;
-    if (d < motion.brake_ways.size() && motion.brake_ways[d].acted) {
-      braked_.insert(drum.name);
+    if (d < motion.brake_ways.size() && motion.brake_ways[d].acted) {  // its slip judges it
+      brakes_.show(drum.name, {.weight = weight_of(m), .least = any_load});
     } else {
-      unloaded_brakes_.try_emplace(drum.name, words);
+      brakes_.leave_out(drum.name, {.weight = weight_of(m)}, words);
     }
   }
   for (const machine::Reeving& rope : m.reevings) hauled_.insert(rope.name);
@@ -515,14 +543,18 @@ std::string part_of_drive(const std::string& name) { return "drive " + name; }
 
 void DriveUses::add_checks(Result& r) const {
   for (const auto& [name, check] : worst_) r.checks.push_back(check);
-  for (const auto& [drum, words] : unloaded_brakes_) {
-    if (braked_.contains(drum) || worst_.contains(drum + ".brake_torque")) continue;
-    leave_unmade(
-        r,
-        fmt::format("{}.brake_torque is not checked: the drum turns, or bears nothing, in every state ({}); add "
-                    "an analysis at rest",
-                    drum, words),
-        {.part = part_of_drive(drum)});
+  for (const auto& [drum, missing] : brakes_.missing()) {
+    const std::string words =
+        missing.by_less
+            ? fmt::format(
+                  "{}.brake_torque is checked under less load only than the drum turns with ({}): add an "
+                  "analysis at rest with that load",
+                  drum, missing.words)
+            : fmt::format(
+                  "{}.brake_torque is not checked: the drum turns, or bears nothing, in every state ({}); add "
+                  "an analysis at rest",
+                  drum, missing.words);
+    leave_unmade(r, words, {.part = part_of_drive(drum)});
   }
   for (const auto& [rope, words] : paid_out_) {
     if (!hauled_.contains(rope)) leave_unmade(r, words, {.part = rope});
