@@ -5,11 +5,15 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <iterator>
 #include <map>
+#include <utility>
 
 #include "taut/app/fingerprint.hpp"
 #include "taut/base/on_limit.hpp"
 #include "taut/calc/answers.hpp"
+#include "taut/calc/shown.hpp"
+#include "taut/calc/verdict.hpp"
 #include "taut/io/deck/deck.hpp"
 #include "taut/io/deck/include.hpp"
 #include "taut/io/deck/override.hpp"
@@ -118,12 +122,24 @@ class DeckRuns {
     for (const Diagnostic& d : made.errors) r.errors.push_back(d);
     r.interrupted = r.interrupted || made.interrupted;
     hashes.push_back(made.deck_hash);
+    tell_of(one, made);
     return made;
   }
 
   std::vector<std::string> hashes;
+  std::vector<std::string> flaws;  ///< of the decks by their own checks, a sentence for each deck
 
  private:
+  /// What a deck says against its own result: the check that fails, and what makes its answer unsafe.
+  void tell_of(const ComparedValue& one, const Result& made) {
+    const std::optional<Verdict> verdict = verdict_of(made);
+    std::vector<std::string> against = made.unsafe;
+    if (verdict && verdict->kind == VerdictKind::fails) against.insert(against.begin(), verdict->reason);
+    if (against.empty()) return;
+    const std::string with = one.set.empty() ? std::string{} : fmt::format(" with {}", fmt::join(one.set, ", "));
+    flaws.push_back(fmt::format("{}{}, by its own checks: {}", one.deck, with, fmt::join(against, "; ")));
+  }
+
   const Job& set_;
   fs::path folder_;
   std::size_t count_;
@@ -175,12 +191,22 @@ double tolerance_of(const std::optional<std::string>& text, double value, const 
 }
 
 struct ComparedRow {
-  std::string what, deck, note, message;
+  std::string what, deck, note, message, deck_verdict;
   Unit unit;
   double value = no_value, published = no_value, tolerance = no_value, reference = no_value,
          reference_tolerance = no_value;
 
-  static bool within(double x, double of, double by) { return std::abs(x - of) <= by + rounding_on(by); }
+  /// What rounding alone puts between two numbers is no miss, whatever is demanded.
+  static bool within(double x, double of, double by) {
+    constexpr double rounding = 1e-12;  // of the numbers
+    const double own = rounding * std::max(std::abs(x), std::abs(of));
+    return std::abs(x - of) <= by + std::max(rounding_on(by), own);
+  }
+  /// How far one is off; what is within rounding of the tolerance is on it.
+  static double off(double x, double of, double by) {
+    const double far = std::abs(x - of);
+    return within(x, of, by) ? std::min(far, by) : far;
+  }
   bool demanded() const { return !std::isnan(tolerance) || !std::isnan(reference_tolerance); }
   bool near_published() const { return std::isnan(tolerance) || within(value, published, tolerance); }
   bool near_reference() const {
@@ -242,6 +268,8 @@ const Quantities<ShownRow>& compared_quantities() {
        [](const Row& r) { return r.deviation(r.row.reference, r.row.reference_tolerance); }},
       {"verdict", "", si::one, "agrees, shown only, or what it is off; why there is no result",
        [](const Row& r) { return verdict_of_row(r.row); }},
+      {"deck_verdict", "", si::one, "the verdict of the deck by its own checks; the set does not count it",
+       [](const Row& r) { return r.row.deck_verdict; }},
       {"note", "", si::one, "the remark of the set", [](const Row& r) { return r.row.note; }}};
   return all;
 }
@@ -263,7 +291,7 @@ void add_compared_checks(const std::vector<ComparedRow>& rows, Result& r) {
   for (const ComparedRow& row : rows) {
     const auto add = [&](const char* to, double of, double by, const char* rule) {
       if (std::isnan(by)) return;
-      r.checks.push_back(make_check(fmt::format("{} {}", row.what, to), std::abs(row.value - of),
+      r.checks.push_back(make_check(fmt::format("{} {}", row.what, to), ComparedRow::off(row.value, of, by),
                                     difference_of(row.unit),
                                     {.sense = Sense::at_most, .limit = by, .rule = rule, .trust = "user"}));
       r.checks.back().part = case_of_row(row.what);
@@ -355,8 +383,10 @@ void tell_misses(const std::vector<ComparedRow>& rows, const Display& display, R
   for (const ComparedRow& row : rows) {
     if (std::isnan(row.value) || (row.near_published() && row.near_reference())) continue;
     const bool off_reference = off_by(row).by_reference();
-    r.warnings.push_back(fmt::format("{}: {} instead of {} ({}); {}", row.what, display.quantity(row.value, row.unit),
-                                     display.quantity(off_reference ? row.reference : row.published, row.unit),
+    const double wanted = off_reference ? row.reference : row.published;
+    std::pair is{display.quantity(row.value, row.unit), display.quantity(wanted, row.unit)};
+    if (is.first == is.second) is = brief_apart(row.value, wanted, row.unit, display);
+    r.warnings.push_back(fmt::format("{}: {} instead of {} ({}); {}", row.what, is.first, is.second,
                                      off_reference ? "reference" : "published",
                                      row.note.empty() ? "no reason is stated" : row.note));
   }
@@ -367,6 +397,7 @@ ComparedRow compared_row(const ComparedValue& one, const io::Node& at, const Res
   row.what = one.what;
   row.deck = one.deck;
   row.note = one.note.value_or("");
+  if (const auto verdict = verdict_of(of)) row.deck_verdict = headline(verdict->kind);
   const Value* value = of.find_value(one.value);
   if (value == nullptr) {
     row.message = of.status == Status::ok ? fmt::format("no value '{}'", one.value) : of.message;
@@ -447,6 +478,7 @@ Result compare(const Job& job) {
     if (std::find(r.warnings.begin(), r.warnings.end(), reported) == r.warnings.end())
       r.warnings.push_back(std::move(reported));
   }
+  std::move(runs.flaws.begin(), runs.flaws.end(), std::back_inserter(r.warnings));
   for (const std::string& erratum : set.errata)
     r.assumptions.push_back(fmt::format("Erratum of the source: {}", erratum));
   finish_answers(r);

@@ -52,6 +52,45 @@ TEST_F(Compare, ShowsTheUnitsOfItsDisplay) {
   expect_mistake(run(row, "display: {force: kgm}\n"), "display: ");
 }
 
+// What a deck says of itself stays beside its values: a check that fails, once for all its rows, and each deck's
+// verdict.
+TEST_F(Compare, TellsWhatItsDecksSayAgainstThemselves) {
+  write("weak.yaml", R"(taut: 1
+machine:
+  points: {top: [0 m, 0 m, 10 m]}
+  ropes: {line: {mass: 0 kg/m, stiffness: 10 MN, breaking_force: 20 kN}}
+  bodies: {hook: {mass: 1 t, at: [0 m, 0 m, 5 m], free: [x, z]}}
+  reevings: [{rope: line, path: [{anchor: top}, {anchor: hook}], length: 5 m}]
+checks: {ropes: {line: {safety_factor: 3}}}
+)");
+  const taut::Result r =
+      run("    - {what: a, deck: weak.yaml, value: T_max, published: 9.8 kN, tolerance: 1 %}\n"
+          "    - {what: b, deck: weak.yaml, value: line.T_max, published: 9.8 kN, tolerance: 1 %}\n"
+          "    - {what: c, deck: hanging.yaml, value: T_max, published: 9.8 kN, tolerance: 1 %}\n");
+  ASSERT_EQ(r.status, taut::Status::ok) << r.message << to_text(r.errors);
+  ASSERT_EQ(r.warnings.size(), 1U) << fmt::format("{}", fmt::join(r.warnings, "\n"));
+  EXPECT_NE(r.warnings[0].find("weak.yaml, by its own checks: "), std::string::npos) << r.warnings[0];
+  EXPECT_NE(r.warnings[0].find("line.safety_factor"), std::string::npos) << r.warnings[0];
+  const taut::Table& t = table_of(r, "compared");
+  EXPECT_EQ(text_cell(t, 0, "deck_verdict"), "Fails");
+  EXPECT_EQ(text_cell(t, 2, "deck_verdict").substr(0, 10), "Not judged");
+  for (const taut::Check& c : r.checks) EXPECT_TRUE(c.passes) << c.name;
+}
+
+// 9806.65 N come out of an iteration with a last digit of their own: "9.8066 kN instead of 9.8066 kN" helped nobody.
+TEST_F(Compare, RoundingIsNoMissAndAMissReadsAsOne) {
+  const taut::Result r =
+      run("    - {what: a, deck: hanging.yaml, value: T_max, published: 9806.65 N, tolerance: 0 N}\n"
+          "    - {what: b, deck: hanging.yaml, value: T_max, published: 9806.6501 N, tolerance: 0 N}\n"
+          "    - {what: c, deck: hanging.yaml, value: T_max, published: 9806.650000005 N, tolerance: 0 N}\n");
+  ASSERT_EQ(r.checks.size(), 3U) << r.message << to_text(r.errors);
+  EXPECT_TRUE(r.checks[0].passes) << r.checks[0].value;
+  EXPECT_FALSE(r.checks[1].passes);
+  EXPECT_TRUE(r.checks[2].passes) << "1e-12 of it";
+  ASSERT_EQ(r.warnings.size(), 1U);
+  EXPECT_EQ(r.warnings[0].substr(0, 60), "b: 9.8066 kN instead of 9.8067 kN (published); no reason is ");
+}
+
 TEST_F(Compare, PutsPublishedReferenceAndResultBesideEachOther) {
   const taut::Result r =
       run("    - {what: a, deck: hanging.yaml, value: T_max, published: 9.8 kN, tolerance: 1 %, reference: 9807 N, "

@@ -8,6 +8,9 @@
 #include <optional>
 #include <vector>
 
+#include "taut/app/cases/read_cases.hpp"
+#include "taut/app/cases/study/calibrate.hpp"
+#include "taut/app/cases/study/study.hpp"
 #include "taut/app/fingerprint.hpp"
 #include "taut/app/method_deck.hpp"
 #include "taut/app/prepare_machine.hpp"
@@ -108,6 +111,14 @@ Result run(const Job& job) {
   return r;
 }
 
-Diagnostics check(const Job& job) { return prepare(job).mistakes; }
+Diagnostics check(const Job& job) {
+  Diagnostics mistakes = prepare(job).mistakes;
+  if (!mistakes.empty()) return mistakes;
+  const auto read = read_cases(job);
+  if (!read) return mistakes;
+  for (const auto& more : {check_study(*read), check_calibration(*read)})
+    mistakes.insert(mistakes.end(), more.begin(), more.end());
+  return mistakes;
+}
 
 }  // namespace taut::app

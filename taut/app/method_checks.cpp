@@ -164,7 +164,8 @@ void judge_own_factor(const rope::RopeUse& use, const rope::RopeRules& rules, Re
   if (!use.own_factor || !(use.rope.breaking_force > 0)) return;
   const std::string part = use.name + " rope", name = fmt::format("safety factor of the {}", part);
   if (!rules.no_strength.empty()) {
-    leave_unmade(r, fmt::format("{} is not checked: {}", name, rules.no_strength), {.part = use.name});
+    leave_unmade(r, fmt::format("{} is not checked: {}", name, rules.no_strength),
+                 {.part = {.kind = PartKind::rope, .name = use.name}});
     return;
   }
   const double share = rope::heat_share(rules);

@@ -185,7 +185,7 @@ Outcome put_up(const MachineDeck& deck, machine::Model& model, PutUpStates& stat
 void add_payload_limits(const std::vector<study::Asked>& asked, results::MachineRun& run) {
   for (const study::Asked& one : asked) {
     const auto* payload = std::get_if<study::PayloadRun>(&one.question);
-    if (payload != nullptr && one.judged) run.checked->payloads.add(*payload, run.model);
+    if (payload != nullptr && one.judged) run.checked->payloads.add(*payload, *run.checked->deck, run.model);
   }
 }
 
@@ -405,12 +405,13 @@ std::set<std::string> judged_names(const results::MachineRun& run, bool more, co
   return names;
 }
 
-/// Ropes whose tension at rest says nothing of their motions, each with why.
+/// Ropes whose tension at rest says nothing of their motions, each with why, and with what helps.
 std::map<std::string, std::string> ropes_beyond_rest(const results::MachineRun& run) {
   std::map<std::string, std::string> found;
   for (std::size_t i = 0; i < run.model.reevings.size(); ++i) {
     const rope::RopeUse& use = run.checked->ropes.of(i);
-    if (!rope::rest_is_known(use)) found.emplace(use.name, rope::why_rest_is_unknown(use));
+    if (rope::rest_is_known(use)) continue;
+    found.emplace(use.name, fmt::format("{}; {}", rope::why_rest_is_unknown(use), rope::how_to_know_rest(use)));
   }
   return found;
 }

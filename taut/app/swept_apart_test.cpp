@@ -136,6 +136,28 @@ TEST(SweptApart, ARopeThatOneStateLoadsIsJudged) {
   EXPECT_EQ(std::count(none.warnings.begin(), none.warnings.end(), words), 1);
 }
 
+/// The motion breaks the hoist, and the load falls onto its tag line above, which every value of the sweep leaves
+/// slack: the motion judges it, though nothing lasts on it in its 2 s.
+TEST(SweptApart, ARopeThatAMotionLoadsIsJudged) {
+  const Result r = run_text(R"(taut: 1
+machine:
+  points: {a: [0 m, 0 m, 0 m], b: [0 m, 0 m, 12 m]}
+  ropes: {r: {mass: 0 kg/m, stiffness: 1 MN, breaking_force: 500 kN, diameter: 14 mm, damping_ratio: 0.1}}
+  bodies: {load: {mass: 500 kg, at: [0 m, 0 m, -6 m], free: [z]}}
+  reevings:
+    - {rope: r, name: hoist, path: [{anchor: a}, {anchor: load}], length: 6 m}
+    - {rope: r, name: tag, path: [{anchor: b}, {anchor: load}], length: 18.1 m, may_slack: true}
+  events: [{at: 0.5 s, break: hoist}]
+analyses:
+  - transient: {duration: 2 s, output_step: 10 ms}
+  - sweep: {parameter: points.b.at.z, from: 11.9 m, to: 12 m, steps: 2}
+checks: {ropes: {r: {safety_factor: 5}}}
+)");
+  ASSERT_TRUE(verdict_of(r)) << r.message << to_text(r.errors);
+  EXPECT_THAT(r.unmade, IsEmpty()) << r.unmade.front();
+  EXPECT_TRUE(check_of(r, "tag.safety_factor").passes);
+}
+
 /// What is exempt is not left unmade, and no warning of it is unsafe.
 TEST(SweptApart, WhatIsExemptIsOutWithAllThatIsSaidOfIt) {
   const std::string more = "analyses: [{equilibrium: {}}]\nchecks: {ropes: {r: {safety_factor: 5}}";

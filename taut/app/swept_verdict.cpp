@@ -53,8 +53,9 @@ bool SweptVerdict::is_new(const std::string& sentence) { return known_.insert(wi
 
 bool SweptVerdict::is_new(const std::string& kind, const std::string& sentence, const About& about) {
   // what no state loads is one thing, whichever states the sentence names
-  return about.no_load.empty() ? is_new(fmt::format("{} {} {}", kind, about.part, sentence))
-                               : known_.insert(kind + " " + about.no_load).second;
+  return about.no_load.empty()
+             ? is_new(fmt::format("{} {} {} {}", kind, static_cast<int>(about.part.kind), about.part.name, sentence))
+             : known_.insert(kind + " " + about.no_load).second;
 }
 
 void SweptVerdict::take(Result at, const std::string& words) {

@@ -85,9 +85,11 @@ TEST(SweptVerdict, NamesWithNumbersAreNotTakenForAnother) {
 TEST(SweptVerdict, WhatOneStateLoadsIsNotMissingInAnother) {
   const auto none = [](const std::string& state) {
     Result r;
-    leave_unmade(r, "a is not checked: nothing pulls at it (" + state + ")", {.part = "a", .no_load = "anchor a"});
-    leave_unmade(r, "b.turn is not checked: it stands (" + state + ")", {.part = "b"});
-    leave_unmade(r, "c is not checked: it has no diameter", {.part = "c"});
+    leave_unmade(r, "a is not checked: nothing pulls at it (" + state + ")",
+                 {.part = {.kind = PartKind::point, .name = "a"}, .no_load = "anchor a"});
+    leave_unmade(r, "b.turn is not checked: it stands (" + state + ")",
+                 {.part = {.kind = PartKind::drum, .name = "b"}});
+    leave_unmade(r, "c is not checked: it has no diameter", {.part = {.kind = PartKind::rope, .name = "c"}});
     return r;
   };
   const auto all_of = [&](Result last) {

@@ -183,6 +183,70 @@ machine:
   }
 }
 
+// 1 t falls by 0.3 m into its rope: sqrt(2 m g h EA/L) is 49 kN above its weight, so that the peak is 59 kN beside
+// 9.8 kN at rest. The deck has that analysis at rest, in either order: to add it does not help.
+TEST(VerdictDeck, APeakBeyondAnAnalysisAtRestAsksForNoOtherOne) {
+  const auto snatched = [](const std::string& analyses) {
+    const Result r = run_text(R"(taut: 1
+machine:
+  points: {top: [0 m, 0 m, 0 m]}
+  ropes: {r: {mass: 0 kg/m, stiffness: 4 MN, breaking_force: 130 kN}}
+  bodies: {w: {mass: 1 t, at: [0 m, 0 m, -9.7 m], free: [x, z]}}
+  reevings: [{rope: r, path: [{anchor: top}, {anchor: w}], length: 10 m}]
+checks: {ropes: {r: {safety_factor: 3}}}
+analyses: [)" + analyses + "]\n");
+    EXPECT_EQ(exit_code(r), 4) << to_text(r.errors);
+    return verdict_of(r)->reason;
+  };
+  const std::string motion = "transient: {duration: 1 s, start: assembled, output_step: 5 ms, damping_ratio: 0}";
+  EXPECT_NE(snatched(motion).find("add an analysis at rest"), std::string::npos) << snatched(motion);
+  for (const std::string& both : {motion + ", equilibrium: {}", "equilibrium: {}, " + motion}) {
+    const std::string reason = snatched(both);
+    EXPECT_NE(reason.find("the motion reaches 59"), std::string::npos) << reason;
+    EXPECT_EQ(reason.find("add an analysis at rest"), std::string::npos) << reason;
+    EXPECT_NE(reason.find("less slack"), std::string::npos) << reason;
+  }
+}
+
+/// A line of 600 m with a sag of 33 m over a hill between two points of a motion's polygon, at rest and in a motion.
+Result over_a_hill(double peak, const std::string& analysis, int segments = 1, double length = 604.2) {
+  return run_text(fmt::format(R"(taut: 1
+machine:
+  points: {{a: [0 m, 0 m, 42 m], b: [600 m, 0 m, 42 m]}}
+  ropes: {{sky: {{mass: 2 kg/m, stiffness: 25 MN, breaking_force: 400 kN, damping_ratio: 0.1}}}}
+  reevings: [{{rope: sky, path: [{{anchor: a}}, {{anchor: b}}], length: {} m, segments: {}}}]
+  terrain: {{x: [0 m, 258.75 m, 318.75 m, 378.75 m, 600 m], z: [0 m, 0 m, {} m, 0 m, 0 m]}}
+analyses: [{}]
+checks: {{ropes: {{sky: {{safety_factor: 2}}}}}}
+)",
+                              length, segments, peak, analysis));
+}
+
+// The points of its pictures lie on the catenary, and the chords between them up to sag/16^2 = 0.13 m above it: at rest
+// the hill was 0.052 m above the rope, and in the motion 0.079 m below it.
+TEST(VerdictDeck, AMotionAtRestClearsTheGroundAsTheStaticsDo) {
+  const auto clearance = [](const Result& r) { return taut_test::value_of(r, "rope_clearance_min"); };
+  for (const double peak : {9.05, 6.95}) {
+    const double exact = clearance(over_a_hill(peak, "equilibrium: {}"));
+    const Result motion = over_a_hill(peak, "transient: {duration: 0.1 s, tolerance: 1e-4, branches: catenary}");
+    EXPECT_NEAR(clearance(motion), exact, 1e-6) << peak;
+    EXPECT_EQ(exit_code(motion) == 4, exact < 0) << verdict_of(motion)->reason;
+    // A chain of the same length hangs deeper, as it is longer than its chords by W^2/(24 T^2) of each: so it is safe,
+    // and the nearer to the rope the more segments it has.
+    double before = 1;
+    for (const int n : {6, 12, 24}) {
+      const double chain = clearance(over_a_hill(peak, "transient: {duration: 0.1 s, tolerance: 1e-4}", n));
+      EXPECT_LT(chain, exact + 1e-3) << n;
+      EXPECT_LT(exact - chain, before) << n;
+      before = exact - chain;
+    }
+  }
+  // a straight branch has the length of the rope, and hangs as it would; here 15 m deep
+  const std::string straight = "transient: {duration: 0.1 s, tolerance: 1e-4, branches: straight}";
+  EXPECT_NEAR(clearance(over_a_hill(9, straight, 1, 599.7)), clearance(over_a_hill(9, "equilibrium: {}", 1, 599.7)),
+              1e-6);
+}
+
 TEST(VerdictDeck, ARopeThatMaySlackIsNoNewsInAMotion) {
   // a winch that lets the rope out faster than its load falls; the rope has two branches
   const auto with = [](const std::string& slack) {

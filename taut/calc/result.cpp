@@ -211,15 +211,26 @@ void leave_unmade(Result& r, std::string sentence, About about) {
   r.warnings.push_back(std::move(sentence));
 }
 
-AboutPart::AboutPart(Result& r, std::string part)
-    : r_(r), part_(std::move(part)), unmade_(r.unmade.size()), unsafe_(r.unsafe.size()) {}
+AboutPart::AboutPart(Result& r, Part part)
+    : r_(r),
+      part_(std::move(part)),
+      checks_(r.checks.size()),
+      unmade_(r.unmade.size()),
+      unjudged_(r.unjudged.size()),
+      unsafe_(r.unsafe.size()) {}
 
 AboutPart::~AboutPart() {
   const auto name = [this](const std::vector<std::string>& sentences, std::size_t from) {
     for (std::size_t i = from; i < sentences.size(); ++i) r_.about.try_emplace(sentences[i], About{.part = part_});
   };
   name(r_.unmade, unmade_);
+  name(r_.unjudged, unjudged_);
   name(r_.unsafe, unsafe_);
+  for (std::size_t i = checks_; i < r_.checks.size(); ++i) {
+    Check& check = r_.checks[i];
+    if (check.part.empty()) check.part = part_.name;
+    if (check.kind == PartKind::unknown && check.part == part_.name) check.kind = part_.kind;
+  }
 }
 
 void drop_loaded(Result& r) {
@@ -236,15 +247,18 @@ void drop_loaded(Result& r) {
   drop(r.warnings);
 }
 
-void take_out(const std::vector<std::string>& parts, Result& r) {
+void take_out(const std::vector<Part>& parts, Result& r) {
+  const auto has = [&](const Part& part) { return std::find(parts.begin(), parts.end(), part) != parts.end(); };
   const auto is_out = [&](const std::string& sentence) {
     const auto found = r.about.find(sentence);
-    return found != r.about.end() && std::find(parts.begin(), parts.end(), found->second.part) != parts.end();
+    return found != r.about.end() && has(found->second.part);
   };
+  std::erase_if(r.checks, [&](const Check& check) { return has(part_of(check)); });
   for (const std::string& one : r.unmade) {
     if (is_out(one)) std::erase(r.warnings, one);
   }
   std::erase_if(r.unmade, is_out);
+  std::erase_if(r.unjudged, is_out);
   std::erase_if(r.unsafe, is_out);
 }
 

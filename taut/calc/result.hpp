@@ -5,6 +5,7 @@
 #include <memory>
 #include <set>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -43,6 +44,17 @@ struct Doubt {
 
 /// A value compared with a limit. utilisation: value/limit (at_most) or limit/value (at_least), <= 1 exactly when the
 /// check passes; NaN where that is no measure (make_check).
+/// What a part of a machine is. Its name alone does not say it: a rope often has that of its drum.
+enum class PartKind { unknown, rope, beam, mast, drum, sheave, carriage, point, body, contact, cylinder, yarder };
+
+struct Part {
+  PartKind kind = PartKind::unknown;
+  std::string name = {};  ///< empty: the whole machine, or not known
+
+  bool operator==(const Part&) const = default;
+  bool operator<(const Part& other) const { return std::tie(name, kind) < std::tie(other.name, other.kind); }
+};
+
 struct Check {
   std::string name;
   double value = 0;
@@ -54,6 +66,7 @@ struct Check {
   std::string rule;   ///< the rule and its source in words
   std::string trust;  ///< trust in the limit: "verified", "derived", "UNVERIFIED: ...", "user"
   std::string part;   ///< part of the machine, "skyline", by which the report groups; empty: the whole machine
+  PartKind kind = PartKind::unknown;  ///< what that part is
   /// False for breaking force, yield and ground: such a check can fail, but it does not count as the limit of a part.
   bool limits = true;
   /// The ropes and beams whose strength it limits: they are judged by it. Empty: a limit of something else, a
@@ -65,6 +78,7 @@ struct Check {
   /// All unverified numbers that have a part in it. Empty, and `trust` is unverified: the limit alone, as in `rule`.
   std::vector<Doubt> doubts = {};
 };
+inline Part part_of(const Check& check) { return {.kind = check.kind, .name = check.part}; }
 /// Whether a check is the limit that a rope or a beam needs to be judged.
 inline bool judges(const Check& check, const std::string& part) {
   return check.limits && std::find(check.covers.begin(), check.covers.end(), part) != check.covers.end();
@@ -192,7 +206,7 @@ struct Project {
 
 /// What a sentence of `unmade`, or an unsafe warning, is about.
 struct About {
-  std::string part;  ///< empty: the whole machine, or not known
+  Part part = {};
   /// It says that no state loads this, "rope w, loaded": what nothing loads needs no check. Empty: no such sentence.
   std::string no_load = {};
 };
@@ -228,12 +242,15 @@ struct Result {
   std::vector<MissingStates> missing;  ///< by analysis
   std::vector<std::string> unmade;     ///< checks that the deck asks for and that yield no number, one sentence each
   std::vector<std::string> unjudged;   ///< parts that need a limit and have none
-  std::map<std::string, About> about;  ///< of sentences in `unmade` and `unsafe`, as far as it is known
+  std::map<std::string, About> about;  ///< of sentences in `unmade`, `unjudged`, `unsafe`, as far as it is known
   std::set<std::string> loaded;        ///< what states load, see About::no_load; also those of other values of a sweep
   std::vector<std::string> exempt;     ///< parts that the deck takes out of the verdict
   std::vector<std::string> left_out;   ///< analyses that the deck takes out of the verdict: `judge: false`
   std::vector<std::string> beside;     ///< parts that the verdict does not cover: anchors, sheaves, carriages
   std::string preface;                 ///< put before the sentence of the verdict: "The deck breaks the skyline at 2 s"
+  /// Ropes, sections and values that the calculation itself has chosen, by their part; a study of many cases tells
+  /// where they choose otherwise.
+  std::map<std::string, std::string> choices;
   std::vector<Answer> answers;  ///< the main answer, line by line: page 1 of the report and the head of the terminal
   std::string key_figure;       ///< name of the figure of page 1; empty: the first
   std::string headline;         ///< the main answer where it is not a utilisation: "Carries 2.96 t, least at ..."
@@ -264,26 +281,28 @@ void warn_unsafe(Result& r, std::string sentence);
 /// Leaves a check unmade, and warns of it.
 void leave_unmade(Result& r, std::string sentence, About about);
 
-/// While it lives, what is left unmade or warned of as unsafe is about one part, unless it is said to be about another.
+/// While it lives, checks and what is left unmade, without a limit, or warned of as unsafe are about one part, unless
+/// they are said to be about another.
 class AboutPart {
  public:
-  AboutPart(Result& r, std::string part);
+  AboutPart(Result& r, Part part);
   ~AboutPart();
   AboutPart(const AboutPart&) = delete;
   AboutPart& operator=(const AboutPart&) = delete;
 
  private:
   Result& r_;
-  std::string part_;
-  std::size_t unmade_, unsafe_;
+  Part part_;
+  std::size_t checks_, unmade_, unjudged_, unsafe_;
 };
 
 /// Drops what says that no state loads a thing which `loaded` has, and of several such sentences of one thing all but
 /// the first.
 void drop_loaded(Result& r);
 
-/// Takes parts out: what is left unmade of them goes, what is unsafe of them stays as a plain warning.
-void take_out(const std::vector<std::string>& parts, Result& r);
+/// Takes parts out: their checks go, and what is left unmade or without a limit of them; what is unsafe of them stays
+/// as a plain warning.
+void take_out(const std::vector<Part>& parts, Result& r);
 
 /// The numbers of an output struct that were computed (not NaN), in the order of its description.
 std::vector<Value> values_of(const Description& d, const void* output);

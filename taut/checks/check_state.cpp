@@ -4,9 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
+#include <span>
 #include <utility>
 
 #include "taut/math/index.hpp"
+#include "taut/rope/span.hpp"
 
 namespace taut::checks {
 namespace {
@@ -34,35 +37,68 @@ bool is_heavy(const solve::TransientResult& motion, int reeving) {
   return rope < motion.mass_lumped.size() && motion.mass_lumped[rope];
 }
 
-/// The tension of a branch that sags, where as a straight one of the same length it has T0. With its weight W across it
-/// the sag takes up the share W^2/(24 T^2) of its length: T = T0 + EA W^2/24 (1/T^2 - 1/T1^2), Irvine, Cable
-/// Structures. T1: the tension that is given at the start, from which the length of the straight branch follows; 0:
-/// that is given.
-double tension_with_sag(double T0, double T1, double EA, double W) {
-  const double k = EA * W * W / 24, straight = T1 > 0 ? T0 - k / (T1 * T1) : T0;
-  if (k == 0) return T0;
-  // T^2 (T - straight) = k, by Newton's iteration from above, where the cubic is convex
-  double T = std::max(straight, 0.0) + std::cbrt(k);
-  for (double last = 2 * T; T < last;) {
-    last = T;
-    T -= (T * T * (T - straight) - k) / (3 * T * T - 2 * T * straight);
-  }
-  return T;
-}
-
 double mean_tension(const solve::TransientFrame::Branch& b) { return (b.T_from + b.T_to) / 2; }
 
-/// Points of a parabola below a straight branch of the tension T: the weight W of the branch over the horizontal way a
-/// at the horizontal tension H has the sag W a/(8 H).
-void add_parabola(const solve::TransientFrame::Branch& b, double weight, double T, Array<Vector3>& places) {
-  constexpr int pieces = 16;
+/// Of a branch without its heat, N.
+double weight_of(const solve::TransientFrame::Branch& b, const machine::Reeving& rope) {
+  return rope.weight * b.unstretched / (1 + rope.thermal_strain);
+}
+
+/// cos of a branch's slope.
+double level_share(const solve::TransientFrame::Branch& b) {
   const Vector3 way = b.end - b.start;
-  const double level = std::hypot(way.x(), way.y());
-  const double H = T * level / way.norm();
-  const double sag = H > 0 ? weight * level / (8 * H) : 0;
-  for (int k = 1; k < pieces; ++k) {
-    const double s = static_cast<double>(k) / pieces;
-    places.push_back(b.start + s * way - 4 * sag * s * (1 - s) * up());
+  return way.norm() > 0 ? std::hypot(way.x(), way.y()) / way.norm() : 0;
+}
+
+/// The elastic catenary of the unstretched length L between the ends of a branch; straight where there is none.
+study::RopePiece hung(const solve::TransientFrame::Branch& b, const machine::Reeving& rope, double L) {
+  study::RopePiece piece{.start = b.start, .end = b.end, .shape = {}, .sag = 0};
+  const double weight = rope.weight / (1 + rope.thermal_strain);
+  const auto span = rope::solve_span({.length = L, .weight = weight, .stiffness = rope.stiffness}, b.end - b.start);
+  if (span) piece.shape = *span;
+  return piece;
+}
+
+/// How a straight branch hangs whose weight is at its ends. Without sag its length has the tension T0. Where its length
+/// is given, that is the rope's. Where a tension was given, T1 at the start, the rope is longer than the straight
+/// branch by the share W^2/(24 T1^2) that its sag took up then; W is its weight across it (Irvine, Cable Structures).
+study::RopePiece hung_by_length(const solve::TransientFrame::Branch& b, const machine::Reeving& rope, double T1) {
+  const double L = (b.end - b.start).norm() / (1 + mean_tension(b) / rope.stiffness);
+  const double across = T1 > 0 ? weight_of(b, rope) * level_share(b) / T1 : 0;
+  return hung(b, rope, L * (1 + across * across / 24));
+}
+
+/// The angle by which a rope turns from one segment to the next.
+double turn_of(const solve::TransientFrame::Branch& in, const solve::TransientFrame::Branch& out) {
+  const Vector3 a = in.end - in.start, b = out.end - out.start;
+  return std::atan2(a.cross(b).norm(), a.dot(b));
+}
+
+/// A segment of a rope, with half of its weight W at each joint. At the tension T along its chord l the rope sags by
+/// W l/(8 T) below it, and turns by W cos(slope)/T. A rope through the joints that only sags turns in the segment by no
+/// more than at both of them, `turns`: a wave that has slackened the segment leaves its sag within that.
+study::RopePiece hung_between_joints(const solve::TransientFrame::Branch& b, const machine::Reeving& rope,
+                                     double turns) {
+  study::RopePiece piece{.start = b.start, .end = b.end, .shape = {}, .sag = 0};
+  const double W = weight_of(b, rope), T = mean_tension(b);
+  const double most = std::min(turns, std::numbers::pi);
+  if (!(most > 0) && !(T > 0)) return piece;
+  const double least_T = most > 0 ? W * level_share(b) / most : T;
+  piece.sag = W * (b.end - b.start).norm() / (8 * std::max(T, least_T));
+  return piece;
+}
+
+/// The segments of a rope between two nodes.
+void add_segments(std::span<const solve::TransientFrame::Branch> segments, const machine::Reeving& rope,
+                  Array<study::RopePiece>& pieces) {
+  const std::size_t last = segments.size() - 1;
+  for (std::size_t i = 0; i <= last; ++i) {
+    double before = i > 0 ? turn_of(segments[i - 1], segments[i]) : 0;
+    double behind = i < last ? turn_of(segments[i], segments[i + 1]) : 0;
+    // at the end of the rope no turn is known: it is that of the other joint
+    if (i == 0) before = behind;
+    if (i == last) behind = before;
+    pieces.push_back(hung_between_joints(segments[i], rope, before + behind));
   }
 }
 
@@ -127,37 +163,46 @@ machine::State places_of(const solve::TransientFrame& moment) {
   return state;
 }
 
+Array<Vector3> FreeRope::places() const {
+  Array<Vector3> all = {pieces.front().start};
+  for (const study::RopePiece& piece : pieces) all.push_back(piece.end);
+  return all;
+}
+
 std::vector<FreeRope> free_ropes(const machine::Model& model, const solve::TransientResult& motion,
                                  const solve::TransientFrame& moment) {
   std::vector<FreeRope> all;
-  const auto& branches = moment.branches;
-  for (std::size_t i = 0; i < branches.size();) {
+  const std::span<const solve::TransientFrame::Branch> branches(moment.branches.data(), moment.branches.size());
+  std::size_t next = 0;
+  for (std::size_t i = 0; i < branches.size(); i = next) {
     const solve::TransientFrame::Branch& first = branches[i];
+    while (next < branches.size() && branches[next].reeving == first.reeving && branches[next].from == first.from &&
+           branches[next].to == first.to)
+      ++next;
     const machine::Reeving& rope = model.reevings[first.reeving];
-    FreeRope one{.reeving = first.reeving, .from = first.from, .to = first.to, .places = {first.start}};
-    const bool bears = first.whole && std::max(first.T_from, first.T_to) > 0;
-    for (; i < branches.size(); ++i) {
-      const solve::TransientFrame::Branch& piece = branches[i];
-      if (piece.reeving != first.reeving || piece.from != first.from || piece.to != first.to) break;
-      const bool straight = piece.curve.empty() && rope.segments <= 1 && is_heavy(motion, first.reeving);
-      if (bears && straight) {
-        const double weight = rope.weight * piece.unstretched / (1 + rope.thermal_strain);
-        const Vector3 way = piece.end - piece.start;
-        const double across = weight * std::hypot(way.x(), way.y()) / way.norm();
-        const bool by_length = rope.given == machine::Given::length;
-        const double first = by_length ? 0 : mean_tension(motion.frames.front().branches[i]);
-        add_parabola(piece, weight, tension_with_sag(mean_tension(piece), first, rope.stiffness, across), one.places);
-      }
-      one.places.insert(one.places.end(), piece.curve.begin(), piece.curve.end());
-      one.places.push_back(piece.end);
+    const bool in_segments = rope.segments > 1, heavy = is_heavy(motion, first.reeving);
+    // joints say how a slack rope in segments lies
+    if (!first.whole || !(in_segments || std::max(first.T_from, first.T_to) > 0)) continue;
+    FreeRope one{.reeving = first.reeving, .from = first.from, .to = first.to, .pieces = {}};
+    if (!first.curve.empty()) {
+      one.pieces.push_back(hung(first, rope, first.unstretched));
+    } else if (!heavy) {
+      for (std::size_t k = i; k < next; ++k)
+        one.pieces.push_back({.start = branches[k].start, .end = branches[k].end, .shape = {}, .sag = 0});
+    } else if (in_segments) {
+      add_segments(branches.subspan(i, next - i), rope, one.pieces);
+    } else {
+      const bool by_length = rope.given == machine::Given::length;
+      one.pieces.push_back(
+          hung_by_length(first, rope, by_length ? 0 : mean_tension(motion.frames.front().branches[i])));
     }
-    if (bears) all.push_back(std::move(one));
+    all.push_back(std::move(one));
   }
   return all;
 }
 
 study::RopeClearance clearance_of(const machine::Model& model, const FreeRope& rope) {
-  return study::rope_clearance(model, rope.places, rope.reeving, rope.from, rope.to);
+  return study::rope_clearance(model, rope.pieces, rope.reeving, rope.from, rope.to);
 }
 
 CheckState state_of(const machine::Model& model, const solve::TransientResult& motion,

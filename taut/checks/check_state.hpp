@@ -33,11 +33,16 @@ struct CheckContact {
   Vector3 force = Vector3::Zero();  ///< of one copy on it, N
 };
 
-/// A free rope of a motion that bears tension, as a line of points: its curve where it sags, its joints where it is in
-/// segments. One that the motion has straight, with its weight at its ends, hangs as a parabola of the same length.
+/// A free rope of a motion as it hangs there. A branch that sags is the motion's own catenary. One that the motion has
+/// straight, with its weight at its ends, is the catenary of its length. Of a rope in segments each one hangs between
+/// its joints as a parabola by its own weight and tension; where waves have slackened it, it turns by no more than the
+/// rope does at both its joints.
 struct FreeRope {
   int reeving = 0, from = 0, to = 0;  ///< nodes
-  Array<Vector3> places;              ///< m
+  Array<study::RopePiece> pieces;     ///< from end to end
+
+  /// Its ends and joints, m: in plan it lies between them.
+  Array<Vector3> places() const;
 };
 
 /// Where the bodies are at a moment of a motion; nothing more.

@@ -6,6 +6,7 @@
 #include <limits>
 #include <utility>
 
+#include "taut/checks/rope/rope_strength.hpp"
 #include "taut/math/index.hpp"
 
 namespace taut::checks {
@@ -15,6 +16,15 @@ constexpr double unseen_share = 0.02;  ///< by which a peak may be larger than w
 
 /// A bound of a state: what rests there friction may hold anywhere between it and the other bound.
 std::string held_words(const std::string& words) { return words + ", held by friction"; }
+
+}  // namespace
+
+namespace {
+
+/// Not one with a limit of its peak alone.
+bool is_limited_at_rest(const RopeCheckRequest& one) {
+  return one.safety_factor || !one.field.empty() || one.group || one.en13001 || one.rated_pull;
+}
 
 }  // namespace
 
@@ -28,6 +38,10 @@ CheckedParts::CheckedParts(const CheckedDeck& given, const machine::Model& model
   carriages = carriage_states(given, model);
   for (CarriageStates& one : carriages) one.display = given.display;
   if (!given.checks) return;
+  for (std::size_t k = 0; k < given.checks->ropes.size(); ++k) {
+    if (!is_limited_at_rest(given.checks->ropes[k])) continue;
+    for (const std::size_t i : reevings_of_entry(given, k)) drives.ask_at_rest(model.reevings[i].name);
+  }
   guys = guy_states(given.checks->guys, given, model);
   anchors = anchor_states(given.checks->anchors, given.machine, model);
   lines = line_states(given.checks->lines, model);

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "taut/base/stretches.hpp"
 #include "taut/checks/anchor/support_checks.hpp"
 #include "taut/checks/checked_deck.hpp"
 #include "taut/checks/drive/drive_uses.hpp"
@@ -13,7 +14,6 @@
 #include "taut/checks/rope/rope_uses.hpp"
 #include "taut/checks/yarder/carriage_checks.hpp"
 #include "taut/checks/yarder/yarder_checks.hpp"
-#include "taut/study/deck/missing.hpp"
 
 namespace taut::checks {
 
@@ -65,9 +65,9 @@ struct CheckedParts {
   std::vector<std::string> reevings;        ///< of the machine, by name
   /// By reeving, of the motion that is shown now: the largest tension in its moments, N.
   std::vector<double> T_in_moments;
-  double shown_at = 0;         ///< the last of these moments, s
-  study::Stretches unheld;     ///< states without equilibrium in a direction that friction may act in
-  study::Stretches unbounded;  ///< states that friction may load with more than what is judged
+  double shown_at = 0;  ///< the last of these moments, s
+  Stretches unheld;     ///< states without equilibrium in a direction that friction may act in
+  Stretches unbounded;  ///< states that friction may load with more than what is judged
   /// Peaks of motions that no moment has, where a check needed them: why it is not judged.
   std::vector<std::string> unseen;
   bool seen = false;        ///< whether the checks have been shown anything but such moments

@@ -13,35 +13,17 @@
 #include "taut/calc/verdict.hpp"
 #include "taut/checks/checked_parts.hpp"
 #include "taut/checks/heat_and_cold.hpp"
+#include "taut/checks/parts.hpp"
 
 namespace taut::checks {
 namespace {
 
-/// The part that a check belongs to by its name, "skyline" of "skyline.T_max", where that is a part of the machine.
-std::string part_of(const std::string& name, const std::vector<std::string>& parts) {
-  std::string longest;
-  for (const std::string& part : parts) {
-    if (name.starts_with(part + ".") && part.size() > longest.size()) longest = part;
-  }
-  return longest;
-}
-
-std::vector<std::string> parts_of(const machine::Model& model) {
-  std::vector<std::string> parts;
-  parts.reserve(model.reevings.size() + model.beams.size() + model.drums.size() + model.motors.size());
-  for (const machine::Reeving& one : model.reevings) parts.push_back(one.name);
-  for (const machine::Beam& one : model.beams) parts.push_back(one.name);
-  for (const machine::Drum& one : model.drums) parts.push_back(one.name);
-  for (const machine::Motor& one : model.motors) parts.push_back(one.name);
-  return parts;
-}
-
-/// Of several checks of one name, as of states at rest and of a motion, the worst.
+/// Of several checks of one name and part, as of states at rest and of a motion, the worst.
 std::vector<Check> worst_of_each(std::vector<Check> all) {
   std::vector<Check> worst;
-  std::map<std::string, std::size_t> known;
+  std::map<std::pair<std::string, PartKind>, std::size_t> known;
   for (Check& c : all) {
-    const auto [at, is_new] = known.try_emplace(c.name, worst.size());
+    const auto [at, is_new] = known.try_emplace(std::pair(c.name, c.kind), worst.size());
     if (is_new) {
       worst.push_back(std::move(c));
     } else if (worse_state(c, worst[at->second])) {
@@ -115,39 +97,11 @@ void complain_of_confirmed(const ChecksRequest& request, std::vector<Complaint>&
   }
 }
 
-namespace {
-
-/// A misspelt name would take nothing out, and page 1 would name what the machine has not.
-void complain_of_exempt(const CheckedDeck& deck, const machine::Model& model, std::vector<Complaint>& complaints) {
-  std::vector<std::string> known = parts_of(model);
-  const auto add = [&](const auto& all) {
-    for (const auto& one : all) known.push_back(one.name);
-  };
-  add(deck.machine.carriages);
-  add(deck.machine.sheaves);
-  add(deck.machine.supports);
-  add(deck.machine.points);
-  add(deck.machine.bodies);
-  add(model.contacts);
-  add(deck.machine.actuators);
-  add(deck.checks->masts);
-  add(deck.checks->anchors);
-  add(deck.checks->yarders);
-  for (std::size_t i = 0; i < deck.checks->exempt.size(); ++i) {
-    const std::string& name = deck.checks->exempt[i];
-    if (std::find(known.begin(), known.end(), name) != known.end()) continue;
-    complaints.push_back({fmt::format("checks.exempt[{}]", i),
-                          fmt::format("the machine has no part '{}'{}", name, did_you_mean(name, known))});
-  }
-}
-
-}  // namespace
-
 AskedChecks resolve(const CheckedDeck& deck, const machine::Model& model, std::vector<Complaint>& complaints) {
   AskedChecks asked;
   if (!deck.checks) return asked;
   complain_of_confirmed(*deck.checks, complaints);
-  complain_of_exempt(deck, model, complaints);
+  complain_of_exempt(*deck.checks, deck.machine, complaints);
   asked.ropes = resolve_ropes(*deck.checks, deck, model, complaints);
   complain_of_masts(deck.checks->masts, deck, model, complaints);
   complain_of_guys(deck.checks->guys, deck, model, complaints);
@@ -164,8 +118,8 @@ void add_checks(const CheckedDeck& deck, const machine::Model& model, const Chec
     add_rope_checks(*deck.checks, deck, model, seen.ropes.all(), r);
     add_machine_masts(seen.masts, deck, model, r);
     add_guy_checks(seen.guys, deck, model, r);
-    add_anchor_checks(seen.anchors, r);
-    add_line_checks(seen.lines, model, r);
+    add_anchor_checks(seen.anchors, deck, r);
+    add_line_checks(seen.lines, deck, model, r);
     add_support_checks(seen.supports, r);
     add_yarder_checks(seen.yarders, r);
   }
@@ -178,7 +132,10 @@ void add_checks(const CheckedDeck& deck, const machine::Model& model, const Chec
     r.unmade.emplace_back("no state of the machine in use is judged, but those alone in which it is put up");
     r.warnings.push_back(r.unmade.back());
   }
-  for (const std::string& words : seen.ropes.growing()) warn_unsafe(r, words);
+  for (const auto& [rope, words] : seen.ropes.growing()) {
+    const AboutPart about(r, {.kind = PartKind::rope, .name = rope});
+    warn_unsafe(r, words);
+  }
   if (seen.unheld.any()) {
     r.unmade.push_back(seen.unheld.words_of_first());
     r.warnings.push_back(seen.unheld.words());
@@ -186,10 +143,6 @@ void add_checks(const CheckedDeck& deck, const machine::Model& model, const Chec
   if (seen.unbounded.any()) warn_unsafe(r, seen.unbounded.words());
   r.warnings.insert(r.warnings.end(), seen.unseen.begin(), seen.unseen.end());
   r.unmade.insert(r.unmade.end(), seen.unseen.begin(), seen.unseen.end());
-  const std::vector<std::string> parts = parts_of(model);
-  for (Check& c : r.checks) {
-    if (c.part.empty()) c.part = part_of(c.name, parts);
-  }
   finish_checks(deck.checks.value_or(ChecksRequest{}), r);
   drop_loaded(r);
   seen.judge.add_scope(r);

@@ -30,8 +30,6 @@ void complain_of_confirmed(const ChecksRequest& request, std::vector<Complaint>&
 void finish_checks(const ChecksRequest& request, Result& r);
 
 // Ropes of a machine: rope_checks.cpp.
-/// The reevings that a name under `checks: ropes` means: one, or all of a rope.
-std::vector<std::size_t> reevings_named(const std::string& name, const CheckedDeck& deck, const machine::Model& model);
 std::vector<AskedRules> resolve_ropes(const ChecksRequest& request, const CheckedDeck& deck,
                                       const machine::Model& model, std::vector<Complaint>& complaints);
 /// The rope with what the deck says beside the catalogue. Of a candidate of a design that it denies, it tells so.

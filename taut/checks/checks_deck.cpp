@@ -24,8 +24,8 @@ const Description& ChecksRequest::describe() {
               "text are no longer unverified, and a check with no other doubts has the trust 'user'; the name of a "
               "check, or its last part, confirms all of it")
           .field(&ChecksRequest::exempt, "exempt",
-                 "parts that do not count for the verdict, by the name of a reeving, guy, beam or carriage; page 1 "
-                 "names them")
+                 "parts that do not count for the verdict, by name: a reeving, guy, beam, carriage, anchor, support or "
+                 "drum, with its kind where several have the name ('rope winch'); page 1 names them")
           .field(&ChecksRequest::refuse_unverified, "refuse_unverified",
                  "true: checks with an unverified limit are refused, and the verdict is 'not judged'");
   return d;

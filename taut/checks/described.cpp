@@ -55,8 +55,29 @@ const std::vector<ValueKind>& value_kinds() {
   return all;
 }
 
-const std::vector<CheckWords>& check_words() {
-  static const std::vector<CheckWords> all = {
+namespace {
+
+/// Each line on a drum of a yarder has checks of its own.
+void add_lines_of_yarders(std::vector<CheckWords>& all) {
+  for (const char* line : {"skyline", "mainline", "haulback"}) {
+    all.push_back(
+        {.key = fmt::format("{}_length", line),
+         .of = "yarder",
+         .words = fmt::format("rope that its {} needs, with what is spare: at most what the drum takes", line)});
+    all.push_back(
+        {.key = fmt::format("{}_pull", line),
+         .of = "yarder",
+         .words = fmt::format("largest tension of its {} at the yarder: at most the pull with a full drum, or "
+                              "what the brake holds",
+                              line)});
+    all.push_back({.key = fmt::format("{}_base_tension", line),
+                   .of = "yarder",
+                   .words = fmt::format("tension at which its {} is put up: at most the pull with a full drum", line)});
+  }
+}
+
+std::vector<CheckWords> all_check_words() {
+  std::vector<CheckWords> all = {
       {.key = "on_sheave",
        .of = "rope",
        .words = "safety factor of the rope weakened on a sheave, at the worst sheave"},
@@ -101,10 +122,22 @@ const std::vector<CheckWords>& check_words() {
       {.key = "anchor_tree",
        .of = "point",
        .words = "diameter of the tree at the point: at least that which the pull needs"},
+      {.key = "anchor_wraps", .of = "point", .words = "wraps of the line round the stump: at least those of the rule"},
+      {.key = "anchor_spikes",
+       .of = "point",
+       .words = "spikes that hold the line at the stump: at least those of the rule"},
+      {.key = "anchor_staples",
+       .of = "point",
+       .words = "staples that hold the line at the stump: at least those of the rule"},
+      {.key = "anchor_clips",
+       .of = "point",
+       .words = "clips on the end of the line: at least those of the rule, by its diameter"},
       {.key = "support_tree",
        .of = "support",
        .words = "diameter of the tree that carries the support: at least that which the force needs"},
       {.key = "buckling", .of = "mast", .words = "utilisation by flexural buckling, EN 1993-1-1 (6.46)"},
+      {.key = "member", .of = "mast", .words = "utilisation by buckling with bending, EN 1993-1-1 (6.61) and (6.62)"},
+      {.key = "shear", .of = "mast", .words = "utilisation by the shear force, EN 1993-1-1 (6.17)"},
       {.key = "wall", .of = "mast", .words = "class of the wall by its slenderness: class 4 is refused"},
       {.key = "guys_by_plate", .of = "mast", .words = "number of the guys: at least that on the plate of the spar"},
       {.key = "guy_strength_by_plate",
@@ -116,8 +149,30 @@ const std::vector<CheckWords>& check_words() {
       {.key = "least_break_angle",
        .of = "line",
        .words = "angle by which the empty line bends on a support: at least that of the rules"},
+      {.key = "anchor_off_line",
+       .of = "line",
+       .words = "angle of the anchor behind the tail tree off the line, seen from above: at most that of the rules"},
       {.key = "limiter_tension", .of = "line", .words = "largest tension of the line: at most that of its limiter"},
+      {.key = "payload_T_max", .of = "rope", .words = "largest tension at rest: at most the limit of the payload"},
+      {.key = "phi2",
+       .of = "rope",
+       .words = "peak over the tension at rest while a load is hoisted: at most phi2 of EN 13001-2"},
+      {.key = "payload_min", .of = "carriage", .words = "the payload at the places where nothing can be carried"},
+      {.key = "least_rope", .of = "carriage", .words = "diameter of the rope: at least the least that fits it"},
+      {.key = "most_rope", .of = "carriage", .words = "diameter of the rope: at most the largest that fits it"},
+      {.key = "capacity", .of = "drum", .words = "rope on the drum: at most what its flanges hold"},
+      {.key = "slipped",
+       .of = "driven sheave",
+       .words = "how far the rope slips on it in a motion: at most what a rope creeps there"},
       {.key = "ground", .of = "part", .words = "a part of the machine must not lie in the ground"}};
+  add_lines_of_yarders(all);
+  return all;
+}
+
+}  // namespace
+
+const std::vector<CheckWords>& check_words() {
+  static const std::vector<CheckWords> all = all_check_words();
   return all;
 }
 

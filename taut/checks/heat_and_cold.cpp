@@ -3,12 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <set>
 #include <string>
 #include <vector>
 
 #include "taut/checks/checks.hpp"
+#include "taut/checks/parts.hpp"
 #include "taut/checks/rope/rope_rules.hpp"
+#include "taut/checks/rope/rope_strength.hpp"
 #include "taut/study/analyses.hpp"
 #include "taut/study/deck/temperature.hpp"
 
@@ -17,15 +18,6 @@ namespace {
 
 bool is_judged(const Result& r, const std::string& part) {
   return std::any_of(r.checks.begin(), r.checks.end(), [&](const Check& c) { return judges(c, part); });
-}
-
-std::set<std::string> weakened_ropes(const CheckedDeck& deck, const machine::Model& model) {
-  std::set<std::string> names;
-  if (!deck.checks) return names;
-  for (const RopeCheckRequest& one : deck.checks->ropes) {
-    for (const std::size_t i : reevings_named(one.name, deck, model)) names.insert(model.reevings[i].name);
-  }
-  return names;
 }
 
 /// Masts that the checks describe, beside the beams of the machine.
@@ -56,20 +48,23 @@ void add_unjudged_heat(const CheckedDeck& deck, const machine::Model& model, Res
   const std::optional<double> hottest = study::hottest_of(deck.machine, deck.analyses);
   if (!hottest || !weakens(*hottest)) return;
   const std::string hot = study::celsius(*hottest);
-  const std::set<std::string> weakened = weakened_ropes(deck, model);
-  for (const machine::Reeving& rope : model.reevings) {
-    if (weakened.contains(rope.name) || !is_judged(r, rope.name)) continue;
-    const AboutPart about(r, rope.name);
+  for (std::size_t i = 0; i < model.reevings.size(); ++i) {
+    const machine::Reeving& rope = model.reevings[i];
+    if (entry_of(deck, i) || !is_judged(r, rope.name)) continue;
+    const AboutPart about(r, {.kind = PartKind::rope, .name = rope.name});
     leave_open(
         fmt::format("{}: how much weaker it is at {} is not checked: name it under 'checks: ropes'", rope.name, hot),
         r);
   }
   for (const machine::Beam& beam : model.beams) {
     if (!is_judged(r, beam.name)) continue;
-    const AboutPart about(r, beam.name);
+    const AboutPart about(r, {.kind = PartKind::beam, .name = beam.name});
     leave_open(soft_steel(beam.name, hot), r);
   }
-  for (const std::string& mast : masts_of_their_own(deck, model)) leave_open(soft_steel(mast, hot), r);
+  for (const std::string& mast : masts_of_their_own(deck, model)) {
+    const AboutPart about(r, part_of_mast(model, mast));
+    leave_open(soft_steel(mast, hot), r);
+  }
 }
 
 void warn_of_cold(const CheckedDeck& deck, Result& r) {

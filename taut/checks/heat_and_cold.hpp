@@ -8,8 +8,8 @@ struct Result;
 
 namespace taut::checks {
 
-/// What is not judged because a machine is hotter than 100 degC in some state. Checks of guys and limits of payloads
-/// take the strength of the cold rope; a rope under `checks: ropes` is weakened by its temperature there. Beams and
+/// What is not judged because a machine is hotter than 100 degC in some state. A rope under
+/// `checks: ropes` is weakened by its temperature in all checks of its strength; others have a cold one. Beams and
 /// masts have the modulus and strength of cold steel, which fall above 100 degC (EN 1993-1-2, table 3.1).
 void add_unjudged_heat(const CheckedDeck& deck, const machine::Model& model, Result& r);
 

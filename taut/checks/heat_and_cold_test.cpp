@@ -45,6 +45,26 @@ TEST(Heat, GuysAndPayloadsOfHotRopesAreNotJudged) {
   const Result weakened = guyed("250 degC", "  ropes: {steel: {safety_factor: 3, core: IWRC}}\n");
   EXPECT_THAT(weakened.unmade, Not(Contains(HasSubstr("weaker"))));
   EXPECT_EQ(verdict_of(weakened)->kind, VerdictKind::fails);
+  // each check of the strength, not the rope's own factor alone: 400 kN/3 in the cold, 100 kN in the heat
+  EXPECT_NEAR(taut_test::check_of(weakened, "line.payload_T_max").value, 400e3 / 3, 10);
+  EXPECT_NEAR(taut_test::check_of(weakened, "line.payload_T_max").limit, 100e3, 1e-6);
+  EXPECT_NEAR(taut_test::check_of(weakened, "g.guy_safety").value,
+              0.75 * taut_test::check_of(cold, "g.guy_safety").value, 0.05);
+}
+
+// With nothing but a temperature under `ropes` the payload's limit is what judges the rope.
+TEST(Heat, ALimitOfAPayloadIsThatOfTheHotRope) {
+  const auto at = [](const char* degrees) {
+    return guyed("20 degC", fmt::format("  ropes: {{line: {{core: IWRC, temperature: {}}}}}\n", degrees));
+  };
+  EXPECT_TRUE(taut_test::check_of(at("20 degC"), "line.payload_T_max").passes);
+  const Result hot = at("250 degC");
+  EXPECT_FALSE(taut_test::check_of(hot, "line.payload_T_max").passes);
+  EXPECT_THAT(taut_test::check_of(hot, "line.payload_T_max").rule,
+              HasSubstr("with the cold rope; breaking force x 0.75"));
+  const Result unknown = at("420 degC");
+  EXPECT_FALSE(taut_test::has_check(unknown, "line.payload_T_max"));
+  EXPECT_THAT(unknown.unmade, Contains(HasSubstr("line: the payload's limit by its breaking force is not checked")));
 }
 
 TEST(Heat, HotMastsAreNotJudged) {

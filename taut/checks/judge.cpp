@@ -12,6 +12,7 @@
 #include "taut/catalogue/rope_values.hpp"
 #include "taut/catalogue/trust.hpp"
 #include "taut/checks/described.hpp"
+#include "taut/checks/parts.hpp"
 #include "taut/checks/rope/rope_uses.hpp"
 #include "taut/math/index.hpp"
 #include "taut/solve/drives.hpp"
@@ -20,9 +21,6 @@
 
 namespace taut::checks {
 namespace {
-
-constexpr double of_largest = 1e-9;    ///< a rope carries tension from this share of the machine's largest one on
-constexpr double on_own_limit = 1e-6;  ///< a state of a payload lies on a limit to this share of it
 
 /// Words for a rope that is shorter than the distance of its ends, with both lengths; else empty.
 std::string too_short(const machine::Model& m, const solve::EquilibriumResult& e, std::size_t reeving,
@@ -62,42 +60,6 @@ double turned_by(const machine::Model& m, const solve::EquilibriumResult& e, std
   return std::acos(std::clamp((trace - 1) / 2, -1.0, 1.0));
 }
 
-/// "sheaves a, b" of the names; nothing of none.
-std::string listed(const char* kind, const std::vector<std::string>& names) {
-  return names.empty() ? std::string{} : fmt::format("{} {}", kind, fmt::join(names, ", "));
-}
-
-template <class Things>
-std::vector<std::string> names_of_all(const Things& things) {
-  std::vector<std::string> names;
-  names.reserve(things.size());
-  for (const auto& one : things) names.push_back(one.name);
-  return names;
-}
-
-/// A state of a payload lies on its own limit, to the tolerance of its search.
-void pass_on_own_limit(std::vector<Check>& checks) {
-  for (Check& c : checks) {
-    if (c.passes || c.refused || !(std::abs(c.utilisation - 1) <= on_own_limit)) continue;
-    c.value = c.limit;
-    c.utilisation = 1;
-    c.passes = true;
-  }
-}
-
-/// The names of what holds ropes in the ground, each once.
-std::vector<std::string> anchors_in_ground(const machine::Model& m) {
-  std::vector<std::string> anchors;
-  for (const machine::Reeving& rope : m.reevings) {
-    if (rope.closed) continue;
-    for (const machine::Node* end : {&rope.nodes.front(), &rope.nodes.back()}) {
-      const bool held = end->kind == machine::NodeKind::anchor && !end->drum && end->at.body == machine::ground;
-      if (held && std::find(anchors.begin(), anchors.end(), end->name) == anchors.end()) anchors.push_back(end->name);
-    }
-  }
-  return anchors;
-}
-
 }  // namespace
 
 void WorstOf::take(double x, const std::string& words, bool least) {
@@ -118,7 +80,7 @@ Judge::Judge(const CheckedDeck& deck, const machine::Model& model)
       footings_(footings_of(deck.machine, model)) {}
 
 void Judge::warn(const Once& once, const std::string& text, bool unsafe, double size) {
-  const auto [at, is_new] = known_.try_emplace(once.part + " " + once.what, warned_.size());
+  const auto [at, is_new] = known_.try_emplace(std::pair(once.part, once.what), warned_.size());
   if (!is_new && !(size > warned_[at->second].size)) return;
   Warned warned{.text = text, .unsafe = unsafe, .size = size, .part = once.part};
   if (is_new) {
@@ -158,7 +120,7 @@ void Judge::take_contacts(const machine::Model& m, const solve::EquilibriumResul
   for (const solve::ContactResult& c : e.contacts) {
     const machine::Node& node = m.reevings[c.reeving].nodes[c.node];
     if (c.state == solve::ContactState::lifted) {
-      warn({.part = "node " + node.name, .what = "lifted"},
+      warn({.part = part_at(m, node), .what = "lifted " + node.name},
            fmt::format("{}: the rope has lifted off '{}'", words, node.name), !node.may_lift);
     }
     if (c.state == solve::ContactState::pulled) warn_of_pulled(m, node, c.force, words);
@@ -183,7 +145,7 @@ void Judge::warn_of_pulled(const machine::Model& m, const machine::Node& node, c
         "say 'uplift: hold' where a guard holds it",
         words, node.name, deck_->display.brief(force.z(), si::N));
   }
-  warn({.part = "node " + node.name, .what = "pulled"}, text, true, force.norm());
+  warn({.part = part_at(m, node), .what = "pulled " + node.name}, text, true, force.norm());
 }
 
 /// A motion holds a rope on its rounds, also where their `uplift` does not. Where one is held down, or may pass on
@@ -211,7 +173,8 @@ std::vector<Judge::Once> Judge::slack_branches(const machine::Model& m, const so
   std::vector<Once> all;
   for (const solve::TransientFrame::Branch& s : moment.branches) {
     if (!has_no_shape(m, moment, s) || may_slack(m.reevings[s.reeving].name)) continue;
-    all.push_back({.part = m.reevings[s.reeving].name, .what = span_words(m, s.reeving, s.from, s.to)});
+    all.push_back({.part = {.kind = PartKind::rope, .name = m.reevings[s.reeving].name},
+                   .what = span_words(m, s.reeving, s.from, s.to)});
   }
   return all;
 }
@@ -221,7 +184,8 @@ void Judge::take_slack(const machine::Model& m, const solve::EquilibriumResult& 
     if (!s.slack) continue;
     const std::string name = span_words(m, s.reeving, s.from, s.to);
     const std::string& rope = m.reevings[s.reeving].name;
-    warn({.part = rope, .what = name}, fmt::format("{}: {} is slack", words, name), !may_slack(rope));
+    warn({.part = {.kind = PartKind::rope, .name = rope}, .what = name}, fmt::format("{}: {} is slack", words, name),
+         !may_slack(rope));
   }
 }
 
@@ -231,7 +195,7 @@ void Judge::take_places(const machine::Model& m, const solve::EquilibriumResult&
     if (m.bodies[b].beam) continue;
     const double angle = turned_by(m, e, b);
     if (angle <= fallen_angle) continue;
-    warn({.part = "body " + m.bodies[b].name, .what = "fallen"},
+    warn({.part = part_of_body(m, static_cast<int>(b)), .what = "fallen"},
          fmt::format("{}: '{}' comes to rest turned by {} from where the deck has it: it falls over, or begins far "
                      "from its place; hold it by more ropes, or put it where it is meant to stand",
                      words, m.bodies[b].name, deck_->display.brief(angle, si::rad)),
@@ -245,7 +209,9 @@ void Judge::take_spans(const machine::Model& m, const machine::State& state, con
   for (const machine::Carriage& car : m.carriages) {
     if (broken.contains(m.reevings[car.reeving].name)) continue;
     const std::string where = beside_its_span(m, state, car, deck_->display);
-    if (!where.empty()) warn({.part = car.name, .what = "beside"}, fmt::format("{}: {}", words, where), true);
+    if (!where.empty())
+      warn({.part = {.kind = PartKind::carriage, .name = car.name}, .what = "beside"},
+           fmt::format("{}: {}", words, where), true);
   }
 }
 
@@ -309,6 +275,21 @@ void Judge::take(const machine::Model& m, const solve::EquilibriumResult& e, con
   two_blocked_.take(m, e.state, {}, words);
 }
 
+namespace {
+
+/// The rope that goes slack, or what a rope lifts off.
+Part part_of_event(const machine::Model& m, const solve::TransientEvent& event) {
+  if (event.reeving) return {.kind = PartKind::rope, .name = m.reevings[*event.reeving].name};
+  for (const machine::Reeving& rope : m.reevings) {
+    for (const machine::Node& node : rope.nodes) {
+      if (node.kind == machine::NodeKind::contact && node.name == event.where) return part_at(m, node);
+    }
+  }
+  return {.kind = PartKind::sheave, .name = event.where};
+}
+
+}  // namespace
+
 void Judge::take(const machine::Model& m, const solve::TransientResult& motion, const std::string& words) {
   double broken = std::numeric_limits<double>::infinity();
   for (const solve::TransientEvent& event : motion.events) {
@@ -334,8 +315,7 @@ void Judge::take(const machine::Model& m, const solve::TransientResult& motion, 
     const bool slack = event.what == "slack";
     if ((!slack && event.what != "lift_off") || event.t >= broken) continue;
     if (slack && event.reeving && may_slack(m.reevings[*event.reeving].name)) continue;
-    warn({.part = slack && event.reeving ? m.reevings[*event.reeving].name : event.where,
-          .what = event.what + " " + event.where},
+    warn({.part = part_of_event(m, event), .what = event.what + " " + event.where},
          fmt::format("{}: {} {} at t = {:.4g} s", words, event.where, slack ? "goes slack" : "lifts off", event.t),
          true);
   }
@@ -447,13 +427,14 @@ void Judge::take_moment(const machine::Model& m, const solve::TransientResult& s
     const machine::Reeving& rope = m.reevings[one.reeving];
     if (broken_.contains(rope.name)) continue;
     const auto by_x = [&](const Vector3& a, const Vector3& b) { return terrain_x(m, a) < terrain_x(m, b); };
-    const auto [low, high] = std::minmax_element(one.places.begin(), one.places.end(), by_x);
+    const Array<Vector3> ends = one.places();
+    const auto [low, high] = std::minmax_element(ends.begin(), ends.end(), by_x);
     take_gap(rope.name, study::terrain_gap(m, terrain_x(m, *low), terrain_x(m, *high)));
     if (needs_corridor(m, one.reeving)) {
-      for (const Vector3& place : one.places) take_off_line(m, one.reeving, place, when);
+      for (const Vector3& place : ends) take_off_line(m, one.reeving, place, when);
     }
     const study::RopeClearance own = clearance_of(m, one);
-    if (!is_over_line(m, one.reeving, one.places, own.place)) continue;
+    if (!is_over_line(m, one.reeving, ends, own.place)) continue;
     const std::string part =
         fmt::format("{} between {} and {}", rope.name, rope.nodes[one.from].name, rope.nodes[one.to].name);
     take_height(rope.name, part, own.height, terrain_x(m, own.place), when, rope_heights_);
@@ -502,6 +483,7 @@ void Judge::add_strength(std::size_t reeving, const RopeWorst& own, Result& r) c
     const std::string row = row_in(*deck_, rope_name_of(deck_->machine, reeving)).id;
     c.doubts = {{.trust = c.trust, .source = "breaking force of the rope " + row}};
   }
+  c.kind = PartKind::rope;
   c.where = moves ? own.where_of_peak : own.where_of_share;
   r.checks.push_back(std::move(c));
 }
@@ -549,51 +531,6 @@ void Judge::add_values(Result& r) const {
   off_groove_.add_warnings(r, deck_->display);
   two_blocked_.add_warnings(r, deck_->display);
   r.preface = break_words();
-}
-
-void Judge::add_scope_of(const std::string& part, const Result& r, std::vector<std::string>& unjudged) const {
-  const bool limited = std::any_of(r.checks.begin(), r.checks.end(), [&](const Check& c) { return judges(c, part); });
-  const bool out = std::find(r.exempt.begin(), r.exempt.end(), part) != r.exempt.end();
-  if (!limited && !out) unjudged.push_back(part);
-}
-
-void Judge::add_scope(Result& r) const {
-  const ChecksRequest asked = deck_->checks.value_or(ChecksRequest{});
-  r.exempt = asked.exempt;
-  std::erase_if(r.checks, [&](const Check& c) {
-    return !c.part.empty() && std::find(r.exempt.begin(), r.exempt.end(), c.part) != r.exempt.end();
-  });
-  take_out(r.exempt, r);
-  const bool payload = std::any_of(deck_->analyses.begin(), deck_->analyses.end(),
-                                   [](const auto& one) { return one.payload.has_value(); });
-  if (payload) pass_on_own_limit(r.checks);
-  // what is slack at rest may be loaded by a motion
-  const auto most = [](const RopeWorst& rope) { return std::max(rope.T, rope.peak); };
-  double largest = 0;
-  for (const auto& [name, rope] : ropes_) largest = std::max(largest, most(rope));
-  for (const auto& [name, rope] : ropes_) {
-    if (!rope.carries || most(rope) <= of_largest * largest) continue;
-    add_scope_of(name, r, r.unjudged);
-  }
-  for (const machine::Beam& beam : model_->beams) add_scope_of(beam.name, r, r.unjudged);
-  const auto add_beside = [&](const char* kind, std::vector<std::string> names) {
-    std::erase_if(names, [&](const std::string& name) {
-      return std::any_of(r.checks.begin(), r.checks.end(), [&](const Check& c) { return c.part == name; });
-    });
-    if (const std::string text = listed(kind, names); !text.empty()) r.beside.push_back(text);
-  };
-  add_beside("sheaves", names_of_all(deck_->machine.sheaves));
-  add_beside("supports", names_of_all(deck_->machine.supports));
-  add_beside("carriages", names_of_all(deck_->machine.carriages));
-  add_beside("anchors", anchors_in_ground(*model_));
-  add_beside("contacts", names_of_all(model_->contacts));
-  for (const std::string& rope : off_ground_) {
-    r.beside.push_back(fmt::format("the ground below {}, off the line of the terrain", rope));
-  }
-  for (const std::string& rope : slack_over_ground_) {
-    r.beside.push_back(fmt::format("the ground below {} where it is slack", rope));
-  }
-  add_beside("cylinders", names_of_all(deck_->machine.actuators));
 }
 
 }  // namespace taut::checks

@@ -7,6 +7,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "taut/calc/result.hpp"
@@ -137,11 +138,11 @@ class Judge {
     std::string text;
     bool unsafe = false;
     double size = 0;
-    std::string part;
+    Part part;
   };
   /// What a warning is of, whatever the state: a part, or none, and what of it.
   struct Once {
-    std::string part = {};
+    Part part = {};
     std::string what;
     bool operator==(const Once&) const = default;
   };
@@ -200,7 +201,7 @@ class Judge {
   void add_tensions(Result& r) const;
   void add_strength(std::size_t reeving, const RopeWorst& own, Result& r) const;
   void add_heights(Result& r) const;
-  void add_scope_of(const std::string& part, const Result& r, std::vector<std::string>& unjudged) const;
+  void add_scope_of(const Part& part, const std::vector<Part>& exempt, Result& r) const;
 
   std::shared_ptr<const CheckedDeck> deck_;
   const machine::Model* model_;
@@ -216,11 +217,11 @@ class Judge {
   OffGroove off_groove_;
   TwoBlocked two_blocked_;
   std::vector<Warned> warned_;
-  std::map<std::string, std::size_t> known_;           ///< where in `warned_` the warning of a thing stands
-  std::map<double, std::vector<std::string>> breaks_;  ///< ropes that the deck breaks, by time, s
-  std::size_t events_seen_ = 0;                        ///< of the motion that is shown now
-  std::set<std::string> broken_;                       ///< its ropes that the deck has broken so far
-  std::set<std::size_t> stood_;                        ///< its contacts with faces that have been closed so far
+  std::map<std::pair<Part, std::string>, std::size_t> known_;  ///< where in `warned_` the warning of a thing stands
+  std::map<double, std::vector<std::string>> breaks_;          ///< ropes that the deck breaks, by time, s
+  std::size_t events_seen_ = 0;                                ///< of the motion that is shown now
+  std::set<std::string> broken_;                               ///< its ropes that the deck has broken so far
+  std::set<std::size_t> stood_;                                ///< its contacts with faces that have been closed so far
   std::map<std::size_t, std::string> lifted_;  ///< warnings of feet that were lifted, unless their body is a load
   std::set<int> picked_up_;                    ///< bodies that are loads: upright, on no foot
   std::map<std::size_t, Vector3> footprints_;  ///< where feet were when all of their body stood, m

@@ -8,6 +8,7 @@
 #include "taut/calc/shown.hpp"
 #include "taut/checks/described.hpp"
 #include "taut/checks/judge.hpp"
+#include "taut/checks/parts.hpp"
 #include "taut/study/line/rope_clearance.hpp"
 #include "taut/study/load_path.hpp"
 
@@ -125,7 +126,7 @@ void Judge::warn_of_buried(const machine::Model& m, const std::string& words) {
       if (anchor || node.at.body != machine::ground) continue;
       const double height = node.at.at.z() - study::ground_height(m.terrain, terrain_x(m, node.at.at));
       if (!(height < -rough)) continue;
-      warn({.part = "node " + node.name, .what = "buried"},
+      warn({.part = part_at(m, node), .what = "buried " + node.name},
            fmt::format("{}: '{}' is {} below the ground", words, node.name, deck_->display.brief(-height, si::m)), true,
            -height);
     }
@@ -162,7 +163,7 @@ void Judge::warn_of_sunk(const machine::Model& m, const machine::State& state, c
   for (const auto& [b, lowest] : all) {
     if (!(lowest.height < -rough)) continue;
     const std::string& name = m.bodies[b].name;
-    warn({.part = "body " + name, .what = "sunk"},
+    warn({.part = part_of_body(m, b), .what = "sunk"},
          fmt::format("{}: {} of '{}' is {} below the ground", words, lowest.what, name,
                      deck_->display.brief(-lowest.height, si::m)),
          true, -lowest.height);
@@ -185,7 +186,7 @@ void Judge::take_footings(const machine::Model& m, const solve::EquilibriumResul
     if (!(uplift > rounding) || holds_uplift(one.name)) continue;
     const std::string what = one.of.empty() ? fmt::format("the joint of '{}'", one.name)
                                             : fmt::format("the foot of {} at '{}'", fmt::join(one.of, ", "), one.name);
-    warn({.part = "foot " + one.name, .what = "pulled up"},
+    warn({.part = part_of_anchor(deck_->machine, one.name), .what = "pulled up"},
          fmt::format("{}: {} is pulled up with {}: it must be anchored to hold it; 'uplift' or 'strength' of "
                      "'checks: anchors: {}' says what it holds",
                      words, what, deck_->display.brief(uplift, si::N), one.name),
@@ -195,7 +196,7 @@ void Judge::take_footings(const machine::Model& m, const solve::EquilibriumResul
 
 void Judge::add_heights(Result& r) const {
   const auto length = [&](double x) { return deck_->display.brief(x, si::m); };
-  const auto add = [&](const std::map<std::string, Height>& all, const char* name) {
+  const auto add = [&](const std::map<std::string, Height>& all, PartKind kind_of_part, const char* name) {
     const Height* least = nullptr;
     for (const auto& [part, one] : all) {
       if (!std::isfinite(one.value)) continue;
@@ -209,6 +210,7 @@ void Judge::add_heights(Result& r) const {
            .trust = "user"});
       c.utilisation = std::numeric_limits<double>::quiet_NaN();  // a limit of 0 m is no measure
       c.part = part;
+      c.kind = kind_of_part;
       c.limits = false;
       c.where = one.where;
       r.checks.push_back(std::move(c));
@@ -219,8 +221,8 @@ void Judge::add_heights(Result& r) const {
         kind, "", "", least->value,
         fmt::format("{}: {} at x = {} ({})", kind.about.words, least->part, length(least->x), least->where)));
   };
-  add(carriages_, "clearance_min");
-  add(rope_heights_, "rope_clearance_min");
+  add(carriages_, PartKind::carriage, "clearance_min");
+  add(rope_heights_, PartKind::rope, "rope_clearance_min");
 }
 
 /// The ground under the line is not that under a rope beside it.
@@ -240,7 +242,7 @@ void Judge::add_off_line(Result& r) const {
         rope.name, distance, deck_->display.brief(off.x, si::m), off.where, corridor,
         asked ? "its clearance is not judged, as the ground under the line is not the ground under the rope"
               : "the ground under the line is taken for the ground under the rope");
-    const AboutPart about(r, rope.name);
+    const AboutPart about(r, {.kind = PartKind::rope, .name = rope.name});
     if (!asked) {
       warn_unsafe(r, std::move(words));
       continue;
@@ -257,7 +259,7 @@ void Judge::add_gaps(Result& r) const {
     std::vector<std::string> where;
     if (beyond.before > 0) where.push_back(deck_->display.brief(beyond.before, si::m) + " before the first place");
     if (beyond.after > 0) where.push_back(deck_->display.brief(beyond.after, si::m) + " behind the last place");
-    const AboutPart about(r, car);
+    const AboutPart about(r, {.kind = PartKind::carriage, .name = car});
     warn_unsafe(r, fmt::format("{} stands up to {} of the terrain: its height is not judged there; give the ground "
                                "under all of its way",
                                car, fmt::join(where, " and up to ")));
@@ -267,7 +269,7 @@ void Judge::add_gaps(Result& r) const {
     const auto found = gaps_.find(rope);
     if (found == gaps_.end() || asks_clearance(deck_->checks, rope)) continue;
     const study::TerrainGap& gap = found->second;
-    const AboutPart about(r, rope);
+    const AboutPart about(r, {.kind = PartKind::rope, .name = rope});
     if (std::max(gap.before, gap.after) > to_anchor) warn_unsafe(r, gap_words(rope, gap, deck_->display));
   }
 }

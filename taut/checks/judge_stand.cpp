@@ -6,6 +6,7 @@
 #include <map>
 
 #include "taut/checks/judge.hpp"
+#include "taut/checks/parts.hpp"
 #include "taut/machine/state.hpp"
 #include "taut/math/index.hpp"
 
@@ -213,7 +214,7 @@ void Judge::take_lifted(const machine::Model& m, const solve::TransientFrame& mo
     if (is_load) {
       lifted_.try_emplace(foot, told);
     } else {
-      warn({.part = "foot " + m.contacts[foot].name, .what = "lifted"}, told, true);
+      warn({.part = {.kind = PartKind::contact, .name = m.contacts[foot].name}, .what = "lifted"}, told, true);
     }
   }
 }
@@ -223,12 +224,12 @@ void Judge::take_lifted(const machine::Model& m, const solve::TransientFrame& mo
 void Judge::take_feet(const machine::Model& m, const std::string& words) {
   for (const auto& [foot, lifted] : lifted_) {
     if (!picked_up_.contains(m.contacts[foot].body))
-      warn({.part = "foot " + m.contacts[foot].name, .what = "lifted"}, lifted, true);
+      warn({.part = {.kind = PartKind::contact, .name = m.contacts[foot].name}, .what = "lifted"}, lifted, true);
   }
   for (const auto& [body, all] : standing(m)) {
     for (const std::size_t foot : meant_to_stand(m, all)) {
       if (stood_.contains(foot)) continue;
-      warn({.part = "foot " + m.contacts[foot].name, .what = "never stood"},
+      warn({.part = {.kind = PartKind::contact, .name = m.contacts[foot].name}, .what = "never stood"},
            fmt::format("{}: '{}' never stands on '{}', though it does on feet that are no lower where the deck has "
                        "them: it tips or leans from the start",
                        words, m.bodies[body].name, m.contacts[foot].name),
@@ -247,7 +248,7 @@ void Judge::take_ways_of_feet(const machine::Model& m, const solve::TransientFra
     const auto [stood, first] = footprints_.try_emplace(foot, is.point);
     const double way = (is.point - stood->second).norm();
     if (first || way <= dragged_way) continue;
-    warn({.part = "body " + m.bodies[contact.body].name, .what = "dragged"},
+    warn({.part = part_of_body(m, contact.body), .what = "dragged"},
          fmt::format("{}: '{}' is dragged {} from where it stood: the friction of '{}' does not hold it", words,
                      m.bodies[contact.body].name, deck_->display.brief(way, si::m), contact.name),
          true, way);
@@ -259,7 +260,7 @@ void Judge::take_lean(const machine::Model& m, const solve::TransientFrame& mome
   const std::string& name = m.bodies[body].name;
   const double lean = leans_by(turned_to(m, moment, body));
   if (lean <= fallen_angle) return;
-  warn({.part = "body " + name, .what = "fallen"},
+  warn({.part = part_of_body(m, static_cast<int>(body)), .what = "fallen"},
        fmt::format("{}: '{}' has tipped over, or begins far from where it works: it leans {} from where the "
                    "deck has it; where that is its work, describe it in the middle of its range",
                    words, name, deck_->display.brief(lean, si::rad)),

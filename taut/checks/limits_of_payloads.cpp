@@ -8,6 +8,8 @@
 
 #include "taut/calc/shown.hpp"
 #include "taut/catalogue/rule.hpp"
+#include "taut/catalogue/trust.hpp"
+#include "taut/checks/guy/guy_checks.hpp"
 #include "taut/math/index.hpp"
 
 namespace taut::checks {
@@ -36,7 +38,7 @@ bool on_way(const study::Way& way, const Vector3& place) {
 
 }  // namespace
 
-void LimitsOfPayloads::add(const study::PayloadRun& run, const machine::Model& model) {
+void LimitsOfPayloads::add(const study::PayloadRun& run, const CheckedDeck& deck, const machine::Model& model) {
   Payload& one = payloads_.emplace_back();
   one.ending = run.ending;
   one.carriage = run.way.carriage;
@@ -47,11 +49,10 @@ void LimitsOfPayloads::add(const study::PayloadRun& run, const machine::Model& m
     rope.name = model.reevings[i].name;
     rope.limit = run.limits.tension[i];
     rope.strength = model.reevings[i].breaking_force;
-    for (const study::PayloadRule& rule : run.rules) {
-      if (as_size(rule.reeving) != i) continue;
-      rope.row = rule.row;
-      rope.factor = rule.factor;
-      rope.by_rule = model.reevings[i].breaking_force / rule.factor;
+    rope.tension = run.tensions[i];
+    rope.in_use = strength_in_use(deck, i);
+    for (const study::PayloadFactor& one_of : run.factors) {
+      if (as_size(one_of.reeving) == i) rope.factors.push_back(one_of);
     }
   }
 }
@@ -153,39 +154,84 @@ void LimitsOfPayloads::tell_of_weaker(const RopeSeen& rope, Result& r) {
   r.warnings.push_back(r.unmade.back());
 }
 
+namespace {
+
+/// A limit of a rope's tension in its heat, which the payload was not searched with.
+struct TensionLimit {
+  double most = std::numeric_limits<double>::infinity();  ///< N
+  std::string rule;
+  std::string trust = "user";
+  std::string source = {};  ///< of its number, where that is not the deck
+  std::vector<Doubt> doubts = {};
+};
+
+/// By a rule of the catalogue.
+TensionLimit limit_of_rule(const study::PayloadFactor& by, double strength, const StrengthInUse& in_use) {
+  const catalogue::RuleRow& row = *by.row;
+  TensionLimit limit;
+  limit.most = in_use.share * strength / by.factor;
+  limit.source =
+      fmt::format("{}: {}, {}; safety factor {:.4g} on the breaking force", row.id, row.field, row.item, by.factor);
+  limit.rule = fmt::format("{}{}; {}", limit.source, in_use.words, row.source);
+  limit.source += "; " + row.source;
+  limit.trust = catalogue::trust_words(row);
+  limit.doubts = in_use.doubts;
+  return limit;
+}
+
+}  // namespace
+
+void LimitsOfPayloads::add_checks_of(const RopeSeen& rope, const std::string& ending, Result& r) const {
+  const double T = std::max(rope.own, rope.elsewhere.T);
+  const auto add = [&](const TensionLimit& limit) {
+    Check c =
+        make_check(fmt::format("{}.payload_T_max{}", rope.name, ending), T, si::N,
+                   with_doubts({.sense = Sense::at_most, .limit = limit.most, .rule = limit.rule, .trust = limit.trust},
+                               limit.source, limit.doubts));
+    c.part = rope.name;
+    c.covers = {rope.name};
+    if (rope.elsewhere.T > rope.own * (1 + rounding)) c.where = rope.elsewhere.where;
+    c.limits = rope.moving.T <= limit.most * (1 + rounding);
+    if (!c.limits) {
+      const auto [most, has] = brief_apart(limit.most, rope.moving.T, si::N, display_);
+      r.warnings.push_back(
+          fmt::format("{}: the payload's limit, {}, is one of a rope at rest, and '{}' has {}: "
+                      "judge the rope by 'checks: {{ropes: {{{}: ...}}}}'",
+                      rope.name, most, rope.moving.where, has, rope.name));
+    }
+    r.checks.push_back(std::move(c));
+  };
+  const bool unknown = !rope.factors.empty() && !rope.in_use.unknown.empty();
+  if (unknown) {
+    leave_unmade(
+        r,
+        fmt::format("{}: the payload's limit by its breaking force is not checked: {}", rope.name, rope.in_use.unknown),
+        {.part = {.kind = PartKind::rope, .name = rope.name}});
+  }
+  TensionLimit own{.most = rope.tension, .rule = "limit of the payload: the load is the largest one within it"};
+  bool ruled = false;
+  for (const study::PayloadFactor& one : rope.factors) {
+    if (unknown) break;
+    if (one.row != nullptr) {
+      ruled = true;
+      add(limit_of_rule(one, rope.strength, rope.in_use));
+      continue;
+    }
+    own.most = std::min(own.most, rope.in_use.share * rope.strength / one.factor);
+    if (!rope.in_use.words.empty()) own.rule += fmt::format(" with the cold rope; breaking force{}", rope.in_use.words);
+    own.doubts = rope.in_use.doubts;
+  }
+  // the payload keeps within its own limit, so that its rule says more; another analysis need not
+  if (std::isfinite(own.most) && (!ruled || T > own.most * (1 + rounding))) add(own);
+}
+
 void LimitsOfPayloads::add_checks(Result& r) const {
   for (const Payload& one : payloads_) {
     for (const RopeSeen& rope : one.ropes) {
       if (!rope.seen || !std::isfinite(rope.limit)) continue;
+      const AboutPart about(r, {.kind = PartKind::rope, .name = rope.name});
       tell_of_weaker(rope, r);
-      const double T = std::max(rope.own, rope.elsewhere.T);
-      const auto add = [&](double limit, std::string words, std::string trust) {
-        Check c =
-            make_check(fmt::format("{}.payload_T_max{}", rope.name, one.ending), T, si::N,
-                       {.sense = Sense::at_most, .limit = limit, .rule = std::move(words), .trust = std::move(trust)});
-        c.part = rope.name;
-        c.covers = {rope.name};
-        if (rope.elsewhere.T > rope.own * (1 + rounding)) c.where = rope.elsewhere.where;
-        c.limits = rope.moving.T <= limit * (1 + rounding);
-        if (!c.limits) {
-          const auto [most, has] = brief_apart(limit, rope.moving.T, si::N, display_);
-          r.warnings.push_back(
-              fmt::format("{}: the payload's limit, {}, is one of a rope at rest, and '{}' has {}: "
-                          "judge the rope by 'checks: {{ropes: {{{}: ...}}}}'",
-                          rope.name, most, rope.moving.where, has, rope.name));
-        }
-        r.checks.push_back(std::move(c));
-      };
-      if (rope.row != nullptr) {
-        add(rope.by_rule,
-            fmt::format("{}: {}, {}; safety factor {:.4g} on the breaking force; {}", rope.row->id, rope.row->field,
-                        rope.row->item, rope.factor, rope.row->source),
-            rope.row->trust_text);
-      }
-      // the payload keeps within its own limit, so that its rule says more; another analysis need not
-      if (rope.row == nullptr || T > rope.limit * (1 + rounding)) {
-        add(rope.limit, "limit of the payload: the load is the largest one within it", "user");
-      }
+      add_checks_of(rope, one.ending, r);
     }
     for (const auto& [limit, exceeded] : one.exceeded) {
       r.unmade.push_back(exceeded.words);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "taut/calc/result.hpp"
+#include "taut/checks/rope/rope_strength.hpp"
 #include "taut/machine/model.hpp"
 #include "taut/solve/equilibrium.hpp"
 #include "taut/solve/motion/transient.hpp"
@@ -22,7 +23,7 @@ class LimitsOfPayloads {
   explicit LimitsOfPayloads(Display display = {}) : display_(std::move(display)) {}
 
   /// Before any state is shown. `model`: of the machine.
-  void add(const study::PayloadRun& run, const machine::Model& model);
+  void add(const study::PayloadRun& run, const CheckedDeck& deck, const machine::Model& model);
   /// States from here on are those of the payload with this ending.
   void begin(const std::string& ending) { running_ = &ending; }
   void end() { running_ = nullptr; }
@@ -46,11 +47,11 @@ class LimitsOfPayloads {
   };
   struct RopeSeen {
     std::string name;
-    double limit = std::numeric_limits<double>::infinity();  ///< of the payload, N
-    double by_rule = std::numeric_limits<double>::infinity();
-    double strength = 0;  ///< breaking force by which these limits may be, N
-    const catalogue::RuleRow* row = nullptr;
-    double factor = 1;  ///< of the rule
+    double limit = std::numeric_limits<double>::infinity();    ///< of the payload, the rope being cold, N
+    double tension = std::numeric_limits<double>::infinity();  ///< the deck's own, N
+    double strength = 0;                                       ///< breaking force by which these limits may be, N
+    StrengthInUse in_use;
+    std::vector<study::PayloadFactor> factors;
     bool seen = false;
     double own = 0;  ///< largest tension with the payload, N
     Largest elsewhere, moving;
@@ -74,6 +75,7 @@ class LimitsOfPayloads {
   void take_tension(const std::string& rope, double T, const std::string& words);
   void take_strength(const machine::Reeving& rope, const std::string& words);
   static void tell_of_weaker(const RopeSeen& rope, Result& r);
+  void add_checks_of(const RopeSeen& rope, const std::string& ending, Result& r) const;
   void take_others(const machine::Model& model, const solve::EquilibriumResult& state, const std::string& words,
                    Payload& one) const;
 

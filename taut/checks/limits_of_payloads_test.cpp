@@ -78,6 +78,38 @@ TEST(LimitsOfPayloads, AnotherPayloadKeepsItsOwn) {
   EXPECT_NEAR(check_of(r, "sky.payload_T_max_rare").value, 150e3, 1);
 }
 
+// An unverified rule limits a payload as it limits a rope of `checks`: with a doubt that can be refused and confirmed.
+TEST(LimitsOfPayloads, AnUnverifiedRuleIsDoubted) {
+  const std::string rule = "sky: {rule: safety.ropeway_track}";
+  const Result doubted = run_text(line(rule, ""));
+  EXPECT_EQ(verdict_of(doubted)->kind, VerdictKind::passes_with_warnings) << verdict_of(doubted)->reason;
+  EXPECT_THAT(check_of(doubted, "sky.payload_T_max").trust, testing::StartsWith("UNVERIFIED: "));
+  const Result refused = run_text(line(rule, "", "checks: {refuse_unverified: true}\n"));
+  EXPECT_TRUE(check_of(refused, "sky.payload_T_max").refused);
+  EXPECT_EQ(verdict_of(refused)->kind, VerdictKind::not_judged) << verdict_of(refused)->reason;
+  const Result confirmed = run_text(line(rule, "", "checks: {refuse_unverified: true, confirmed: [EN 12927]}\n"));
+  EXPECT_EQ(verdict_of(confirmed)->kind, VerdictKind::passes) << verdict_of(confirmed)->reason;
+  EXPECT_EQ(verdict_of(run_text(line("sky: {rule: safety.skyline.ch}", "")))->kind, VerdictKind::passes);
+}
+
+// So is a breaking force that was recalled; a tension of the deck rests on none.
+TEST(LimitsOfPayloads, AnUnverifiedBreakingForceIsDoubted) {
+  const auto limited = [](const char* limit, const char* checks) {
+    std::string deck = line(limit, "", checks);
+    const std::string own = "mass: 1.7 kg/m, stiffness: 20 MN, breaking_force: 300 kN, diameter: 20 mm";
+    deck.replace(deck.find(own), own.size(), R"(rope: "GOST 2688-80|6x19(1+6+6/6)-FC|18|1570", stiffness: 20 MN)");
+    return run_text(deck);
+  };
+  const Result doubted = limited("sky: {safety_factor: 3}", "");
+  EXPECT_EQ(verdict_of(doubted)->kind, VerdictKind::passes_with_warnings) << verdict_of(doubted)->reason;
+  EXPECT_THAT(check_of(doubted, "sky.payload_T_max").trust, testing::StartsWith("UNVERIFIED: breaking force"));
+  const Result refused = limited("sky: {safety_factor: 3}", "checks: {refuse_unverified: true}\n");
+  EXPECT_EQ(verdict_of(refused)->kind, VerdictKind::not_judged) << verdict_of(refused)->reason;
+  const Result confirmed = limited("sky: {safety_factor: 3}", "checks: {confirmed: [GOST 2688-80]}\n");
+  EXPECT_EQ(verdict_of(confirmed)->kind, VerdictKind::passes) << verdict_of(confirmed)->reason;
+  EXPECT_EQ(check_of(limited("sky: {tension: 50 kN}", ""), "sky.payload_T_max").trust, "user");
+}
+
 TEST(LimitsOfPayloads, OtherLimitsLeaveAnotherAnalysisUnjudged) {
   const std::string checks = "checks: {ropes: {sky: {safety_factor: 1.2}}, confirmed: [elastic_limit]}\n";
   const Result deep =

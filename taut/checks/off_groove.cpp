@@ -61,7 +61,7 @@ void OffGroove::take(const machine::Model& m, const solve::TransientFrame& frame
 
 void OffGroove::add_warnings(Result& r, const Display& display) const {
   for (const auto& [place, worst] : worst_) {
-    const AboutPart about(r, place.first);
+    const AboutPart about(r, {.kind = PartKind::rope, .name = place.first});
     const double angle = std::asin(std::min(worst.sine, 1.0));
     warn_unsafe(r, fmt::format("{}: {} runs {} out of the plane of '{}': no groove holds it (throats open {} at most); "
                                "turn the 'axis' or guide the rope",

@@ -205,6 +205,20 @@ void add_chosen(const DesignTask& task, const DesignPlace& best, bool ended, Res
   add_answer_line(r, build_label, parts);
 }
 
+void add_choices(const DesignTask& task, const DesignPlace& best, Result& r) {
+  const std::size_t ropes = task.space.ropes.size();
+  for (std::size_t k = 0; k < ropes; ++k) {
+    r.choices[task.space.ropes[k].name] = task.space.ropes[k].rows[best.choice[k]].id;
+  }
+  for (std::size_t k = 0; k < task.space.sections.size(); ++k) {
+    const SectionCandidates& one = task.space.sections[k];
+    r.choices[one.name] = one.rows[best.choice[ropes + k]].name;
+  }
+  for (std::size_t k = 0; k < task.space.unknowns.size(); ++k) {
+    r.choices[task.space.unknowns[k].parameter] = fmt::format("{:.6g}", best.values[k]);
+  }
+}
+
 }  // namespace
 
 Result run_design(const DesignTask& task) {
@@ -216,6 +230,7 @@ Result run_design(const DesignTask& task) {
   add_design(task, found, r);
   mark_chosen(task, best, r.given);
   add_chosen(task, best, found.ended, r);
+  add_choices(task, best, r);
   add_warnings(task, found, r);
   if (found.ended) {
     r.interrupted = true;

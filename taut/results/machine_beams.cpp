@@ -43,6 +43,7 @@ Table ends(const machine::Model& m, const EquilibriumResult& e) {
 /// Yield and buckling can only fail: a beam that passes them has no limit yet.
 void add_fact(const std::string& beam, const std::string& where, Check check, Result& r) {
   check.part = beam;
+  check.kind = PartKind::beam;
   check.limits = false;
   check.where = where;
   r.checks.push_back(std::move(check));
@@ -157,6 +158,7 @@ void add_worst(const machine::description::Beam& given, const checks::BeamWorst&
   add("top_displacement", worst.top_displacement);
   add("N_cr", worst.N_cr);
   add("alpha_cr", worst.alpha_cr);
+  const AboutPart about(r, {.kind = PartKind::beam, .name = given.name});
   check_stress(given, worst, display, r);
   tell_left_out(given, worst.torsion_left_out, display, r);
   check_buckling(given, worst.alpha_cr, r);

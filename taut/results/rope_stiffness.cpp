@@ -88,6 +88,7 @@ void warn_of_strain(const machine::Machine& machine, const ChosenRopes& chosen, 
     if (T == nullptr || rope == nullptr) continue;
     std::optional<std::string> words = catalogue::doubt_of_strain(one.name, T->value, one.stiffness, display);
     if (!words) continue;
+    const AboutPart about(r, {.kind = PartKind::rope, .name = one.name});
     of_catalogue(*rope, chosen) ? warn_unsafe(r, *std::move(words)) : r.warnings.push_back(*std::move(words));
   }
 }

@@ -43,7 +43,7 @@ class RopeChecker {
     } else {
       leave_out("its strength", "no load case gives it a tension", itself());
     }
-    if (use_.tension > 0) out_.loaded.insert(itself());
+    if (std::max(use_.tension, use_.peak) > 0) out_.loaded.insert(itself());
     dynamics();
     heat();
     ratios();
@@ -142,8 +142,8 @@ class RopeChecker {
       } else if (check.passes || is_efficiency) {
         out_.checks.push_back(std::move(check));
       } else {
-        out_.left_out.push_back(fmt::format("{} is not checked: {}; add an analysis at rest with the full load",
-                                            check.name, why_rest_is_unknown(use_)));
+        out_.left_out.push_back(
+            fmt::format("{} is not checked: {}; {}", check.name, why_rest_is_unknown(use_), how_to_know_rest(use_)));
       }
     }
     std::move(at_peak.out_.left_out.begin(), at_peak.out_.left_out.end(), std::back_inserter(out_.left_out));
@@ -541,6 +541,13 @@ std::string why_rest_is_unknown(const RopeUse& use) {
       "the motion ends with {} on average, more than the largest {}, and not for long enough to tell "
       "whether it stays",
       force(use, use.last), lasting_words(use));
+}
+
+std::string how_to_know_rest(const RopeUse& use) {
+  if (!use.analysed || !(use.peak > sudden_load * use.tension)) return "add an analysis at rest with the full load";
+  return "where that is the full load, the factor has to hold at the peak too: take a stronger rope, or let the load "
+         "come on with less slack or more slowly, so that the peak stays below twice that; 'dynamic_safety_factor' in "
+         "place of 'safety_factor' asks a factor of the peak alone";
 }
 
 RopeUse at_peak(RopeUse use) {

@@ -93,6 +93,10 @@ bool rest_is_known(const RopeUse& use);
 /// Where it is not: why, "the motion reaches 64 kN, more than twice the tension at rest, 15 kN".
 std::string why_rest_is_unknown(const RopeUse& use);
 
+/// What then helps. A peak beyond twice what an analysis at rest has found stays there with any further analysis of the
+/// same load.
+std::string how_to_know_rest(const RopeUse& use);
+
 /// Whether a tension with which a motion ends is more than friction and small swings make of that at rest, N.
 bool goes_beyond_rest(double tension, double at_rest);
 

@@ -311,6 +311,15 @@ TEST(RopeCheck, beyond_a_sudden_load_the_tension_at_rest_is_not_known) {
         << unknown.left_out[0];
   }
 
+  // an analysis at rest that has that already asks for no other one
+  EXPECT_NE(with(15e3, 64e3).left_out[0].find("add an analysis at rest"), std::string::npos);
+  use.analysed = true;
+  const std::string has_it = with(15e3, 64e3).left_out[0];
+  EXPECT_EQ(has_it.find("add an analysis at rest"), std::string::npos) << has_it;
+  EXPECT_NE(has_it.find("a stronger rope, or let the load come on with less slack"), std::string::npos) << has_it;
+  EXPECT_NE(has_it.find("'dynamic_safety_factor'"), std::string::npos) << has_it;
+  use.analysed = false;
+
   const RopeChecks broken = with(50e3, 150e3);  // 3.2 at rest
   EXPECT_DOUBLE_EQ(value_of(broken, "hoist.safety_factor"), 3.2);
   EXPECT_FALSE(find(broken, "hoist.safety_factor")->passes);

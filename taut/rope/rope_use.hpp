@@ -51,6 +51,7 @@ struct RopeUse {
   double tension = 0;       ///< the largest anywhere, static, N
   std::string where;        ///< "load path, in, x = 130 m"
   bool lasts = false;       ///< it is one of a motion that lasts, and of no state at rest
+  bool analysed = false;    ///< an analysis at rest has it or nearly as much, not only the start of a motion
   double peak = 0;          ///< the largest of calculated motions, N; 0: none
   std::string peak_where;
   double mean = 0;  ///< the largest over some seconds of calculated motions, N; 0: none
@@ -58,7 +59,7 @@ struct RopeUse {
   double last = 0;  ///< on average at the end of calculated motions, the largest, N: what may go on from there; 0: none
   std::vector<Bend> bends;              ///< along its path
   std::vector<std::string> unmeasured;  ///< sheaves and drums that it bends on, of no known diameter
-  bool measurable = false;              ///< the deck can give those diameters: that of a machine, of no published method
+  bool measurable = false;  ///< the deck can give those diameters: that of a machine, of no published method
   std::vector<RopeEnd> ends;
   std::vector<DrumEnd> drums;
   int copies = 1;       ///< equal ropes side by side; all tensions are of one of them

@@ -140,7 +140,11 @@ class NamedLimit {
       return;
     }
     double most = request_.tension.value_or(std::numeric_limits<double>::infinity());
-    if (request_.safety_factor) most = std::min(most, rope.breaking_force / *request_.safety_factor);
+    run_.tensions[reeving] = most;
+    if (request_.safety_factor) {
+      most = std::min(most, rope.breaking_force / *request_.safety_factor);
+      run_.factors.push_back({.reeving = reeving, .factor = *request_.safety_factor});
+    }
     if (request_.rule) most = by_rule(reeving, most);
     run_.limits.tension[reeving] = most;
     if (request_.clearance) run_.limits.rope_clearance[reeving] = *request_.clearance;
@@ -161,7 +165,7 @@ class NamedLimit {
     } else {
       const auto& table = catalogue::rules();
       const auto same = std::find_if(table.begin(), table.end(), [&](const auto& one) { return one.id == row->id; });
-      run_.rules.push_back({reeving, *factor, &*same});
+      run_.factors.push_back({reeving, *factor, &*same});
       if (std::isinf(most)) return p_.model.reevings[reeving].breaking_force / *factor;
     }
     return most;
@@ -198,6 +202,7 @@ void resolve_limits(const LimitsRequest& request, std::optional<int> carriage, c
                     PayloadRun& run) {
   PayloadLimits& l = run.limits;
   l.tension.assign(p.model.reevings.size(), std::numeric_limits<double>::infinity());
+  run.tensions = l.tension;
   l.rope_clearance.assign(p.model.reevings.size(), -std::numeric_limits<double>::infinity());
   if (request.clearance) l.clearance = *request.clearance;
   if (request.break_angle) l.break_angle = *request.break_angle;

@@ -94,11 +94,12 @@ Array<PayloadPoint> payload_path(const machine::Model& model, const PayloadLimit
 PayloadPoint payload_at(const machine::Model& model, const PayloadLimits& limits, const LoadPathOptions& options,
                         double x, const std::optional<machine::State>& start = std::nullopt, double expected = 0);
 
-/// A rule of the catalogue, a safety factor, that a rope is checked by.
-struct PayloadRule {
+/// A safety factor that limits the tension of a rope by its breaking force: of a rule of the catalogue, or the deck's
+/// own.
+struct PayloadFactor {
   int reeving = 0;
   double factor = 1;
-  const catalogue::RuleRow* row = nullptr;
+  const catalogue::RuleRow* row = nullptr;  ///< none: the deck's own
 };
 
 /// One place of the carriage.
@@ -121,7 +122,8 @@ struct PayloadRun {
   bool one_place = false;
   bool held = false;
   PayloadLimits limits;
-  std::vector<PayloadRule> rules;
+  std::vector<PayloadFactor> factors;
+  Array<double> tensions;  ///< by reeving: the limit that the deck gives as a force, N; infinite: none
   Array<WayPart> parts;
   std::deque<machine::Model> over_tops;  ///< of positions over tops of the ground between parts
   Array<PayloadPosition> positions;

@@ -486,6 +486,20 @@ bool begins_at_rest(const TransientRun& run, int reeving) {
   });
 }
 
+bool lifts_from_face(const TransientRun& run, int reeving) {
+  const Array<solve::TransientFrame>& frames = run.result.frames;
+  const machine::Reeving& rope = run.model.reevings[reeving];
+  for (std::size_t i = 0; !frames.empty() && i < run.model.contacts.size(); ++i) {
+    const int body = run.model.contacts[i].body;
+    const bool held = body != machine::ground && std::any_of(rope.nodes.begin(), rope.nodes.end(),
+                                                             [&](const auto& node) { return node.at.body == body; });
+    if (!held || !(frames.front().faces[i].closed && frames.front().faces[i].N > 0)) continue;
+    if (std::any_of(frames.begin(), frames.end(), [&](const auto& frame) { return !frame.faces[i].closed; }))
+      return true;
+  }
+  return false;
+}
+
 const Quantities<DynamicRow>& dynamic_quantities() {
   using Row = DynamicRow;
   const auto of = [](const Row& r) -> const solve::RopeExtreme& { return r.run.result.ropes[r.reeving]; };
@@ -499,7 +513,8 @@ const Quantities<DynamicRow>& dynamic_quantities() {
       {"T_min", "T_min", si::N, "least tension over the motion; of a rope that breaks up to then",
        [=](const Row& r) { return of(r).T.min; }},
       {"dynamic_factor", "phi", si::one, "peak over static tension", [=](const Row& r) {
-         const bool known = of(r).T_static > 0 && begins_at_rest(r.run, r.reeving);
+         const bool known =
+             of(r).T_static > 0 && begins_at_rest(r.run, r.reeving) && !lifts_from_face(r.run, r.reeving);
          return known ? of(r).T.max / of(r).T_static : std::nan("");
        }}};
   return all;

@@ -114,6 +114,8 @@ struct ObservedRow {
 /// Whether the tensions of a rope where the motion begins are those at rest: an assembled machine may be out of
 /// balance, and what the rope holds then moves at once.
 bool begins_at_rest(const TransientRun& run, int reeving);
+/// Whether a rope lifts what stands on a face where the motion begins: its tension there is not that of the load.
+bool lifts_from_face(const TransientRun& run, int reeving);
 const Quantities<solve::TransientEvent>& event_quantities();
 
 /// The last of them in units of a display: "T = 11.77 kN".

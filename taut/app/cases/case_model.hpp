@@ -44,10 +44,16 @@ struct CaseOutput {
 
 /// What a run of one case says against it, whatever its outputs are.
 struct CaseFlaw {
-  enum class Kind { unsafe, unmade, fails };
+  enum class Kind {
+    unsafe,
+    unmade,
+    fails,
+    unlimited,  ///< a part needs a limit of its strength, which neither the case nor the deck as it is asks for
+    chooses     ///< the case has chosen another rope, section or value than the deck as it is
+  };
   Kind kind = Kind::unsafe;
-  /// Of `fails`: the name of the check, "skyline.T_max". Of `unmade`: the only value that can't be judged, empty where
-  /// the whole case can't be.
+  /// Of `fails` and `unlimited`: the name of the check, "skyline.T_max". Of `unmade`: the only value that can't be
+  /// judged, empty where the whole case can't be.
   std::string check = {};
   std::string words = {};        ///< why, one sentence
   bool fact = false;             ///< of `fails`: no limit of the deck can allow it: breaking force, yield, ground
@@ -65,7 +71,7 @@ struct CaseAnswer {
   std::map<std::string, double> weaker = {};  ///< strengths below those of CaseModel
 };
 
-/// A part that needs a limit of its strength and that no check of a case limits.
+/// A part that needs a limit of its strength and that no check of the deck as it is limits.
 struct UnaskedPart {
   std::string name;
   std::string why = {};  ///< where a run of the deck has such a check: why the cases have not
@@ -75,7 +81,8 @@ struct UnaskedPart {
 /// What a run of the whole deck as it is tells and its cases do not.
 struct Unasked {
   std::vector<UnaskedPart> parts = {};
-  std::vector<std::string> unmade = {};          ///< checks of the deck that no case makes
+  std::vector<Check> unmade = {};                ///< checks of the deck that no case makes
+  std::string analysis = {};                     ///< whose states they are about; empty: of several
   std::vector<CaseFlaw> fails = {};              ///< those of them that the deck as it is fails
   std::map<std::string, double> strengths = {};  ///< as in CaseModel
 };

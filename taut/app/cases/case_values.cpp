@@ -218,4 +218,22 @@ std::vector<CaseFlaw> flaws_of(const Result& r, const Display& display) {
   return flaws;
 }
 
+SaidOfDeck said_of_deck(const Result& r) { return {.unjudged = r.unjudged, .choices = r.choices}; }
+
+void add_other(const Result& r, const SaidOfDeck& deck,
+               const std::function<std::string(const std::string& part)>& check_of, std::vector<CaseFlaw>& flaws) {
+  for (const std::string& part : r.unjudged) {
+    if (std::find(deck.unjudged.begin(), deck.unjudged.end(), part) != deck.unjudged.end()) continue;
+    flaws.push_back({.kind = CaseFlaw::Kind::unlimited, .check = check_of(part)});
+  }
+  std::vector<std::string> others;
+  for (const auto& [part, choice] : r.choices) {
+    const auto known = deck.choices.find(part);
+    if (known == deck.choices.end() || known->second == choice) continue;
+    others.push_back(fmt::format("{} {} in place of {}", part, choice, known->second));
+  }
+  if (others.empty()) return;
+  flaws.push_back({.kind = CaseFlaw::Kind::chooses, .words = fmt::format("{}", fmt::join(others, ", "))});
+}
+
 }  // namespace taut::app

@@ -93,4 +93,16 @@ void add_weaker(const Result& r, const std::map<std::string, double>& known, std
 /// tells of parts that have neither (CaseModel::unasked). With the words in these units.
 std::vector<CaseFlaw> flaws_of(const Result& r, const Display& display);
 
+/// What the deck as it is says of parts and choices.
+struct SaidOfDeck {
+  std::vector<std::string> unjudged = {};           ///< parts without a limit
+  std::map<std::string, std::string> choices = {};  ///< as of a Result
+};
+SaidOfDeck said_of_deck(const Result& r);
+
+/// How a case differs from that: parts without a limit that the deck as it is does not have, and choices. `check_of`:
+/// the check of the strength of a part.
+void add_other(const Result& r, const SaidOfDeck& deck,
+               const std::function<std::string(const std::string& part)>& check_of, std::vector<CaseFlaw>& flaws);
+
 }  // namespace taut::app

@@ -11,10 +11,10 @@
 #include <string_view>
 
 #include "taut/app/cases/case_values.hpp"
+#include "taut/app/cases/said_by_cases.hpp"
 #include "taut/app/design/design_machine.hpp"
 #include "taut/base/suggest.hpp"
-#include "taut/checks/rope/rope_rules.hpp"
-#include "taut/checks/rope/rope_uses.hpp"
+#include "taut/checks/rope/rope_strength.hpp"
 #include "taut/design/design.hpp"
 #include "taut/study/analyses.hpp"
 #include "taut/study/deck/parameter.hpp"
@@ -68,6 +68,7 @@ struct DeckPart {
   bool judges = true;               ///< whether the verdict has to see its states
   std::string about = {};           ///< the analysis whose states its flaws are about, as of a CaseFlaw
   bool tells = true;                ///< whether it tells the flaws of a case: no part does that runs more than it
+  SaidOfDeck of_deck = {};          ///< by this part
 };
 
 struct MachineModel {
@@ -138,24 +139,14 @@ void weaken(const std::string& name, double share, Result& r) {
 std::string weaken_by_heat(const MachineDeck& deck, const MachineDeck& part, const DeckPart& asked_of, Result& r) {
   std::string why;
   const std::optional<double> hottest = study::hottest_of(part.machine, part.analyses);
-  const std::size_t asked = deck.checks ? deck.checks->ropes.size() : 0;
-  std::vector<std::pair<std::string, std::string>> ropes;  // by the name of a reeving or guy
-  ropes.reserve(deck.machine.reevings.size() + deck.machine.guys.size());
-  for (const auto& one : deck.machine.reevings) ropes.emplace_back(name_of(one), one.rope);
-  for (const auto& one : deck.machine.guys) ropes.emplace_back(one.name, one.rope);
-  for (std::size_t k = 0; k < asked; ++k) {
-    const checks::RopeCheckRequest& request = deck.checks->ropes[k];
-    if (!request.temperature && !hottest) continue;
-    const bool own =
-        std::any_of(ropes.begin(), ropes.end(), [&](const auto& one) { return one.first == request.name; });
-    for (const auto& [name, rope] : ropes) {
-      if ((own ? name : rope) != request.name) continue;
-      const catalogue::RopeRow row = checks::with_request(checks::row_in(deck, rope), request);
-      const rope::RopeRules rules = checks::rope_rules(request, deck.asked.ropes.at(k), row, hottest);
-      weaken(name, rope::heat_share(rules), r);
-      if (!rules.no_strength.empty() && wants_factor(asked_of, name))
-        why = fmt::format("{}: {}", name, rules.no_strength);
-    }
+  const std::size_t ropes = deck.machine.reevings.size() + deck.machine.guys.size();
+  for (std::size_t i = 0; i < ropes; ++i) {
+    const auto entry = checks::entry_of(deck, i);
+    if (!entry || !(hottest || deck.checks->ropes[*entry].temperature)) continue;
+    const checks::StrengthInUse in_use = checks::strength_in_use(deck, i, hottest);
+    const std::string name = checks::reeving_name_of(deck.machine, i);
+    weaken(name, in_use.share, r);
+    if (!in_use.unknown.empty() && wants_factor(asked_of, name)) why = fmt::format("{}: {}", name, in_use.unknown);
   }
   return why;
 }
@@ -167,7 +158,8 @@ struct PartRun {
   std::vector<CaseFlaw> open = {};
 };
 
-/// `beyond`: ropes that a motion loads far more than at rest, each with why. A check that is made has its own number.
+/// `beyond`: ropes that a motion loads far more than at rest, each with why, and with what helps. A check that is made
+/// has its own number.
 std::vector<CaseFlaw> open_factors(const DeckPart& part, const std::map<std::string, std::string>& beyond,
                                    const Result& r) {
   std::vector<CaseFlaw> open;
@@ -180,9 +172,8 @@ std::vector<CaseFlaw> open_factors(const DeckPart& part, const std::map<std::str
     open.push_back(
         {.kind = CaseFlaw::Kind::unmade,
          .check = name,
-         .words = fmt::format("{} is for the tension at rest: {}; add an analysis at rest with the full load{}, or "
-                              "limit the T_max of {}, which has the peak",
-                              name, why, alone ? fmt::format(" and limit checks.{}", name) : std::string{}, rope),
+         .words = fmt::format("{} is for the tension at rest: {}{}, or limit the T_max of {}, which has the peak", name,
+                              why, alone ? fmt::format(" and limit checks.{}", name) : std::string{}, rope),
          .sense = Sense::at_least,
          .analysis = part.analysis.label});
   }
@@ -347,7 +338,12 @@ CaseAnswer answer_by(const MachineModel& model, const MachineOfCase& whole, cons
     if (deck) {
       const auto [r, open] = run_part(whole, part, **deck, one_of_many(part));
       answer.outcome = take_values(r, part.wanted, found);
-      std::vector<CaseFlaw> flaws = part.tells ? flaws_of(r, model.base.deck.display) : std::vector<CaseFlaw>{};
+      std::vector<CaseFlaw> flaws;
+      if (part.tells) {
+        flaws = flaws_of(r, model.base.deck.display);
+        add_other(
+            r, part.of_deck, [&](const auto& name) { return check_of_strength(model.base.deck, name); }, flaws);
+      }
       for (CaseFlaw& one : flaws) one.analysis = part.about;
       std::move(flaws.begin(), flaws.end(), std::back_inserter(answer.flaws));
       answer.flaws.insert(answer.flaws.end(), open.begin(), open.end());
@@ -391,12 +387,6 @@ CaseAnswer answer_anew(const MachineModel& model, std::span<const double> values
     put_up_before(model, model.parts[i], alone);
     return &alone;
   });
-}
-
-void add_new(const std::vector<std::string>& more, std::vector<std::string>& all) {
-  for (const std::string& one : more) {
-    if (std::find(all.begin(), all.end(), one) == all.end()) all.push_back(one);
-  }
 }
 
 /// The analyses that a part runs and the verdict sees.
@@ -476,48 +466,6 @@ std::vector<std::string> analyses_not_run(const MachineModel& model) {
   return all;
 }
 
-/// What the cases say of the deck as it is.
-struct SaidByCases {
-  std::vector<std::string> unjudged = {};      ///< parts
-  std::set<std::string> checks = {}, failing;  ///< by name: all, and those that fail
-};
-
-void hear(const DeckPart& part, const Result& r, SaidByCases& said) {
-  if (!part.tells) return;
-  add_new(r.unjudged, said.unjudged);
-  for (const Check& c : r.checks) {
-    said.checks.insert(c.name);
-    if (!c.passes) said.failing.insert(c.name);
-  }
-}
-
-/// What a run of the whole deck as it is says beside that.
-Unasked beside_cases(const MachineDeck& deck, const SaidByCases& cases) {
-  const Result whole = run_machine(deck, RunDepth::checks);
-  Unasked found{.strengths = strengths_of(whole)};
-  std::vector<std::string> parts = whole.unjudged;
-  add_new(cases.unjudged, parts);
-  for (const std::string& part : parts) {
-    const auto check =
-        std::find_if(whole.checks.begin(), whole.checks.end(), [&](const Check& c) { return judges(c, part); });
-    const auto& beams = deck.machine.beams;
-    const bool is_beam = std::any_of(beams.begin(), beams.end(), [&](const auto& beam) { return beam.name == part; });
-    UnaskedPart& one = found.parts.emplace_back(UnaskedPart{.name = part, .is_beam = is_beam});
-    if (check == whole.checks.end()) continue;
-    one.why = fmt::format("no case makes the deck's {}", check->name);
-    if (deck.checks) one.why += fmt::format(": name an output checks.{}", check->name);
-  }
-  for (const Check& c : whole.checks) {
-    if (!cases.checks.contains(c.name)) found.unmade.push_back(c.name);
-  }
-  for (CaseFlaw& flaw : flaws_of(whole, deck.display)) {
-    if (flaw.kind != CaseFlaw::Kind::fails || cases.failing.contains(flaw.check)) continue;
-    flaw.analysis = only_judged(deck);
-    found.fails.push_back(std::move(flaw));
-  }
-  return found;
-}
-
 }  // namespace
 
 MadeCases machine_cases(const ReadMachine& read, const CaseQuestion& question,
@@ -569,17 +517,18 @@ MadeCases machine_cases(const ReadMachine& read, const CaseQuestion& question,
     add_new(r.exempt, made.exempt);
     add_new(r.left_out, made.left_out);
     part.judges = part.tells || needs(part, judged);
+    part.of_deck = said_of_deck(r);
     std::map<std::string, double> strengths = strengths_of(r);
     for (const auto& one : strengths) add_new(analyses_run(part, model->base.deck), made.loaded_in[one.first]);
     made.strengths.merge(strengths);
-    hear(part, r, said);
+    if (part.tells) said.hear(r);
   }
   model->strengths = made.strengths;
   made.not_run = analyses_not_run(*model);
   // a design takes no choice that has one
   if (!model->base.deck.design) {
     made.unasked = [model = std::shared_ptr<const MachineModel>(model), said = std::move(said)] {
-      return beside_cases(model->base.deck, said);
+      return beside_cases(model->base.deck, said, only_judged(model->base.deck));
     };
   }
   model->plain = std::all_of(model->inputs.begin(), model->inputs.end(),

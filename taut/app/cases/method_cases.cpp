@@ -15,6 +15,7 @@ struct MethodModel {
   DeckParameters<MethodDeck> parameters;
   std::vector<WantedValue> wanted;
   std::map<std::string, double> strengths;  ///< as in CaseModel
+  SaidOfDeck of_deck;
 };
 
 FoundParameter parameter_of(MethodDeck& deck, const std::string& path) { return deck.parameter(path); }
@@ -37,6 +38,8 @@ CaseAnswer answer_of(const MethodModel& model, std::span<const double> values) {
   if (!answer.outcome.ok()) return answer;
   answer.outputs = std::move(found);
   answer.flaws = flaws_of(r, deck->display);
+  add_other(
+      r, model.of_deck, [](const std::string& part) { return part + breaking_check; }, answer.flaws);
   add_weaker(r, model.strengths, answer.weaker);
   return answer;
 }
@@ -64,10 +67,11 @@ MadeCases method_cases(const MethodDeck& deck, const CaseQuestion& question,
   }
   for (const CaseName& one : question.outputs) made.outputs.push_back({.name = one.name, .unit = {}, .label = {}});
   Unasked unasked;
-  if (wrong.complaints.empty()) {
+  if (wrong.complaints.empty() && !question.outputs.empty()) {
     const Result r = model->deck.calculate();
     add_outputs(r, model->wanted, made, wrong);
     made.strengths = unasked.strengths = model->strengths = strengths_of(r);
+    model->of_deck = said_of_deck(r);
     for (const std::string& part : r.unjudged) unasked.parts.push_back({.name = part});
   }
   if (!wrong.complaints.empty() || !wrong.outcome.ok()) return tl::unexpected(std::move(wrong));

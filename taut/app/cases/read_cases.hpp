@@ -24,6 +24,7 @@ struct ReadCases {
 
   /// The map with the blocks `study` and `calibrate`; paths of complaints begin there.
   const io::Node& blocks() const;
+  /// Without outputs nothing is calculated: the inputs alone are looked up.
   MadeCases cases(const CaseQuestion& question) const;
   /// The same text for all spellings of a number's path; the path itself where it leads to none.
   std::string place_of(const std::string& path) const;

@@ -10,6 +10,7 @@
 #include "taut/app/design/design_space.hpp"
 #include "taut/catalogue/modulus.hpp"
 #include "taut/catalogue/section_search.hpp"
+#include "taut/checks/parts.hpp"
 #include "taut/checks/rope/rope_uses.hpp"
 #include "taut/design/design_checks.hpp"
 #include "taut/io/deck/read.hpp"
@@ -354,8 +355,8 @@ void complain_of_strength(const design::DesignSpace& space, MachineDeck& deck, s
 /// A rope or section all of whose parts the deck exempts has no limit: the first candidate would do.
 void complain_of_exempt(const design::DesignSpace& space, const MachineDeck& deck, std::vector<Complaint>& complaints) {
   if (!deck.checks) return;
-  const std::vector<std::string>& exempt = deck.checks->exempt;
-  const auto is_exempt = [&](const std::string& part) {
+  const std::vector<Part> exempt = checks::exempt_parts(*deck.checks, deck.machine);
+  const auto is_exempt = [&](const Part& part) {
     return std::find(exempt.begin(), exempt.end(), part) != exempt.end();
   };
   const auto complain = [&](const char* kind, const std::string& name) {
@@ -364,17 +365,19 @@ void complain_of_exempt(const design::DesignSpace& space, const MachineDeck& dec
                           "out there or here"});
   };
   for (const design::RopeCandidates& rope : space.ropes) {
-    std::vector<std::string> parts;
+    std::vector<Part> parts;
+    const auto add = [&](const std::string& name) { parts.push_back({.kind = PartKind::rope, .name = name}); };
     for (const auto& one : deck.machine.reevings) {
-      if (one.rope == rope.name) parts.push_back(name_of(one));
+      if (one.rope == rope.name) add(name_of(one));
     }
     for (const auto& one : deck.machine.guys) {
-      if (one.rope == rope.name) parts.push_back(one.name);
+      if (one.rope == rope.name) add(one.name);
     }
     if (!parts.empty() && std::all_of(parts.begin(), parts.end(), is_exempt)) complain("ropes", rope.name);
   }
   for (const design::SectionCandidates& one : space.sections) {
-    if (is_exempt(one.name)) complain("sections", one.name);
+    const auto is_of = [&](PartKind kind) { return is_exempt({.kind = kind, .name = one.name}); };
+    if (is_of(PartKind::beam) || is_of(PartKind::mast)) complain("sections", one.name);
   }
 }
 

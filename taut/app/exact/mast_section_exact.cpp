@@ -29,6 +29,7 @@ using namespace mast_section;
 struct LoadedMast {
   machine::Model model;
   solve::EquilibriumResult found;
+  bool leans = false;  ///< see StandingMast
 
   const solve::BeamResult& mast() const { return found.beams[0]; }
 };
@@ -51,7 +52,9 @@ class EngineMasts {
       return one;
     }
     one.model = mast_machine(in_, guys_.all, forces, section);
-    one.found = solve::equilibrium(one.model);
+    StandingMast standing = stand(one.model);
+    one.found = std::move(standing.found);
+    one.leans = standing.leans;
     return one;
   }
 
@@ -362,10 +365,31 @@ void warn_of_values(const Input& in, const Solved& method, const Section& sectio
   }
 }
 
+/// The farthest that the mast leans aside in a load case where guys let it.
+void warn_of_leaning(const Input& in, const Solved& method, const Section& section, EngineMasts& masts,
+                     const Display& display, Result& r) {
+  double most = 0;
+  std::string where;
+  for (const ClampForces& f : method.forces) {
+    const LoadedMast& at = masts.under(f, section.full_name, section.beam);
+    if (!at.leans) continue;
+    const double aside = std::abs(at.mast().points.back().deflection.y());
+    if (aside <= most) continue;
+    most = aside;
+    where = case_words(in, f);
+  }
+  if (where.empty()) return;
+  r.warnings.push_back(
+      fmt::format("guys go slack and hold the mast no longer: it leans aside to the left or right, by {}, until one of "
+                  "them holds it ({}); tighten the guys towards the load, or add guys across it",
+                  display.brief(most, si::m.in("mm")), where));
+}
+
 void warn_of_guys(const Input& in, const Solved& method, const Section& section, EngineMasts& masts,
                   const Display& display, Result& r) {
   if (r.status != Status::ok) return;
   warn_of_values(in, method, section, masts, display, r);
+  warn_of_leaning(in, method, section, masts, display, r);
   const SlackGuys open = slack_guys(in, method, section, masts, false, false),
                   declared = slack_guys(in, method, section, masts, false, true),
                   alone = slack_guys(in, method, section, masts, true, std::nullopt);
@@ -421,7 +445,8 @@ void add_checks(const Input& in, const Solved& method, const Section& section, E
       "at rest, with guys each rope alone too, and with the guys alone";
   if (in.safety) rule += "; the larger of the stress and of that under the safety times the forces, over the safety";
   const double stress = stress_of_all(method, section, masts);
-  if (std::isnan(stress)) rule = "the mast finds no equilibrium under the safety times the ropes' forces: it buckles";
+  if (std::isnan(stress))
+    rule = "the mast finds no equilibrium under the safety times the ropes' forces: it buckles, or guys go slack";
   Check strength = make_check(
       fmt::format("strength of {}, exact", section.name), stress, si::Pa,
       {.sense = Sense::at_most, .limit = section.allowable, .rule = std::move(rule), .trust = section.trust});

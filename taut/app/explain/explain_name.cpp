@@ -236,6 +236,13 @@ bool is_of_results(const std::string& name) {
   });
 }
 
+/// "sag_2" is such a column as "sag_N".
+std::optional<std::string> text_of_numbered(const std::string& name) {
+  const std::size_t at = name.find_last_not_of("0123456789");
+  if (at == std::string::npos || at + 1 == name.size() || name[at] != '_') return std::nullopt;
+  return found_text(name.substr(0, at + 1) + "N");
+}
+
 /// What has the name without its last words behind "_": those of a further analysis, a number, an extreme.
 std::optional<std::string> text_without_ending(const std::string& name) {
   for (std::size_t at = name.rfind('_'); at != std::string::npos && at > 0; at = name.rfind('_', at - 1)) {
@@ -250,7 +257,8 @@ std::optional<std::string> text_without_ending(const std::string& name) {
 
 }  // namespace
 
-tl::expected<std::string, std::string> explain_name(const std::string& name) {
+tl::expected<std::string, std::string> explain_name(const std::string& asked) {
+  const std::string name = plain_name(asked);
   if (auto text = found_text(name)) return *text;
   if (auto text = explain_report_name(name)) return *text;
   const std::string own = deck_word(name);
@@ -265,7 +273,9 @@ tl::expected<std::string, std::string> explain_name(const std::string& name) {
     return fmt::format("Nothing is named '{}'; the word stands in the meaning of {} things.\n{}", name, hits.size(),
                        list_of(hits));
   }
+  if (auto text = text_of_numbered(name)) return *text;
   if (auto text = text_without_ending(name)) return *text;
+  if (auto text = explain_table_of_analysis(name)) return *text;
   const std::string near = nearest(name, all_names());
   const std::string meant = near.empty() ? std::string() : fmt::format("; did you mean '{}'?", near);
   return tl::unexpected(

@@ -109,7 +109,7 @@ TEST(ExplainName, KnowsChecksAndTablesByTheirNamesInTheReport) {
 }
 
 TEST(ExplainName, SuggestsForANameThatIsNone) {
-  EXPECT_THAT(explain_name("payload_mni").error(), HasSubstr("did you mean 'payload_min'?"));
+  EXPECT_THAT(explain_name("paylaod_min").error(), HasSubstr("did you mean 'payload_min'?"));
   EXPECT_THAT(explain_name("frictoin").error(), HasSubstr("did you mean 'friction'?"));
   EXPECT_THAT(explain_name("sheav").error(), HasSubstr("did you mean 'sheaves'?"));
   EXPECT_THAT(explain_name("qqqqqq").error(), Not(HasSubstr("did you mean")));

@@ -41,13 +41,23 @@ bool is_such(const std::string& name, const std::string& pattern) {
   return name.size() > before.size() + behind.size() && name.starts_with(before) && name.ends_with(behind);
 }
 
-std::optional<std::string> named_table_text(const std::string& name) {
+/// The table of a name.
+std::optional<TableWords> table_named(const std::string& name) {
   std::vector<TableWords> all = results::table_words();
   for (const TableGroup& group : table_groups()) all.insert(all.end(), group.tables.begin(), group.tables.end());
-  auto found = std::find_if(all.begin(), all.end(), [&](const TableWords& one) { return one.name == name; });
-  if (found == all.end())
-    found = std::find_if(all.begin(), all.end(), [&](const TableWords& one) { return is_such(name, one.name); });
-  if (found == all.end()) return std::nullopt;
+  const auto find = [&](const auto& is) -> std::optional<TableWords> {
+    const auto found = std::find_if(all.begin(), all.end(), is);
+    return found == all.end() ? std::nullopt : std::optional(*found);
+  };
+  const auto named = [&](const std::string& own) {
+    return find([&](const TableWords& one) { return one.name == own; });
+  };
+  if (auto own = named(name)) return own;
+  return find([&](const TableWords& one) { return is_such(name, one.name); });
+}
+
+std::optional<std::string> table_text(const std::string& name, const std::optional<TableWords>& found) {
+  if (!found) return std::nullopt;
   std::string text = fmt::format("{}\n  meaning   a table of results, a row for: {}\n", name, found->rows);
   text += fmt::format("  part of   tables of results: {}\n\nColumns (taut explain COLUMN)\n", found->name);
   for (const QuantityWords& column : found->columns) text += fmt::format("  {}: {}\n", column.name, column.words);
@@ -56,9 +66,26 @@ std::optional<std::string> named_table_text(const std::string& name) {
 
 }  // namespace
 
+std::string plain_name(std::string name) {
+  const std::size_t at = name.rfind(" [");
+  if (at != std::string::npos && name.ends_with(']')) name.resize(at);
+  constexpr std::string_view roller = ".roller";
+  const std::size_t from = name.find(roller);
+  const std::size_t to = from == std::string::npos ? from : name.find_first_not_of("0123456789", from + roller.size());
+  if (to != std::string::npos && to > from + roller.size() && name[to] == '.') name.erase(from, to - from);
+  return name;
+}
+
 std::optional<std::string> explain_report_name(const std::string& name) {
   if (auto text = check_text(name)) return text;
-  return named_table_text(name);
+  return table_text(name, table_named(name));
+}
+
+std::optional<std::string> explain_table_of_analysis(const std::string& name) {
+  for (std::size_t at = name.rfind('_'); at != std::string::npos && at > 0; at = name.rfind('_', at - 1)) {
+    if (auto text = table_text(name, table_named(name.substr(0, at)))) return text;
+  }
+  return std::nullopt;
 }
 
 }  // namespace taut::app

@@ -9,6 +9,8 @@
 #include "taut/calc/none.hpp"
 #include "taut/checks/anchor/rope_ends.hpp"
 #include "taut/checks/guy/guy_checks.hpp"
+#include "taut/checks/parts.hpp"
+#include "taut/checks/rope/rope_strength.hpp"
 
 namespace taut::checks {
 namespace {
@@ -152,6 +154,7 @@ void take(const CheckState& state, AnchorStates& anchor) {
     anchor.strongest_rope = std::max(anchor.strongest_rope, pull.rope.breaking_force * pull.rope.copies);
     // over a round it pulls with both of its parts
     if (pull.tension > 0) strengths.emplace_back(pull.rope.breaking_force / pull.tension * pull.force);
+    if (pull.rope.breaking_force > 0) anchor.strong.insert(pull.rope.name);
     anchor.strength_unknown |= pull.rope.breaking_force == 0;
     anchor.thickest_rope = std::max(anchor.thickest_rope, pull.rope.diameter);
   });
@@ -181,8 +184,18 @@ void take(const CheckState& state, AnchorStates& anchor) {
 
 namespace {
 
-/// Force against what the anchor holds: declared, by its ropes, by the tree that it is.
-void check_holding(const AnchorStates& s, Result& r) {
+/// What is doubted of the breaking forces of the ropes at an anchor.
+std::vector<Doubt> doubts_of_ropes(const AnchorStates& s, const CheckedDeck& deck) {
+  std::vector<Doubt> doubts;
+  for (const std::string& name : s.strong) {
+    for (const std::size_t i : reevings_named(name, deck.machine)) add_doubt_of_rope(deck, i, doubts);
+  }
+  return doubts;
+}
+
+/// Force against what the anchor holds: declared, by its ropes, by the tree that it is. A rope is as strong as it can
+/// be when it is cold, and that is what the anchor has to hold.
+void check_holding(const AnchorStates& s, const CheckedDeck& deck, Result& r) {
   const AnchorCheckRequest& one = *s.request;
   const std::string where = with_factor(s.where, s.factor);
   const auto force = [&](double x) { return s.tree.display.brief(x, si::N); };
@@ -206,11 +219,12 @@ void check_holding(const AnchorStates& s, Result& r) {
     if (s.strongest_rope > 0) {
       add_part_check(
           one.name, "anchor_as_rope", *one.strength, si::N,
-          {.sense = Sense::at_least,
-           .limit = s.strongest_rope,
-           .rule = "strength of the anchor not below the breaking forces of the ropes fixed to it, all copies, as far "
-                   "as they pull together",
-           .trust = "derived"},
+          with_doubts({.sense = Sense::at_least,
+                       .limit = s.strongest_rope,
+                       .rule = "strength of the anchor not below the breaking forces of the ropes fixed to it, all "
+                               "copies, as far as they pull together",
+                       .trust = "derived"},
+                      {}, doubts_of_ropes(s, deck)),
           r);
     }
   }
@@ -245,11 +259,12 @@ void check_fastening(const AnchorStates& s, Result& r) {
 
 }  // namespace
 
-void add_anchor_checks(const std::vector<AnchorStates>& anchors, Result& r) {
+void add_anchor_checks(const std::vector<AnchorStates>& anchors, const CheckedDeck& deck, Result& r) {
   bool reported = false;
   for (const AnchorStates& s : anchors) {
     const AnchorCheckRequest& one = *s.request;
-    const AboutPart about(r, "anchor " + one.name);
+    const Part part = part_of_anchor(deck.machine, one.name);
+    const AboutPart about(r, part);
     if (s.force > 0) r.loaded.insert("anchor " + one.name);
     if (!s.unknown.empty()) {
       r.unmade.push_back(fmt::format("{} is not checked in a motion ({}), which does not know the force on its joint",
@@ -262,14 +277,14 @@ void add_anchor_checks(const std::vector<AnchorStates>& anchors, Result& r) {
           r,
           fmt::format("{} is not checked: no load case of the deck pulls {}", one.name,
                       s.footing ? "it up, and what only presses it or pulls it aside is not counted" : "at it"),
-          {.part = "anchor " + one.name, .no_load = "anchor " + one.name});
+          {.part = part, .no_load = "anchor " + one.name});
       continue;
     }
     if (!reported && s.ropes) r.assumptions.emplace_back(fastening);
     reported |= s.ropes;
     if (!pressed) {
       add_anchor_row(s, r);
-      check_holding(s, r);
+      check_holding(s, deck, r);
     }
     check_fastening(s, r);
     if (one.uplift) {

@@ -216,10 +216,11 @@ void complain_of_supports(const std::vector<SupportCheckRequest>& supports, cons
 void add_support_checks(const std::vector<SupportStates>& supports, Result& r) {
   for (const SupportStates& s : supports) {
     const std::string& name = s.request->name;
-    const AboutPart about(r, "support " + name);
+    const Part part = {.kind = PartKind::sheave, .name = name};
+    const AboutPart about(r, part);
     if (s.force == 0) {
       leave_unmade(r, fmt::format("{} is not checked: no load case of the deck loads it", name),
-                   {.part = "support " + name, .no_load = "support " + name});
+                   {.part = part, .no_load = "support " + name});
       continue;
     }
     r.loaded.insert("support " + name);

@@ -8,6 +8,7 @@
 #include <numeric>
 #include <vector>
 
+#include "taut/checks/parts.hpp"
 #include "taut/math/index.hpp"
 
 namespace taut::checks {
@@ -361,7 +362,7 @@ void Dragged::take_drums(const Moment& now, std::map<Which, Way>& gives) const {
     gives[{by_pull ? Kind::pulling_drum : Kind::drum, d}] = {
         .least = drum.core_radius,
         .speed = is.speed,
-        .name = drum.name,
+        .part = {.kind = PartKind::drum, .name = drum.name},
         .words = fmt::format("{} the load drags '{}' at {}{}", now.words, drum.name,
                              display_.brief(std::abs(is.speed), si::m_per_s),
                              by_pull ? pull : against(is.torque, is.power < 0, display_))};
@@ -384,7 +385,7 @@ void Dragged::take_motors(const Moment& now, std::map<Which, Way>& gives) const 
     const std::string& name = now.m.motors[k].name;
     gives[{Kind::motor, k}] = {.least = radius,
                                .speed = is.speed,
-                               .name = name,
+                               .part = {.kind = PartKind::sheave, .name = name},
                                .words = fmt::format("{} the load drags '{}' at {}{}", now.words, name,
                                                     display_.brief(std::abs(is.speed), si::m_per_s),
                                                     against(is.torque, is.power < 0, display_))};
@@ -404,7 +405,7 @@ void Dragged::take_cylinders(const Moment& now, std::map<Which, Way>& gives) con
     gives[{Kind::cylinder, static_cast<int>(i)}] = {
         .least = least_share * is.length,
         .speed = is.speed,
-        .name = cylinder.name,
+        .part = {.kind = PartKind::cylinder, .name = cylinder.name},
         .words = fmt::format("{} the load drags '{}' at {}{}", now.words, cylinder.name,
                              display_.brief(std::abs(is.speed), si::m_per_s), holds)};
   }
@@ -428,7 +429,7 @@ void Dragged::take_supports(const Moment& now, std::map<Which, Way>& gives) cons
     gives[{Kind::support, static_cast<int>(c)}] = {
         .least = node.radius,
         .speed = is.flow,
-        .name = node.name,
+        .part = part_at(now.m, node),
         .words = fmt::format("{} '{}' slips over '{}' at {}, and its load falls: the friction does not hold it",
                              now.words, rope.name, node.name, display_.brief(std::abs(is.flow), si::m_per_s))};
   }
@@ -468,10 +469,10 @@ bool Dragged::still_so(const machine::Model& m, const solve::DynamicState& end, 
          speed * sense * machine::at(cylinder.signal, end.t).value <= 0;
 }
 
-std::map<std::string, std::string> Dragged::at_end(const machine::Model& m, const solve::TransientResult& motion) {
-  std::map<std::string, std::string> told;
+std::map<Part, std::string> Dragged::at_end(const machine::Model& m, const solve::TransientResult& motion) {
+  std::map<Part, std::string> told;
   for (const auto& [which, way] : ways_) {
-    if (way.way >= way.least && still_so(m, motion.state, which, way.speed)) told.try_emplace(way.name, way.words);
+    if (way.way >= way.least && still_so(m, motion.state, which, way.speed)) told.try_emplace(way.part, way.words);
   }
   ways_.clear();
   return told;

@@ -3,6 +3,7 @@
 #include <string>
 #include <utility>
 
+#include "taut/calc/result.hpp"
 #include "taut/machine/model.hpp"
 #include "taut/solve/motion/transient.hpp"
 #include "taut/units/display.hpp"
@@ -20,8 +21,8 @@ class Dragged {
   /// A moment of a motion, `time` after the one before, s.
   void take_moment(const machine::Model& model, const solve::TransientFrame& moment, double time,
                    const std::string& words);
-  /// What gives way when a motion ends, in words, by name. Another motion may begin then.
-  std::map<std::string, std::string> at_end(const machine::Model& model, const solve::TransientResult& motion);
+  /// What gives way when a motion ends, in words. Another motion may begin then.
+  std::map<Part, std::string> at_end(const machine::Model& model, const solve::TransientResult& motion);
 
  private:
   enum class Kind { drum, pulling_drum, motor, cylinder, support };
@@ -30,7 +31,8 @@ class Dragged {
     double way = 0;    ///< that its load has dragged it so far, m
     double least = 0;  ///< a shorter way gives no warning, m
     double speed = 0;  ///< m/s
-    std::string name, words;
+    Part part;
+    std::string words;
   };
   class Moment;
 

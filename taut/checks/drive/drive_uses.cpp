@@ -12,7 +12,6 @@
 #include "taut/calc/verdict.hpp"
 #include "taut/checks/guy/guy_checks.hpp"
 #include "taut/solve/drives.hpp"
-#include "taut/solve/running.hpp"
 
 namespace taut::checks {
 namespace {
@@ -24,8 +23,6 @@ constexpr double least_slide = 0.1;  ///< of the radius: a way that no creep bes
 /// What a motion shows of a part, it shows under whatever the part bears there.
 constexpr double any_load = std::numeric_limits<double>::infinity();
 
-constexpr double standing = 1e-6;  ///< m/s; a drum that is slower stands
-
 /// Whether a motor's torque is no more than a limit: with the length and all loads given there is nothing it could set.
 bool is_limit(const machine::Reeving& r) {
   const bool open = std::any_of(r.nodes.begin(), r.nodes.end(), [](const machine::Node& n) {
@@ -34,26 +31,36 @@ bool is_limit(const machine::Reeving& r) {
   return r.closed && r.given == machine::Given::length && r.nodes.front().tension_drop && !open;
 }
 
-/// Names of checks that lack a number, and why.
-using Unmade = std::map<std::string, std::string>;
+/// Checks that lack a number, by part and name, and why.
+using Unmade = std::map<std::pair<Part, std::string>, std::string>;
+
+Part drum_part(const machine::Drum& drum) { return {.kind = PartKind::drum, .name = drum.name}; }
+Part sheave_part(const std::string& name) { return {.kind = PartKind::sheave, .name = name}; }
+
+/// "winch.brake_torque"
+Check check_of(const Part& part, const char* name, double value, const Unit& unit, Bound bound) {
+  Check c = make_check(fmt::format("{}.{}", part.name, name), value, unit, std::move(bound));
+  c.part = part.name;
+  c.kind = part.kind;
+  return c;
+}
 
 /// What a torque over time can be at most is known of a constant, a ramp, steps and a table. What stands needs the
 /// torque that the motor keeps.
-std::optional<machine::SignalRange> torque_range(const std::string& name, const machine::Signal& torque,
-                                                 Unmade& unmade) {
+std::optional<machine::SignalRange> torque_range(const Part& part, const machine::Signal& torque, Unmade& unmade) {
   auto range = machine::range_of(torque);
   if (range) return range;
-  unmade.try_emplace(name + ".torque",
+  unmade.try_emplace({part, "torque"},
                      fmt::format("{}.torque is not checked: the largest value of the signal '{}' is not known: give a "
                                  "constant torque, a ramp or a table",
-                                 name, torque.name));
+                                 part.name, torque.name));
   return std::nullopt;
 }
 
 void check_grip(const machine::Node& own, const solve::DriveResult& d, std::vector<Check>& made) {
   if (!std::isfinite(own.law.friction)) return;
-  made.push_back(make_check(
-      own.name + ".grip", d.ratio, si::one,
+  made.push_back(check_of(
+      sheave_part(own.name), "grip", d.ratio, si::one,
       {.sense = Sense::at_most,
        .limit = d.limit,
        .rule = d.centrifugal > 0 ? "ratio of tensions less m v^2 that friction holds, exp(mu theta), Euler-Eytelwein"
@@ -65,13 +72,13 @@ void check_drive(const machine::Model& m, const solve::DriveResult& d, std::vect
   const machine::Node& own = m.reevings[d.reeving].nodes[d.node];
   check_grip(own, d, made);
   if (!own.motor || own.kind != machine::NodeKind::drive || !is_limit(m.reevings[d.reeving])) return;
-  const auto range = torque_range(own.name, m.motors[*own.motor].drive.signal, unmade);
+  const auto range = torque_range(sheave_part(own.name), m.motors[*own.motor].drive.signal, unmade);
   if (!range) return;
   const double rounding = 1e-9 * m.reevings[d.reeving].copies * own.radius * (d.T_in + d.T_out);
   const double torque = std::abs(d.torque) > rounding ? std::abs(d.torque) : 0;
   made.push_back(
-      make_check(own.name + ".torque", torque, si::N_m,
-                 {.sense = Sense::at_most, .limit = range->kept, .rule = "the motor's torque", .trust = "user"}));
+      check_of(sheave_part(own.name), "torque", torque, si::N_m,
+               {.sense = Sense::at_most, .limit = range->kept, .rule = "the motor's torque", .trust = "user"}));
 }
 
 bool is_broken(const solve::TransientFrame& frame, int reeving) {
@@ -131,11 +138,11 @@ void check_torque(const machine::Drum& drum, const DrumLoad& d, std::vector<Chec
   if (drum.drive.kind != machine::DriveKind::torque || drum.drive.brake) return;
   const double given = machine::at(drum.drive.signal, 0).value;
   if (d.torque >= given * (1 - 1e-9) && d.torque <= given * (1 + 1e-9)) return;
-  const auto range = torque_range(drum.name, drum.drive.signal, unmade);
+  const auto range = torque_range(drum_part(drum), drum.drive.signal, unmade);
   if (!range) return;
   const double limit = std::min(range->most, range->kept);
-  made.push_back(make_check(drum.name + ".torque", d.torque, si::N_m,
-                            {.sense = Sense::at_most, .limit = limit, .rule = "the drum's torque", .trust = "user"}));
+  made.push_back(check_of(drum_part(drum), "torque", d.torque, si::N_m,
+                          {.sense = Sense::at_most, .limit = limit, .rule = "the drum's torque", .trust = "user"}));
 }
 
 /// A drum that stands does so by its brake, or, where that is not set, by a motor with a torque or a pull.
@@ -152,8 +159,8 @@ bool turns_freely(const machine::Drum& drum) {
 
 /// It has to hold the pull of its rope.
 void add_brake_check(const machine::Drum& drum, const DrumLoad& d, std::vector<Check>& made) {
-  made.push_back(make_check(
-      drum.name + ".brake_torque", d.torque, si::N_m,
+  made.push_back(check_of(
+      drum_part(drum), "brake_torque", d.torque, si::N_m,
       {.sense = Sense::at_most, .limit = drum.brake->torque, .rule = "what its brake holds", .trust = "user"}));
 }
 
@@ -171,8 +178,8 @@ void check_capacities(const machine::Model& m, const Array<solve::DrumResult>& e
     const int copies = m.reevings[d.reeving].copies;
     const double all = *d.capacity > 0 ? used[d.drum] * *d.capacity : copies * *d.length;
     const bool shared = copies > 1 || on_drum[d.drum] > 1;
-    made.push_back(make_check(
-        m.drums[d.drum].name + ".capacity", all, si::m,
+    made.push_back(check_of(
+        drum_part(m.drums[d.drum]), "capacity", all, si::m,
         {.sense = Sense::at_most,
          .limit = *d.capacity,
          .rule = fmt::format("rope that the drum takes within its flanges{}", shared ? ", all its ropes together" : ""),
@@ -182,7 +189,7 @@ void check_capacities(const machine::Model& m, const Array<solve::DrumResult>& e
 
 /// A cylinder at its force limit no longer does what its speed, force or law asks of it.
 void check_cylinders(const machine::Model& m, const solve::TransientFrame& frame, const std::string& when,
-                     const Display& display, std::map<std::string, std::string>& told) {
+                     const Display& display, std::map<Part, std::string>& told) {
   constexpr double rounding = 1e-9;
   for (std::size_t i = 0; i < frame.actuators.size(); ++i) {
     const machine::Actuator& law = m.actuators[i];
@@ -191,20 +198,19 @@ void check_cylinders(const machine::Model& m, const solve::TransientFrame& frame
     if (bears < (1 - rounding) * law.force_limit) continue;
     const bool at_limit = bears <= (1 + rounding) * law.force_limit;
     const auto [force, limit] = brief_apart(bears, law.force_limit, si::N, display);
-    told.try_emplace(law.name, at_limit
-                                   ? fmt::format("{}: '{}' is at its force limit of {}: it gives way to its load", when,
-                                                 law.name, display.brief(law.force_limit, si::N))
-                                   : fmt::format("{}: '{}' bears {}, more than its force limit of {}: it is locked",
-                                                 when, law.name, force, limit));
+    told.try_emplace({.kind = PartKind::cylinder, .name = law.name},
+                     at_limit ? fmt::format("{}: '{}' is at its force limit of {}: it gives way to its load", when,
+                                            law.name, display.brief(law.force_limit, si::N))
+                              : fmt::format("{}: '{}' bears {}, more than its force limit of {}: it is locked", when,
+                                            law.name, force, limit));
   }
 }
 
 /// A motion ends where a drum has no rope left.
 void check_rest_of_rope(const machine::Model& m, const solve::DrumResult& d, std::vector<Check>& made) {
   if (!d.length || *d.length >= 0) return;
-  made.push_back(
-      make_check(m.drums[d.drum].name + ".length_on_drum", *d.length, si::m,
-                 {.sense = Sense::at_least, .limit = 0, .rule = "rope left on the drum", .trust = "derived"}));
+  made.push_back(check_of(drum_part(m.drums[d.drum]), "length_on_drum", *d.length, si::m,
+                          {.sense = Sense::at_least, .limit = 0, .rule = "rope left on the drum", .trust = "derived"}));
 }
 
 }  // namespace
@@ -212,9 +218,10 @@ void check_rest_of_rope(const machine::Model& m, const solve::DrumResult& d, std
 void DriveUses::keep(std::vector<Check> made, const std::string& words) {
   for (Check& check : made) {
     check.where = words;
-    const auto known = worst_.find(check.name);
+    const auto key = std::pair(check.name, check.kind);
+    const auto known = worst_.find(key);
     if (known == worst_.end()) {
-      worst_.emplace(check.name, std::move(check));
+      worst_.emplace(key, std::move(check));
     } else if (worse_state(check, known->second)) {
       known->second = std::move(check);
     }
@@ -225,9 +232,10 @@ void DriveUses::take_grips(const machine::Model& m) {
   for (const machine::Reeving& rope : m.reevings) {
     for (const machine::Node& node : rope.nodes) {
       if (!node.motor || std::isfinite(node.law.friction)) continue;
-      unmade_.try_emplace(node.name + ".grip", fmt::format("{}.grip is not checked: nothing says how well the rope "
-                                                           "holds on the driven sheave: give its 'friction'",
-                                                           node.name));
+      unmade_.try_emplace({sheave_part(node.name), "grip"},
+                          fmt::format("{}.grip is not checked: nothing says how well the rope "
+                                      "holds on the driven sheave: give its 'friction'",
+                                      node.name));
     }
   }
 }
@@ -237,9 +245,10 @@ void DriveUses::keep_turns(const machine::Model& m, const solve::DrumResult& d, 
   if (!d.length) return;
   if (m.drums[d.drum].core_radius == 0) {  // half of a rope's thickness is no radius to count turns by
     const std::string& name = m.drums[d.drum].name;
-    unmade_.try_emplace(name + ".turns", fmt::format("{}: how many turns are left on it is not checked: give its "
-                                                     "'core_diameter'",
-                                                     name));
+    unmade_.try_emplace({drum_part(m.drums[d.drum]), "turns"},
+                        fmt::format("{}: how many turns are left on it is not checked: give its "
+                                    "'core_diameter'",
+                                    name));
     return;
   }
   const double left = d.wraps.value_or(std::max(*d.length, 0.0) / (2 * std::numbers::pi * d.radius));
@@ -253,15 +262,17 @@ void DriveUses::keep_layer(const machine::Model& m, const solve::DrumResult& d, 
   const machine::Drum& drum = m.drums[d.drum];
   const bool braked = stands_by_brake(drum);
   if (braked || drum.drive.kind == machine::DriveKind::torque) {
-    const std::string check = drum.name + (braked ? ".brake_torque" : ".torque");
-    unmade_.try_emplace(check, fmt::format("{} is not checked in layer {}, which the rope reaches ({}), but in layer "
-                                           "{}: give 'layers: auto'",
-                                           check, *d.filled, words, d.layer));
+    const char* const check = braked ? "brake_torque" : "torque";
+    unmade_.try_emplace({drum_part(drum), check},
+                        fmt::format("{}.{} is not checked in layer {}, which the rope reaches ({}), but in layer "
+                                    "{}: give 'layers: auto'",
+                                    drum.name, check, *d.filled, words, d.layer));
     return;
   }
-  layers_.try_emplace(drum.name, fmt::format("{}: the rope on '{}' reaches layer {}, but its torque is that of layer "
-                                             "{}: give 'layers: auto'",
-                                             words, drum.name, *d.filled, d.layer));
+  layers_.try_emplace(drum_part(drum),
+                      fmt::format("{}: the rope on '{}' reaches layer {}, but its torque is that of layer "
+                                  "{}: give 'layers: auto'",
+                                  words, drum.name, *d.filled, d.layer));
 }
 
 /// A flange limits the layers. What they hold has to be known, and what lies on them.
@@ -274,89 +285,17 @@ void DriveUses::keep_flange(const machine::Model& m, const solve::DrumResult& d)
                               : diameter == 0         ? "give the 'diameter' of its rope"
                               : drum.width < diameter ? "its rope is thicker than the face is wide"
                                                       : "give its 'length_on_drum'";
-  unmade_.try_emplace(drum.name + ".capacity",
+  unmade_.try_emplace({drum_part(drum), "capacity"},
                       fmt::format("{}.capacity is not checked: whether the rope stays within the flange of "
                                   "{} is not known: {}",
                                   drum.name, display_.brief(drum.flange_diameter, si::m.in("mm")), missing));
-}
-
-/// A drum turns one way: all ropes that run on it or off it have to agree on which. At rest they are asked as they run
-/// while the machine hauls in. Which side a rope leaves it follows from the places where the path gives none.
-void DriveUses::keep_winding(const machine::Model& m, const Array<solve::DrumResult>& ends,
-                             const solve::EquilibriumResult& state) {
-  if (ends.size() < 2) return;
-  const auto runs = [](const Array<Array<int>>& flow) {
-    return std::any_of(flow.begin(), flow.end(), [](const Array<int>& rope) {
-      return std::any_of(rope.begin(), rope.end(), [](int f) { return f != 0; });
-    });
-  };
-  Array<Array<int>> flow = state.flow;
-  if (!runs(flow)) {
-    solve::EquilibriumOptions hauling;
-    hauling.motion = solve::Motion::in;
-    flow = solve::flow_of(m, hauling);
-  }
-  struct Turn {
-    int sense = 1;  // of the drum
-    int reeving = 0;
-  };
-  std::map<int, Turn> turns;  // by the first of its ropes
-  for (const solve::DrumResult& d : ends) {
-    const Array<int>& rope = flow[d.reeving];
-    if (rope.empty()) continue;
-    const int along = d.at_end ? rope.back() : rope.front();
-    if (along == 0) continue;
-    const int turn = d.sense * (d.at_end ? along : -along);
-    const Turn first = turns.try_emplace(d.drum, Turn{.sense = turn, .reeving = d.reeving}).first->second;
-    if (first.sense == turn) continue;
-    const std::string& name = m.drums[d.drum].name;
-    const machine::Reeving &one = m.reevings[first.reeving], &other = m.reevings[d.reeving];
-    unmade_.try_emplace(
-        name + ".winding",
-        first.reeving == d.reeving
-            ? fmt::format("'{0}' would have to turn both ways at once: both ends of '{1}' are on it. Describe two "
-                          "ropes, which meet where it stands",
-                          name, one.name)
-            : fmt::format("'{0}' would have to turn both ways at once, as '{1}' and '{2}' run on it and off it. Where "
-                          "it takes both in, give the 'side' on which each leaves it; where '{2}' runs off while '{1}' "
-                          "is hauled in, as a counterweight's does, give '{2}' 'haul: {3}'",
-                          name, one.name, other.name, other.haul > 0 ? "to_start" : "to_end"));
-  }
-}
-
-/// Where sheaves lose, a rope pulls less while it runs off its drum than at rest and hauled in; so it does where a map
-/// of senses lets it run off over one of them, or leaves one out: that one loses nothing then.
-void DriveUses::keep_senses(const machine::Model& m, const Array<solve::DrumResult>& ends,
-                            const solve::EquilibriumResult& state, const std::string& words) {
-  for (const solve::DrumResult& d : ends) {
-    const machine::Reeving& rope = m.reevings[d.reeving];
-    const Array<int>& flow = state.flow[d.reeving];
-    const int hauls = d.at_end ? 1 : -1;
-    const int at_drum = d.at_end ? flow.back() : flow.front();  // 0 in a map: it names contacts
-    bool loses_all = true, loses_any = false, stands = true;
-    for (std::size_t n = 0; n < flow.size(); ++n) {
-      const machine::Node& node = rope.nodes[n];
-      stands = stands && flow[n] == 0;
-      if (node.kind != machine::NodeKind::contact || node.law.efficiency >= 1 || node.law.friction == 0) continue;
-      loses_any = true;
-      loses_all = loses_all && (machine::rides(m, node) || flow[n] == hauls);
-    }
-    if (!loses_any || stands || at_drum == hauls || (at_drum == 0 && loses_all)) {
-      hauled_.insert(rope.name);
-      continue;
-    }
-    paid_out_.try_emplace(rope.name,
-                          fmt::format("'{}' is judged only while it runs off '{}' over some of its sheaves, or without "
-                                      "their loss ({}): add an equilibrium at rest, or with 'motion: in'",
-                                      rope.name, m.drums[d.drum].name, words));
-  }
 }
 
 /// Statics lets every drum stand.
 void DriveUses::keep_free(const machine::Drum& drum, double torque, const std::string& words) {
   if (torque == 0) return;
   unmade_.try_emplace(
-      drum.name + ".free",
+      {drum_part(drum), "free"},
       fmt::format("{}: nothing holds '{}', whose brake is open, against the {} of its rope: set the brake, "
                   "or give a drive",
                   words, drum.name, display_.brief(torque, si::N_m)));
@@ -374,9 +313,9 @@ void DriveUses::take(const machine::Model& m, const solve::EquilibriumResult& st
       keep_free(m.drums[drum], load.torque, words);
       continue;
     }
-    if (!stands_by_brake(m.drums[drum])) continue;
+    if (!m.drums[drum].brake) continue;
     const std::string& name = m.drums[drum].name;
-    if (load.stands) {
+    if (load.stands && stands_by_brake(m.drums[drum])) {
       add_brake_check(m.drums[drum], load, made);
       brakes_.show(name, {.weight = weight_of(m), .least = load.torque});
     } else {
@@ -454,7 +393,7 @@ void DriveUses::take_slips(const machine::Model& m, const solve::TransientFrame&
 void DriveUses::keep_slip(const machine::Node& node, double slipped, double limit, const std::string& share,
                           const std::string& words) {
   if (!(slipped > limit)) return;
-  Slip& largest = slips_[node.name];
+  Slip& largest = slips_[sheave_part(node.name)];
   if (slipped <= largest.slipped) return;
   largest = {.slipped = slipped,
              .limit = limit,
@@ -475,20 +414,20 @@ void DriveUses::take_set_brakes(const machine::Model& m, const solve::TransientF
 }
 
 void DriveUses::take(const machine::Model& m, const solve::TransientResult& motion, const std::string& words) {
-  for (const auto& [name, told] : dragged_.at_end(m, motion)) {
-    if (!yielding_.contains(name)) unbraked_.try_emplace(name, told);  // one at its limit has its own warning
+  for (const auto& [part, told] : dragged_.at_end(m, motion)) {
+    if (!yielding_.contains(part)) unbraked_.try_emplace(part, told);  // one at its limit has its own warning
   }
   slides_.clear();
   for (std::size_t d = 0; d < m.drums.size(); ++d) {
     const machine::Drum& drum = m.drums[d];
-    if (!stands_by_brake(drum)) continue;
+    if (!drum.brake) continue;
     if (d < motion.brake_ways.size() && motion.brake_ways[d].acted) {  // its slip judges it
       brakes_.show(drum.name, {.weight = weight_of(m), .least = any_load});
     } else {
       brakes_.leave_out(drum.name, {.weight = weight_of(m)}, words);
     }
   }
-  for (const machine::Reeving& rope : m.reevings) hauled_.insert(rope.name);
+  take_hauled(m, motion, words);
   const solve::TransientFrame& first = motion.frames.front();
   if (motion.brake_ways.empty()) take_set_brakes(m, first, words);
   for (std::size_t c = 0; c < motion.ways.size(); ++c) {
@@ -507,14 +446,14 @@ void DriveUses::take_brakes(const machine::Model& m, const solve::TransientResul
     const solve::BrakeWay& slips = motion.brake_ways[d];
     if (slips.let_go) {
       unbraked_.try_emplace(
-          m.drums[d].name,
+          drum_part(m.drums[d]),
           fmt::format(
               "{}, t = {:.4g} s: the brake of '{}' is released, or set anew, before it has stopped the drum: its "
               "rope runs at {} then; it does not hold, or is set for too short a time",
               words, *slips.let_go, m.drums[d].name, display_.brief(slips.speed, si::m_per_s)));
     }
     if (slips.way <= least_slip * 2 * std::numbers::pi * m.drums[d].core_radius) continue;
-    unbraked_.try_emplace(m.drums[d].name,
+    unbraked_.try_emplace(drum_part(m.drums[d]),
                           fmt::format("{}, t = {:.4g} s: '{}' slips in its brake, which is set and had stopped it, by "
                                       "{} of rope: it does not hold",
                                       words, slips.since, m.drums[d].name, display_.brief(slips.way, si::m)));
@@ -522,24 +461,17 @@ void DriveUses::take_brakes(const machine::Model& m, const solve::TransientResul
   for (std::size_t d = 0; d < motion.state.drum_drive.size(); ++d) {
     const machine::Drive& drive = motion.state.drum_drive[d];
     const double speed = std::abs(motion.frames.back().drums[d].speed);
-    if (!drive.brake || speed < standing) continue;
+    if (!drive.brake || speed < standing_drum) continue;
     const std::string since = std::isfinite(drive.brake_since)
                                   ? fmt::format("was set at t = {:.4g} s", drive.brake_since)
                                   : std::string("is set from the start");
     unbraked_.try_emplace(
-        m.drums[d].name,
+        drum_part(m.drums[d]),
         fmt::format("{}: '{}' still turns when the motion ends, its rope at {}, though its brake {}: it does not "
                     "hold, or the motion is too short",
                     words, m.drums[d].name, display_.brief(speed, si::m_per_s), since));
   }
 }
-
-namespace {
-
-/// A drum may have the name of its rope, which a deck may exempt.
-std::string part_of_drive(const std::string& name) { return "drive " + name; }
-
-}  // namespace
 
 void DriveUses::add_checks(Result& r) const {
   for (const auto& [name, check] : worst_) r.checks.push_back(check);
@@ -551,27 +483,26 @@ void DriveUses::add_checks(Result& r) const {
                   "analysis at rest with that load",
                   drum, missing.words)
             : fmt::format(
-                  "{}.brake_torque is not checked: the drum turns, or bears nothing, in every state ({}); add "
-                  "an analysis at rest",
+                  "{}.brake_torque is not checked: the drum turns, bears nothing, or is held by its drive, in every "
+                  "state ({}); add an analysis at rest in which its brake holds it",
                   drum, missing.words);
-    leave_unmade(r, words, {.part = part_of_drive(drum)});
+    leave_unmade(r, words, {.part = {.kind = PartKind::drum, .name = drum}});
   }
   for (const auto& [rope, words] : paid_out_) {
-    if (!hauled_.contains(rope)) leave_unmade(r, words, {.part = rope});
+    if (!hauled_.contains(rope)) leave_unmade(r, words, {.part = {.kind = PartKind::rope, .name = rope}});
   }
-  for (const auto& [name, words] : unmade_)
-    leave_unmade(r, words, {.part = part_of_drive(name.substr(0, name.rfind('.')))});
-  const auto warn = [&r](const std::string& part, const std::string& words) {
-    const AboutPart about(r, part_of_drive(part));
+  for (const auto& [check, words] : unmade_) leave_unmade(r, words, {.part = check.first});
+  const auto warn = [&r](const Part& part, const std::string& words) {
+    const AboutPart about(r, part);
     warn_unsafe(r, words);
   };
-  for (const auto& [name, slip] : slips_) {
-    warn(name, slip.words);
-    r.checks.push_back(make_check(name + ".slipped", slip.slipped, si::m,
-                                  {.sense = Sense::at_most,
-                                   .limit = slip.limit,
-                                   .rule = "way that a rope creeps on its sheave",
-                                   .trust = "derived"}));
+  for (const auto& [part, slip] : slips_) {
+    warn(part, slip.words);
+    r.checks.push_back(check_of(part, "slipped", slip.slipped, si::m,
+                                {.sense = Sense::at_most,
+                                 .limit = slip.limit,
+                                 .rule = "way that a rope creeps on its sheave",
+                                 .trust = "derived"}));
     r.checks.back().where = slip.where;
   }
   for (const auto* const warned : {&unbraked_, &yielding_, &layers_}) {
@@ -580,9 +511,10 @@ void DriveUses::add_checks(Result& r) const {
   const RuleLimit least = rule_limit("layout.turns_left", false);
   for (const auto& [drum, turns] : turns_) {
     if (turns.left >= least.value) continue;
-    warn(drum, fmt::format("{}: {:.2g} turns are left on '{}'; at least {:g} have to take the tension from the "
-                           "rope's end. Put more rope on it",
-                           turns.words, turns.left, drum, least.value));
+    warn({.kind = PartKind::drum, .name = drum},
+         fmt::format("{}: {:.2g} turns are left on '{}'; at least {:g} have to take the tension from the "
+                     "rope's end. Put more rope on it",
+                     turns.words, turns.left, drum, least.value));
   }
 }
 

@@ -14,6 +14,8 @@
 
 namespace taut::checks {
 
+inline constexpr double standing_drum = 1e-6;  ///< m/s; a drum that is slower stands
+
 /// What the driven sheaves and drums of a machine have to bear, over all states that are shown to it: whether friction
 /// holds the rope, whether a motor's torque is enough where it is a limit, whether the drum takes its rope.
 /// docs/theory/drives.md.
@@ -39,6 +41,8 @@ class DriveUses {
   /// Where a verdict is asked for. A sheave without a friction holds its rope whatever it pulls, which shows nothing of
   /// the grip of a driven one.
   void take_grips(const machine::Model& model);
+  /// A limit of this rope is for what it bears at rest, which a motion that only lowers does not show.
+  void ask_at_rest(const std::string& rope) { at_rest_.insert(rope); }
 
  private:
   void keep(std::vector<Check> made, const std::string& words);
@@ -47,6 +51,7 @@ class DriveUses {
                   const std::string& words);
   void keep_slip(const machine::Node& node, double slipped, double limit, const std::string& share,
                  const std::string& words);
+  void take_hauled(const machine::Model& model, const solve::TransientResult& motion, const std::string& words);
   void take_brakes(const machine::Model& model, const solve::TransientResult& motion, const std::string& words);
   void keep_turns(const machine::Model& model, const solve::DrumResult& drum, const std::string& words);
   void keep_winding(const machine::Model& m, const Array<solve::DrumResult>& ends,
@@ -58,25 +63,26 @@ class DriveUses {
   void keep_flange(const machine::Model& m, const solve::DrumResult& d);
 
   Display display_;
-  std::map<std::string, Check> worst_;
-  std::map<std::string, std::string> unmade_;  // checks that lack a number: why
+  std::map<std::pair<std::string, PartKind>, Check> worst_;     // by name and kind of part
+  std::map<std::pair<Part, std::string>, std::string> unmade_;  // checks that lack a number, by part and name: why
   struct Slip {
     double slipped = 0, limit = 0;  ///< m
     std::string words, where = {};
   };
-  std::map<std::string, Slip> slips_;  // the largest of each sheave
+  std::map<Part, Slip> slips_;  // the largest of each sheave
   struct Slide {
     double way = 0, speed = 0;  ///< m, so far in the motion that is shown now; m/s, at its last moment
   };
   std::vector<Slide> slides_;                    // by contact
   Dragged dragged_;                              // what gives way to its load in it
   double last_moment_ = 0;                       // s, of that motion
-  std::map<std::string, std::string> unbraked_;  // drums whose brake does not hold; drives that give way
+  std::map<Part, std::string> unbraked_;         // drums whose brake does not hold; drives that give way
   ShownLoads brakes_;                            // drums: by their brake, or as they turn, or bear nothing
   std::map<std::string, std::string> paid_out_;  // ropes that a state shows as they run off their drum, with losses
   std::set<std::string> hauled_;                 // ropes that a state shows otherwise
-  std::map<std::string, std::string> layers_;    // drums with more layers than they are calculated with
-  std::map<std::string, std::string> yielding_;  // cylinders at their force limit
+  std::set<std::string> at_rest_;                // ropes with a limit at rest
+  std::map<Part, std::string> layers_;           // drums with more layers than they are calculated with
+  std::map<Part, std::string> yielding_;         // cylinders at their force limit
   struct Turns {
     double left = 0;
     std::string words;

@@ -72,4 +72,63 @@ TEST(ShownLoads, ABrakeThatHoldsALightLoadIsNotShownToHoldAHeavierOne) {
   EXPECT_EQ(to_text(verdict_of(tackle(rest + lowered("12 t", "at_rest")))->kind), "fails");
 }
 
+// Held by a torque or a pull it says nothing of its brake: 2.03 kN m on a brake of 1 kN m passed.
+TEST(ShownLoads, ABrakeBesideADriveThatPullsIsNotJudged) {
+  const std::string hook = "  bodies: {hook: {mass: 1 t, at: [0.2 m, 0 m, 3 m], free: [z]}}\n";
+  for (const auto& [drive, end] :
+       {std::pair{"{pull: 10 kN}", "{anchor: pin}]"}, {"{torque: 3 kN m}", "{anchor: hook}], length: 7 m"}}) {
+    const Result r = taut_test::run_text(
+        R"(taut: 1
+machine:
+  points: {pin: [0.2 m, 0 m, 3 m]}
+  ropes: {hoist: {mass: 0 kg/m, stiffness: 13 MN, breaking_force: 178 kN}}
+)" + (std::string(end).find("hook") == std::string::npos ? "" : hook) +
+        R"(  drums: {winch: {at: [0 m, 0 m, 10 m], core_diameter: 400 mm, brake_torque: 1 kN m, inertia: 5 kg m^2, drive: )" +
+        std::string(drive) + R"(}}
+  reevings: [{rope: hoist, path: [{drum: winch, side: right}, )" +
+        std::string(end) + R"(}]
+checks: {ropes: {hoist: {safety_factor: 3}}}
+analyses: [equilibrium: {}]
+)");
+    ASSERT_TRUE(verdict_of(r)) << drive << r.message << to_text(r.errors);
+    EXPECT_EQ(to_text(verdict_of(r)->kind), "not_judged") << drive << verdict_of(r)->reason;
+    EXPECT_NE(verdict_of(r)->reason.find("winch.brake_torque is not checked"), std::string::npos);
+  }
+}
+
+// W = 196 kN on four parts of 0.97: hauled in W/(0.97 + 0.97^2 + 0.97^3 + 0.97^4) = 52.88 kN, 260/52.88 = 4.92.
+// Lowered, the largest has W/(1 + 0.97 + 0.97^2 + 0.97^3) = 51.30 kN, 5.07, which passed.
+TEST(ShownLoads, AMotionThatOnlyLowersDoesNotShowTheRopeHauledIn) {
+  const auto moved = [](const std::string& speed, const std::string& limit, const std::string& more) {
+    return taut_test::run_text(R"(taut: 1
+machine:
+  signals: {run: {ramp: {to: )" +
+                               speed + R"(, start: 0.2 s, duration: 1 s, smooth: true}}}
+  points: {pin: [-0.2 m, 0 m, 20 m]}
+  ropes: {hoist: {mass: 0 kg/m, stiffness: 30 MN, breaking_force: 260 kN, damping_ratio: 0.3}}
+  bodies: {hook: {mass: 20 t, at: [0 m, 0 m, 6 m], free: [x, z]}}
+  sheaves:
+    head: {at: [0 m, 0 m, 20 m], diameter: 400 mm, efficiency: 0.97}
+    block: {body: hook, at: [0 m, 0 m, 0 m], diameter: 400 mm, efficiency: 0.97}
+  drums: {winch: {at: [-9 m, 0 m, 20 m], core_diameter: 380 mm, inertia: 400 kg m^2, drive: {speed: run}}}
+  reevings:
+    - {rope: hoist, path: [{drum: winch}, {over: head, parts: 4, between: [head, block]}, {anchor: pin}], length: 67.2 m}
+checks: {ropes: {hoist: {)" + limit +
+                               R"(}}}
+analyses:
+  - transient: {duration: 4 s, tolerance: 1e-4}
+)" + more);
+  };
+  const Result lowered = moved("-0.2 m/s", "safety_factor: 5", "");
+  EXPECT_EQ(to_text(verdict_of(lowered)->kind), "not_judged") << verdict_of(lowered)->reason;
+  EXPECT_NE(verdict_of(lowered)->reason.find("only while it runs off 'winch'"), std::string::npos);
+  EXPECT_EQ(to_text(verdict_of(moved("-0.2 m/s", "safety_factor: 5", "  - equilibrium: {motion: hoist}\n"))->kind),
+            "fails");
+  // the peak of a motion is that motion's alone
+  const Result peak = moved("-0.2 m/s", "dynamic_safety_factor: 3", "");
+  EXPECT_EQ(to_text(verdict_of(peak)->kind), "passes") << verdict_of(peak)->reason;
+  const Result raised = moved("0.2 m/s", "safety_factor: 3", "");
+  EXPECT_EQ(to_text(verdict_of(raised)->kind), "passes") << verdict_of(raised)->reason;
+}
+
 }  // namespace taut::checks::shown_loads_test

@@ -9,6 +9,9 @@
 #include "taut/catalogue/rule.hpp"
 #include "taut/catalogue/trust.hpp"
 #include "taut/checks/rope/rope_rules.hpp"
+#include "taut/checks/rope/rope_strength.hpp"
+#include "taut/math/index.hpp"
+#include "taut/rope/rope_check.hpp"
 
 namespace taut::checks {
 namespace {
@@ -50,24 +53,39 @@ void take_least(double T, double T_slack, const std::string& words, GuyStates& g
   guy.where_least = words;
 }
 
-void check_safety(const GuyStates& guy, const std::string& name, double strength, Result& r) {
+/// A guy's breaking force, and what is left of it in use.
+struct GuyStrength {
+  double cold = 0;  ///< N
+  std::vector<Doubt> doubts_of_cold;
+  StrengthInUse in_use;
+};
+
+void check_safety(const GuyStates& guy, const std::string& name, const GuyStrength& strength, Result& r) {
   const GuyCheckRequest& request = *guy.request;
+  if (!strength.in_use.unknown.empty()) {
+    leave_unmade(r, fmt::format("{}: its safety is not checked: {}", name, strength.in_use.unknown),
+                 {.part = {.kind = PartKind::rope, .name = name}});
+    return;
+  }
   RuleLimit limit{.value = 2, .words = "partial factor of guys, EN 1993-3-1", .trust = by_recalled_gamma};
   if (request.rule) limit = rule_limit(*request.rule, true);
   if (request.safety_factor) limit = {.value = *request.safety_factor, .words = "the deck's own", .trust = "user"};
-  add_strength_check(
-      name, "guy_safety", strength / guy.T_max, si::one,
-      {.sense = Sense::at_least,
-       .limit = limit.value,
-       .rule = fmt::format("breaking force {} over the largest tension {} ({}); {}", guy.display.brief(strength, si::N),
-                           guy.display.brief(guy.T_max, si::N), guy.where_max, limit.words),
-       .trust = limit.trust},
-      r);
+  add_strength_check(name, "guy_safety", strength.in_use.share * strength.cold / guy.T_max, si::one,
+                     with_doubts({.sense = Sense::at_least,
+                                  .limit = limit.value,
+                                  .rule = fmt::format("breaking force {}{} over the largest tension {} ({}); {}",
+                                                      guy.display.brief(strength.cold, si::N), strength.in_use.words,
+                                                      guy.display.brief(guy.T_max, si::N), guy.where_max, limit.words),
+                                  .trust = limit.trust},
+                                 limit.words, strength.in_use.doubts),
+                     r);
 }
 
-/// `tensions`: as put up and as pulled, each with its state.
+/// `tensions`: as put up and as pulled, each with its state. They are shares of the cold strength, which is the one
+/// that the rope is named by.
 void check_pretension(const GuyStates& guy, const std::string& name,
-                      const std::vector<std::pair<double, std::string>>& tensions, double strength, Result& r) {
+                      const std::vector<std::pair<double, std::string>>& tensions, const GuyStrength& strength,
+                      Result& r) {
   const GuyCheckRequest& request = *guy.request;
   const bool own = request.pretension.size() == 2;
   const double low = own ? request.pretension[0] : 0.08, high = own ? request.pretension[1] : 0.15;
@@ -78,10 +96,13 @@ void check_pretension(const GuyStates& guy, const std::string& name,
   const std::string trust = own ? "user" : by_recalled_window;
   const auto [least, most] = std::minmax_element(tensions.begin(), tensions.end(),
                                                  [](const auto& a, const auto& b) { return a.first < b.first; });
-  add_part_check(name, "pretension_min", least->first / strength, si::one,
-                 {.sense = Sense::at_least, .limit = low, .rule = words(*least), .trust = trust}, r);
-  add_part_check(name, "pretension_max", most->first / strength, si::one,
-                 {.sense = Sense::at_most, .limit = high, .rule = words(*most), .trust = trust}, r);
+  const auto bound = [&](Sense sense, double limit, const std::string& rule) {
+    return with_doubts({.sense = sense, .limit = limit, .rule = rule, .trust = trust}, rule, strength.doubts_of_cold);
+  };
+  add_part_check(name, "pretension_min", least->first / strength.cold, si::one,
+                 bound(Sense::at_least, low, words(*least)), r);
+  add_part_check(name, "pretension_max", most->first / strength.cold, si::one,
+                 bound(Sense::at_most, high, words(*most)), r);
 }
 
 /// Why a rule of the catalogue gives no safety factor; empty when it does.
@@ -103,6 +124,13 @@ RuleLimit rule_limit(const std::string& id, bool high_end) {
                   .trust = catalogue::trust_words(*row)};
   if (*row->low != *row->high) limit.words += fmt::format("; of {:.4g} to {:.4g} the safe end", *row->low, *row->high);
   return limit;
+}
+
+Bound with_doubts(Bound bound, const std::string& source, const std::vector<Doubt>& others) {
+  rope::add_doubt(bound.trust, source, bound.doubts);
+  bound.doubts.insert(bound.doubts.end(), others.begin(), others.end());
+  bound.trust = rope::trust_with(bound.trust, bound.doubts);
+  return bound;
 }
 
 std::string with_factor(const std::string& words, double factor) {
@@ -219,14 +247,19 @@ void add_guy_checks(const std::vector<GuyStates>& guys, const CheckedDeck& deck,
                     Result& r) {
   for (const GuyStates& one : guys) {
     const machine::Reeving& rope = model.reevings[one.reeving];
-    const double strength = rope.breaking_force > 0 ? rope.breaking_force : one.request->breaking_force.value_or(0);
-    const AboutPart about(r, rope.name);
+    GuyStrength strength{
+        .cold = rope.breaking_force > 0 ? rope.breaking_force : one.request->breaking_force.value_or(0),
+        .doubts_of_cold = {},
+        .in_use = strength_in_use(deck, as_size(one.reeving))};
+    add_doubt_of_rope(deck, as_size(one.reeving), strength.doubts_of_cold);
+    const Part part = {.kind = PartKind::rope, .name = rope.name};
+    const AboutPart about(r, part);
     if (one.T_max > 0) {
       r.loaded.insert("guy " + rope.name);
       check_safety(one, rope.name, strength, r);
     } else {
       leave_unmade(r, fmt::format("{}: its safety is not checked: no load case gives it a tension", rope.name),
-                   {.part = rope.name, .no_load = "guy " + rope.name});
+                   {.part = part, .no_load = "guy " + rope.name});
     }
     if (!one.request->may_go_slack && std::isinf(one.T_slack)) {
       r.unmade.push_back(fmt::format(

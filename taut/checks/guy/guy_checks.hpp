@@ -2,11 +2,13 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "taut/calc/quantity.hpp"
+#include "taut/calc/result.hpp"
 #include "taut/checks/anchor/anchor_tree.hpp"
 #include "taut/checks/anchor/footing.hpp"
 #include "taut/checks/check_state.hpp"
@@ -50,7 +52,8 @@ struct AnchorStates {
   double factor = 1;                                        ///< in `force`: the dynamic factor of a state at rest
   std::string where, where_uplift, where_angle;
   AnchorTree tree;
-  double strongest_rope = 0;  ///< breaking forces of its ropes, all copies, as far as they pull together, N
+  double strongest_rope = 0;     ///< breaking forces of its ropes, all copies, as far as they pull together, N
+  std::set<std::string> strong;  ///< the ropes of these forces, by name
   bool strength_unknown = false;
   double thickest_rope = 0;  ///< m; 0: not known
   bool ropes = false;        ///< ropes pull at it
@@ -98,13 +101,14 @@ void add_guy_checks(const std::vector<GuyStates>& guys, const CheckedDeck& deck,
 
 void complain_of_anchors(const std::vector<AnchorCheckRequest>& anchors, const machine::Machine& described,
                          const machine::Model& model, std::vector<Complaint>& complaints);
-void add_anchor_checks(const std::vector<AnchorStates>& anchors, Result& r);
+void add_anchor_checks(const std::vector<AnchorStates>& anchors, const CheckedDeck& deck, Result& r);
 /// The table `anchor_forces` as described.
 TableWords anchor_words();
 
 void complain_of_lines(const std::vector<LineCheckRequest>& lines, const machine::Model& model,
                        std::vector<Complaint>& complaints);
-void add_line_checks(const std::vector<LineStates>& lines, const machine::Model& model, Result& r);
+void add_line_checks(const std::vector<LineStates>& lines, const CheckedDeck& deck, const machine::Model& model,
+                     Result& r);
 
 /// A limit of the catalogue's rules with its words and trust.
 struct RuleLimit {
@@ -113,6 +117,9 @@ struct RuleLimit {
 };
 /// `safe_end`: of a range the high end (what must be reached) or the low one.
 RuleLimit rule_limit(const std::string& id, bool high_end);
+
+/// A bound with all that is doubted in its check: its limit, whose source that is, and numbers beside it.
+Bound with_doubts(Bound bound, const std::string& source, const std::vector<Doubt>& others);
 
 /// "load path, in, x = 40 m, times 1.2": of a state at rest with the dynamic factor that its forces are raised by.
 std::string with_factor(const std::string& words, double factor);

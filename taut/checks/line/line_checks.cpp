@@ -6,6 +6,7 @@
 #include "taut/base/suggest.hpp"
 #include "taut/checks/guy/guy_checks.hpp"
 #include "taut/checks/rope/rope_rules.hpp"
+#include "taut/checks/rope/rope_strength.hpp"
 #include "taut/math/index.hpp"
 #include "taut/study/line/bend_onto.hpp"
 #include "taut/study/line/rope_clearance.hpp"
@@ -147,7 +148,8 @@ std::string place_words(const machine::Model& model, const std::string& words, c
 
 void take_clearance(const machine::Model& model, const FreeRope& rope, const std::string& words, LineStates& line) {
   const auto by_x = [&](const Vector3& a, const Vector3& b) { return terrain_x(model, a) < terrain_x(model, b); };
-  const auto [low, high] = std::minmax_element(rope.places.begin(), rope.places.end(), by_x);
+  const Array<Vector3> places = rope.places();
+  const auto [low, high] = std::minmax_element(places.begin(), places.end(), by_x);
   take_gap(study::terrain_gap(model, terrain_x(model, *low), terrain_x(model, *high)), line);
   const study::RopeClearance found = clearance_of(model, rope);
   if (std::isnan(found.height)) return;
@@ -212,7 +214,7 @@ void check_clearance(const LineStates& line, Result& r) {
                  fmt::format("{}: its clearance is not checked: in no state of the deck is a lowest place of it over "
                              "the terrain",
                              request.name),
-                 {.part = request.name});
+                 {.part = {.kind = PartKind::rope, .name = request.name}});
     return;
   }
   add_part_check(request.name, "clearance", line.clearance.value, si::m,
@@ -231,7 +233,7 @@ void check_tail(const LineStates& line, Result& r) {
                  fmt::format("{}: the angles of its tail tree are not checked: in no state is '{}' between the "
                              "anchor and the line",
                              request.name, *request.tail_tree),
-                 {.part = request.name});
+                 {.part = {.kind = PartKind::rope, .name = request.name}});
   }
   const auto add = [&](const char* name, const LineExtreme& x, const std::optional<double>& own, const char* rule,
                        const char* words) {
@@ -258,7 +260,7 @@ void check_bends(const LineStates& line, Result& r) {
                  fmt::format("{}: its least bends are not checked: the empty line, which bends least, is not "
                              "among the states: give its 'install', or add an 'installation'",
                              request.name),
-                 {.part = request.name});
+                 {.part = {.kind = PartKind::rope, .name = request.name}});
   }
   for (const LineStates::Bend& bend : line.bends) {
     const auto& ends = request.end_masts;
@@ -292,7 +294,7 @@ void check_limiter(const LineCheckRequest& request, Result& r) {
   const Value* T = r.find_value(request.name + ".T_max");
   if (T == nullptr) {
     leave_unmade(r, fmt::format("{}.limiter_tension is not checked: no state gives the line a tension", request.name),
-                 {.part = request.name});
+                 {.part = {.kind = PartKind::rope, .name = request.name}});
     return;
   }
   add_part_check(request.name, "limiter_tension", T->value, si::N,
@@ -303,7 +305,8 @@ void check_limiter(const LineCheckRequest& request, Result& r) {
                  r);
 }
 
-void check_rating(const LineStates& line, const machine::Model& model, Result& r) {
+/// A cold rope is the strongest, and the spar has to bear it.
+void check_rating(const LineStates& line, const CheckedDeck& deck, const machine::Model& model, Result& r) {
   const LineCheckRequest& request = *line.request;
   const double own = line_named(model, request.name)->breaking_force;
   const double strength = own > 0 ? own : request.breaking_force.value_or(0);
@@ -321,13 +324,16 @@ void check_rating(const LineStates& line, const machine::Model& model, Result& r
     check_limiter(request, r);
     return;
   }
+  std::vector<Doubt> doubts;
+  add_doubt_of_rope(deck, as_size(line.reeving), doubts);
   add_part_check(
       request.name, "spar_rating", strength, si::N,
-      {.sense = Sense::at_most,
-       .limit = *request.spar_rating,
-       .rule = "breaking force of the rope against the rating on the spar's plate, else a tension limiter or line "
-               "fuse (WAC 296-54-553)",
-       .trust = trust},
+      with_doubts({.sense = Sense::at_most,
+                   .limit = *request.spar_rating,
+                   .rule = "breaking force of the rope against the rating on the spar's plate, else a tension limiter "
+                           "or line fuse (WAC 296-54-553)",
+                   .trust = trust},
+                  {}, doubts),
       r);
 }
 
@@ -401,13 +407,14 @@ void take(const CheckState& state, LineStates& line) {
   if (line.request->clearance || line.request->least_clearance) take_clearance(state, line);
 }
 
-void add_line_checks(const std::vector<LineStates>& lines, const machine::Model& model, Result& r) {
+void add_line_checks(const std::vector<LineStates>& lines, const CheckedDeck& deck, const machine::Model& model,
+                     Result& r) {
   for (const LineStates& line : lines) {
-    const AboutPart about(r, line.request->name);
+    const AboutPart about(r, {.kind = PartKind::rope, .name = line.request->name});
     check_tail(line, r);
     check_bends(line, r);
     check_clearance(line, r);
-    if (line.request->spar_rating) check_rating(line, model, r);
+    if (line.request->spar_rating) check_rating(line, deck, model, r);
   }
 }
 

@@ -11,6 +11,7 @@
 #include "taut/calc/shown.hpp"
 #include "taut/catalogue/section_search.hpp"
 #include "taut/checks/guy/guy_checks.hpp"
+#include "taut/checks/parts.hpp"
 #include "taut/structure/column.hpp"
 
 namespace taut::checks {
@@ -562,7 +563,7 @@ void add_machine_masts(const std::vector<MastStates>& masts, const CheckedDeck& 
                        Result& r) {
   for (const MastStates& mast : masts) {
     const MastCheckRequest& one = *mast.request;
-    const AboutPart about(r, one.name);
+    const AboutPart about(r, part_of_mast(model, one.name));
     if (mast.beams.empty()) {
       add_mast_report(one,
                       one.carries.empty() ? own_mast(one, one.loads, model.gravity, deck.display)

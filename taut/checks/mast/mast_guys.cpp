@@ -5,6 +5,7 @@
 
 #include "taut/checks/guy/guy_checks.hpp"
 #include "taut/checks/mast/machine_masts.hpp"
+#include "taut/checks/rope/rope_strength.hpp"
 #include "taut/math/index.hpp"
 #include "taut/rope/guy.hpp"
 
@@ -22,10 +23,13 @@ bool ends_at(const machine::Reeving& rope, const Is& is) {
   return is(rope.nodes.front().at.body) || is(rope.nodes.back().at.body);
 }
 
-/// Guys that are fixed to the mast's beams, and the least of their breaking forces (0: one is not known).
+/// Guys that are fixed to the mast's beams, and the least of their breaking forces in use (0: one is not known).
 struct MastGuys {
   int number = 0;
   double weakest = HUGE_VAL;
+  std::string unknown;             ///< why one is not known; empty: all are
+  std::string heat;                ///< " x 0.75 (...)", of the weakest
+  std::vector<Doubt> doubts = {};  ///< of all
 };
 MastGuys guys_of(const MastStates& mast, const CheckedDeck& deck, const machine::Model& model) {
   const auto on_mast = [&](int body) {
@@ -33,10 +37,21 @@ MastGuys guys_of(const MastStates& mast, const CheckedDeck& deck, const machine:
     return std::find(mast.beams.begin(), mast.beams.end(), as_size(*model.bodies[body].beam)) != mast.beams.end();
   };
   MastGuys all;
-  for (const machine::Reeving& rope : model.reevings) {
+  for (std::size_t i = 0; i < model.reevings.size(); ++i) {
+    const machine::Reeving& rope = model.reevings[i];
     if (!is_guy(deck, rope) || !ends_at(rope, on_mast)) continue;
     all.number += rope.copies;
-    all.weakest = std::min(all.weakest, rope.breaking_force);
+    const StrengthInUse in_use = strength_in_use(deck, i);
+    if (rope.breaking_force == 0) all.unknown = "the breaking force of a guy is not known";
+    if (!in_use.unknown.empty()) all.unknown = in_use.unknown;
+    for (const Doubt& one : in_use.doubts) {
+      const bool known = std::any_of(all.doubts.begin(), all.doubts.end(),
+                                     [&](const Doubt& other) { return other.source == one.source; });
+      if (!known) all.doubts.push_back(one);
+    }
+    if (in_use.share * rope.breaking_force >= all.weakest) continue;
+    all.weakest = in_use.share * rope.breaking_force;
+    all.heat = in_use.words;
   }
   return all;
 }
@@ -98,17 +113,19 @@ void add_plate_checks(const MastStates& mast, const CheckedDeck& deck, const mac
                    r);
   }
   if (!request.plate->guy_strength || guys.number == 0) return;
-  if (guys.weakest == 0) {
-    r.unmade.push_back(
-        fmt::format("{}: the breaking force of a guy is not known: 'plate.guy_strength' is not checked", request.name));
+  if (!guys.unknown.empty()) {
+    r.unmade.push_back(fmt::format("{}: {}: 'plate.guy_strength' is not checked", request.name, guys.unknown));
     r.warnings.push_back(r.unmade.back());
     return;
   }
   add_part_check(request.name, "guy_strength_by_plate", guys.weakest, si::N,
-                 {.sense = Sense::at_least,
-                  .limit = *request.plate->guy_strength,
-                  .rule = "breaking force of the weakest guyline against the plate of the spar (WAC 296-54-553)",
-                  .trust = "verified"},
+                 with_doubts({.sense = Sense::at_least,
+                              .limit = *request.plate->guy_strength,
+                              .rule = fmt::format("breaking force of the weakest guyline{} against the plate of the "
+                                                  "spar (WAC 296-54-553)",
+                                                  guys.heat),
+                              .trust = "verified"},
+                             {}, guys.doubts),
                  r);
 }
 

@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <string>
@@ -10,6 +11,7 @@
 #include "taut/checks/described.hpp"
 #include "taut/checks/rope/rope_life.hpp"
 #include "taut/checks/rope/rope_rules.hpp"
+#include "taut/checks/rope/rope_strength.hpp"
 #include "taut/checks/rope/rope_uses.hpp"
 #include "taut/study/analyses.hpp"
 
@@ -83,22 +85,42 @@ void set_compensating(const RopeCheckRequest& request, rope::RopeUse& use) {
 
 }  // namespace
 
-std::vector<std::size_t> reevings_named(const std::string& name, const CheckedDeck& deck, const machine::Model& model) {
-  std::vector<std::size_t> own;
-  std::vector<std::size_t> of_rope;
-  for (std::size_t i = 0; i < model.reevings.size(); ++i) {
-    if (model.reevings[i].name == name) own.push_back(i);
-    if (rope_name_of(deck.machine, i) == name) of_rope.push_back(i);
+namespace {
+
+/// A rope has one entry. One of its own leaves that of what it is made of to the others, which may be none; a heat that
+/// is said there alone would be lost.
+void complain_of_second_entry(std::size_t entry, const std::vector<std::size_t>& reevings, const CheckedDeck& deck,
+                              const std::string& path, std::vector<Complaint>& complaints) {
+  const auto& ropes = deck.checks->ropes;
+  const RopeCheckRequest& one = ropes[entry];
+  if (reevings_of_entry(deck, entry).empty()) {
+    std::vector<std::string> own;
+    for (const std::size_t i : reevings) own.push_back(fmt::format("'{}'", reeving_name_of(deck.machine, i)));
+    complaints.push_back({path, fmt::format("each reeving or guy of '{}' has an entry of its own here, {}, by which it "
+                                            "is judged: write there what this entry says, and leave this one out",
+                                            one.name, fmt::join(own, ", "))});
+    return;
   }
-  return own.empty() ? of_rope : own;
+  if (!one.temperature) return;
+  for (const std::size_t i : reevings) {
+    const RopeCheckRequest& own = ropes[*entry_of(deck, i)];
+    if (own.name == one.name || own.temperature) continue;
+    complaints.push_back({fmt::format("checks.ropes.{}", own.name),
+                          fmt::format("'{}' gives the rope of '{}' a temperature, and '{}' is judged by this entry "
+                                      "alone: give its 'temperature' here too",
+                                      one.name, own.name, own.name)});
+  }
 }
+
+}  // namespace
 
 std::vector<AskedRules> resolve_ropes(const ChecksRequest& request, const CheckedDeck& deck,
                                       const machine::Model& model, std::vector<Complaint>& complaints) {
   std::vector<AskedRules> all;
-  for (const RopeCheckRequest& one : request.ropes) {
+  for (std::size_t k = 0; k < request.ropes.size(); ++k) {
+    const RopeCheckRequest& one = request.ropes[k];
     const std::string path = fmt::format("checks.ropes.{}", one.name);
-    const auto reevings = reevings_named(one.name, deck, model);
+    const std::vector<std::size_t> reevings = reevings_named(one.name, deck.machine);
     if (reevings.empty()) {
       std::vector<std::string> known;
       known.reserve(model.reevings.size());
@@ -107,6 +129,7 @@ std::vector<AskedRules> resolve_ropes(const ChecksRequest& request, const Checke
           {path, fmt::format("there is no reeving, guy or rope '{}'{}", one.name, did_you_mean(one.name, known))});
       continue;
     }
+    complain_of_second_entry(k, reevings, deck, path, complaints);
     const std::string& name = rope_name_of(deck.machine, reevings.front());
     const AskedRules& asked = all.emplace_back(asked_rules(one, path, complaints));
     catalogue::RopeRow rope;
@@ -163,6 +186,28 @@ void put_request(const RopeCheckRequest& request, rope::RopeUse& use, Result& r)
   std::move(denied.begin(), denied.end(), std::back_inserter(r.unmade));
 }
 
+namespace {
+
+/// The value beside the check is that of the cold rope so far, and so is that of each state in its tables.
+void weaken_factors(const std::string& rope, double share, Result& r) {
+  for (Value& value : r.values) {
+    if (value.name == rope + ".safety_factor") value.value *= share;
+  }
+  for (Table& table : r.tables) {
+    const auto factor = std::find_if(table.columns.begin(), table.columns.end(),
+                                     [](const Column& one) { return one.name == "safety_factor"; });
+    if (factor == table.columns.end() || table.columns.front().name != "name") continue;
+    for (std::vector<Cell>& row : table.rows) {
+      const auto* name = std::get_if<std::string>(&row.front());
+      if (name == nullptr || *name != rope) continue;
+      if (auto* cell = std::get_if<double>(&row[static_cast<std::size_t>(factor - table.columns.begin())]))
+        *cell *= share;
+    }
+  }
+}
+
+}  // namespace
+
 void add_checks_of(const RopeCheckRequest& request, const AskedRules& asked, const rope::RopeUse& use, Result& r,
                    std::optional<double> around) {
   const rope::RopeRules rules = rope_rules(request, asked, use.rope, around);
@@ -173,7 +218,7 @@ void add_checks_of(const RopeCheckRequest& request, const AskedRules& asked, con
   }
   std::move(found.checks.begin(), found.checks.end(), std::back_inserter(r.checks));
   for (const auto& [sentence, thing] : found.no_load) {
-    r.about.insert_or_assign(sentence, About{.part = use.name, .no_load = thing});
+    r.about.insert_or_assign(sentence, About{.part = {.kind = PartKind::rope, .name = use.name}, .no_load = thing});
   }
   r.loaded.merge(found.loaded);
   r.warnings.insert(r.warnings.end(), found.left_out.begin(), found.left_out.end());
@@ -182,10 +227,7 @@ void add_checks_of(const RopeCheckRequest& request, const AskedRules& asked, con
   warn_of_peaks(use, rules, r);
   doubt_termination(use, asked, rules, r);
   const double heat_share = rope::heat_share(rules);
-  // the value beside the check is that of the cold rope so far
-  for (Value& value : r.values) {
-    if (value.name == use.name + ".safety_factor") value.value *= heat_share;
-  }
+  weaken_factors(use.name, heat_share, r);
   if (const double peak = rope::peak_tension(use, rules); peak > 0 && use.rope.breaking_force > 0) {
     const bool moves = use.peak > 0 && use.peak >= rules.dynamic_factor * use.tension;
     const ValueKind& kind = named(value_kinds(), "ROPE.dynamic_safety_factor");
@@ -204,9 +246,9 @@ void add_rope_checks(const ChecksRequest& request, const CheckedDeck& deck, cons
   const std::optional<double> hottest = study::hottest_of(deck.machine, deck.analyses);
   for (std::size_t k = 0; k < request.ropes.size(); ++k) {
     const RopeCheckRequest& one = request.ropes[k];
-    for (const std::size_t i : reevings_named(one.name, deck, model)) {
+    for (const std::size_t i : reevings_of_entry(deck, k)) {
       rope::RopeUse use = uses[i];
-      const AboutPart about(r, use.name);
+      const AboutPart about(r, {.kind = PartKind::rope, .name = use.name});
       use.chosen = deck.chosen.contains(rope_name_of(deck.machine, i));
       put_request(one, use, r);
       set_compensating(one, use);

@@ -252,9 +252,12 @@ void RopeUses::take_forces(const machine::Model& model, const solve::Equilibrium
                            const std::string& words) {
   const Array<int> own = uses_in(model);
   for (std::size_t i = 0; i < own.size(); ++i) {
-    if (own[i] < 0 || state.ropes[i].T_max <= uses_[as_size(own[i])].tension) continue;
+    if (own[i] < 0) continue;
     rope::RopeUse& use = uses_[as_size(own[i])];
-    use.tension = state.ropes[i].T_max;
+    const double T = state.ropes[i].T_max;
+    use.analysed = use.analysed || (T > 0 && !rope::goes_beyond_rest(use.tension, T));
+    if (T <= use.tension) continue;
+    use.tension = T;
     use.where = words;
     use.lasts = false;
   }
@@ -288,17 +291,20 @@ void RopeUses::take_motion(int reeving, const solve::RopeExtreme& extreme, bool 
   rope::RopeUse& use = uses_[reeving];
   const solve::Extreme& T = extreme.T;
   const std::string peak_words = fmt::format("{}, t = {:.4g} s", words, T.t_max);
-  const auto take_tension = [&](double tension, const std::string& where, bool lasts) {
+  const auto take_tension = [&](double tension, const std::string& where, bool lasts, bool analysed) {
     if (!(tension > use.tension)) return;  // nor one that is not known
+    const bool known = use.analysed && !rope::goes_beyond_rest(tension, use.tension);
     use.tension = tension;
     use.where = where;
     use.lasts = lasts;
+    use.analysed = analysed || known;
   };
-  if (slowly) take_tension(T.max, peak_words, false);
-  take_tension(extreme.T_static, words + ", before it begins", false);
+  if (slowly) take_tension(T.max, peak_words, false, true);
+  take_tension(extreme.T_static, words + ", before it begins", false, false);
   const LastingTension& lasting = lasting_[reeving];
   take_tension(lasting.largest(),
-               fmt::format("{}, for {:g} s until t = {:.4g} s", words, LastingTension::lasts, lasting.when()), true);
+               fmt::format("{}, for {:g} s until t = {:.4g} s", words, LastingTension::lasts, lasting.when()), true,
+               false);
   use.last = std::max(use.last, lasting.at_end());
   if (lasting.mean() > use.mean) {
     use.mean = lasting.mean();
@@ -309,10 +315,12 @@ void RopeUses::take_motion(int reeving, const solve::RopeExtreme& extreme, bool 
   const bool grows =
       T.t_max >= (1 - same_time) * lasting.last_moment() && T.max > (1 + still_grows) * lasting.before_end();
   if (grows && rope::goes_beyond_rest(T.max, use.tension)) {
-    growing_.push_back(fmt::format(
-        "{}: the tension of {} is largest where the motion ends, {} at t = {:.4g} s: its peak may lie behind "
-        "the end; give a longer 'duration'",
-        words, use.name, use.display.brief(T.max, si::N), T.t_max));
+    growing_.emplace_back(
+        use.name,
+        fmt::format(
+            "{}: the tension of {} is largest where the motion ends, {} at t = {:.4g} s: its peak may lie behind "
+            "the end; give a longer 'duration'",
+            words, use.name, use.display.brief(T.max, si::N), T.t_max));
   }
   if (T.max <= use.peak) return;
   use.peak = T.max;

@@ -38,8 +38,8 @@ class RopeUses {
   /// Of a calculated motion as a whole: its tension at rest and its peak. `slowly`: all its steps are at rest.
   void take_motion(int reeving, const solve::RopeExtreme& extreme, bool slowly, const std::string& words);
 
-  /// Motions that end while a tension grows, in words.
-  const std::vector<std::string>& growing() const { return growing_; }
+  /// Motions that end while a tension grows: the rope, and all in words.
+  const std::vector<std::pair<std::string, std::string>>& growing() const { return growing_; }
 
   /// As in the model. Each round and end has no less than a tension of its rope that lasts in a motion.
   std::vector<rope::RopeUse> all() const;
@@ -75,7 +75,7 @@ class RopeUses {
   Array<LastingTension> lasting_;                                 // of motions
   std::map<std::pair<int, bool>, LastingTension> lasting_hauls_;  // [reeving, its end]
   Array<std::map<std::string, Met>> bends_;                       // [reeving], by name and occurrence
-  std::vector<std::string> growing_;
+  std::vector<std::pair<std::string, std::string>> growing_;
 };
 
 /// The rope of a description with the deck's own figures over those of the catalogue: a breaking force of the deck

@@ -152,7 +152,7 @@ void take(const CheckState& state, CarriageStates& carriage) {
 void add_carriage_checks(const std::vector<CarriageStates>& carriages, Result& r) {
   for (const CarriageStates& s : carriages) {
     const machine::description::Carriage& car = *s.given;
-    const AboutPart about(r, car.name);
+    const AboutPart about(r, {.kind = PartKind::carriage, .name = car.name});
     check_rope_of_carriage(s, r);
     if (!car.rated_payload || std::isnan(s.load.value)) continue;
     add_part_check(car.name, "payload", s.load.value, si::kg,

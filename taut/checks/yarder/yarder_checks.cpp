@@ -197,12 +197,13 @@ void take_empty_line(const CheckState& state, const std::string& reeving, bool p
 
 void add_yarder_checks(const std::vector<YarderLineStates>& lines, Result& r) {
   for (const YarderLineStates& s : lines) {
-    const AboutPart about(r, "yarder " + s.request->name);
+    const Part part = {.kind = PartKind::yarder, .name = s.request->name};
+    const AboutPart about(r, part);
     if (std::isnan(s.in_use.value) || std::isnan(s.tension.value)) {
       leave_unmade(r,
                    fmt::format("{}: its {} is not checked: no load case of the deck has '{}'", s.request->name,
                                s.line.line, s.line.reeving),
-                   {.part = "yarder " + s.request->name});
+                   {.part = part});
       continue;
     }
     add_line(r, "yarder_lines", "Lines of the yarders: needed against available length, tension against rated pull",

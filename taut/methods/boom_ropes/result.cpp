@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "taut/base/stretches.hpp"
 #include "taut/calc/shown.hpp"
 #include "taut/methods/boom_ropes/boom_ropes.hpp"
 #include "taut/methods/boom_ropes/drawing.hpp"
@@ -98,6 +99,21 @@ void add_assumptions(const Input& in, const Output& out, const Display& display,
   }
 }
 
+/// Places of the sections at which sliding has no answer.
+void add_missing(const Output& out, const Display& display, Result& r) {
+  const auto lost = [](const SlidingPoint& p) { return !p.ok(); };
+  const auto first = std::find_if(out.grid.begin(), out.grid.end(), lost);
+  if (first == out.grid.end()) return;
+  Stretches all;
+  for (const SlidingPoint& one : out.grid) all.take(one.ok() ? "" : one.reason, place(one, display), {});
+  r.missing.push_back({.analysis = "sliding",
+                       .missing = static_cast<int>(std::count_if(out.grid.begin(), out.grid.end(), lost)),
+                       .places = static_cast<int>(out.grid.size()),
+                       .first = place(*first, display),
+                       .reason = first->reason,
+                       .all = all.few_places()});
+}
+
 void add_tables(const Input& in, const Output& out, const Display& display, Result& r) {
   if (!out.F.empty()) r.tables.push_back(cases_table(in, out, display));
   if (in.tensioning_steps > 0) {
@@ -186,13 +202,7 @@ Result run(const Input& in, const Display& display) {
   if (!outcome.ok()) r.figures.insert(r.figures.begin(), boom_without_answer(in, display));
   s.move_to(r);
   add_assumptions(in, out, display, r);
-  const auto lost = [](const SlidingPoint& p) { return !p.ok(); };
-  const auto first = std::find_if(out.grid.begin(), out.grid.end(), lost);
-  if (outcome.ok() && first != out.grid.end()) {
-    const auto count = std::count_if(out.grid.begin(), out.grid.end(), lost);
-    r.missing.push_back(
-        {"sliding", static_cast<int>(count), static_cast<int>(out.grid.size()), place(*first, display), first->reason});
-  }
+  if (outcome.ok()) add_missing(out, display, r);
   r.unjudged = {"extension", "retraction"};  // their strength: the input names no ropes, checks may
   return r;
 }

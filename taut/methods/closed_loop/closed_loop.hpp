@@ -129,8 +129,8 @@ struct Output {
   double T_lLA = none;
   double T_lLB = none;
   double T_12 = none;
-  double T_winch = none;  ///< only where the sheaves at A lose something
-  double T_max = none;
+  double T_winch = none;    ///< only where the sheaves at A lose something
+  double T_end_max = none;  ///< of the four ends of this position
   double H_1 = none;
   double H_2 = none;
   double H_3 = none;
@@ -157,6 +157,9 @@ struct Output {
   double T_lLB_exact = none;
   double T_12_exact = none;
   double T_winch_exact = none;
+  /// Of both ropes over all positions with an answer, both hauls and the winch; only of a run, which without an engine
+  /// takes it from the closed-form tier.
+  double T_max = none;
   double delta_f_exact = none;
   double upper_sag_exact = none;
   double loop_length_exact = none;

@@ -127,10 +127,8 @@ TEST(ClosedLoopDeck, AnEngineDecidesTheSagAndTheExactColumn) {
   EXPECT_EQ(run(in, engine).status, Status::infeasible);
   engine.solve = [](const Input&, const Case<double>&, Output&) { return not_converged("no luck"); };
   const Result without = run(in, engine);
-  EXPECT_EQ(without.status, Status::ok);
-  EXPECT_EQ(without.find_value("T_lA_exact"), nullptr);
-  EXPECT_TRUE(std::any_of(without.warnings.begin(), without.warnings.end(),
-                          [](const std::string& w) { return w.find("no luck") != std::string::npos; }));
+  EXPECT_EQ(without.status, Status::not_converged) << "the closed form is no answer in its place";
+  EXPECT_EQ(without.message, "no luck");
 }
 
 TEST(ClosedLoopDeck, RopesAndSafetyFactors) {
@@ -226,7 +224,7 @@ RC_GTEST_PROP(ClosedLoopTypes, LengthsAndForcesScale, ()) {
   big.weight_per_area /= 2;
   Output b;
   RC_ASSERT(solve(big, b).ok());
-  const double tolerance = 1e-8 * 3 * a.T_max;
+  const double tolerance = 1e-8 * 3 * a.T_end_max;
   RC_ASSERT(std::abs(b.P_b - 3 * a.P_b) < tolerance);
   RC_ASSERT(std::abs(b.T_lA - 3 * a.T_lA) < tolerance);
   RC_ASSERT(std::abs(b.T_uB - 3 * a.T_uB) < tolerance);

@@ -91,7 +91,7 @@ TEST(ClosedLoopDrawing, TensionsAreDrawnOverTheSpan) {
   ASSERT_EQ(p.curves.size(), 4U);
   EXPECT_GT(p.curves[0].x.size(), 30U);
   ASSERT_EQ(p.marks.size(), 1U);
-  EXPECT_EQ(p.marks[0].y, rows[0].out.T_max);
+  EXPECT_EQ(p.marks[0].y, rows[0].out.T_end_max);
 }
 
 TEST(ClosedLoopDrawing, ErrorsCrossZeroOnTheLevel) {

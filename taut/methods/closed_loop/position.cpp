@@ -55,7 +55,7 @@ void keep_tensions(const Quick<T>& q, Output& out) {
   out.H_2 = value(q.H_2);
   out.H_3 = value(q.H_3);
   out.H_4 = value(q.H_4);
-  out.T_max = std::max({out.T_uA, out.T_uB, out.T_lA, out.T_lB});
+  out.T_end_max = std::max({out.T_uA, out.T_uB, out.T_lA, out.T_lB});
 }
 
 template <class T>
@@ -187,16 +187,12 @@ void warn_of_input(const Input& in, const Case<T>& c, Sheet<T>& s) {
   }
 }
 
-/// The exact column. An engine that does not converge is a warning; one that finds no equilibrium decides.
+/// The exact column. A position that the engine leaves without an answer has none: next to a support and deep under it
+/// the ropes pull many times as hard as by the closed form, before their equilibrium ends.
 template <class T>
 Outcome add_exact(const Input& in, const Case<double>& plain, const Engine& engine, Sheet<T>& s, Output& out) {
   if (!engine.solve) return {};
-  Outcome o = engine.solve(in, plain, out);
-  if (o.status == Status::not_converged) {
-    s.warn([&] { return fmt::format("There are no exact values: {}", o.message); });
-    return {};
-  }
-  if (!o.ok()) return o;
+  if (Outcome o = engine.solve(in, plain, out); !o.ok()) return o;
   s.section("Exact catenaries");
   const auto force = [&plain](double x) { return shown(plain.display, x, si::N); };
   s.note([&] {
@@ -274,7 +270,6 @@ Outcome solve_position(const Input& in, const Setting& at, Sheet<T>& s, Output& 
   Outcome closed_form = o;
   if (o = add_exact(in, plain, engine, s, out); !o.ok()) return closed_form.ok() ? o : closed_form;
   if (!closed_form.ok()) {
-    if (!std::isfinite(out.T_lA_exact)) return closed_form;
     s.warn([&] {
       return fmt::format("The closed-form tier has no answer here, the exact catenaries have one: {}",
                          closed_form.message);
@@ -410,7 +405,7 @@ Peaks peaks_of_both_hauls(const Input& in, const Ropes& ropes, const Engine& eng
 
 namespace {
 
-/// Positions and the peaks of both hauls; infeasible when no position is feasible as asked.
+/// Positions and the peaks of both hauls; not ok when no position has an answer as asked.
 Outcome prove(const Input& in, const Engine& engine, Solved& solved, const Display* display) {
   solved.rows = sweep(in, solved.ropes, engine, display);
   const auto& rows = solved.rows;
@@ -483,7 +478,7 @@ Outcome solve_deck(const Input& in, const Engine& engine, Sheet<Num>& s, Solved&
   const Engine known = known_answers(found.rows[at], engine);
   Outcome o = solve_position(in, setting_of(in, found.ropes, at, known, display), s, out);
   if (!found.rows[at].outcome.ok() && found.rows.size() > 1) {
-    o.message = fmt::format("none of the {} positions is feasible; the first: {}", found.rows.size(), o.message);
+    o.message = fmt::format("none of the {} positions has an answer; the first: {}", found.rows.size(), o.message);
   }
   return o;
 }

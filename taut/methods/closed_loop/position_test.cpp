@@ -25,7 +25,7 @@ TEST(ClosedLoopPosition, TheWorstPositionHasTheLargestEndTension) {
   const auto rows = sweep(in, ropes_from(in));
   ASSERT_EQ(rows.size(), 4U);
   EXPECT_EQ(worst_of(rows), 1U);
-  for (const Row& row : rows) EXPECT_LE(row.out.T_max, rows[1].out.T_max);
+  for (const Row& row : rows) EXPECT_LE(row.out.T_end_max, rows[1].out.T_end_max);
   Output out;
   ASSERT_TRUE(solve(in, out).ok());
   EXPECT_EQ(out.x, 90);

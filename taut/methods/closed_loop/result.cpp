@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "taut/base/stretches.hpp"
 #include "taut/catalogue/lookup.hpp"
 #include "taut/catalogue/rope_values.hpp"
 #include "taut/catalogue/trust.hpp"
@@ -111,11 +112,15 @@ void tell_other_haul(const OtherHaul& other, std::size_t positions, const Displa
   r.warnings.push_back(r.unmade.back());
 }
 
-/// `found`: the positions, with the peaks where a search for ropes has them already.
-void add_checks(const Input& in, const Engine& engine, const Solved& found, const Display& display, Result& r) {
+/// `found`: the positions, with the peaks of both hauls.
+void add_checks(const Input& in, const Solved& found, const Display& display, Result& r) {
   const auto& [ropes, rows, known] = found;
-  const Peaks peaks = known ? *known : peaks_of_both_hauls(in, ropes, engine, rows, &display);
+  const Peaks& peaks = *known;
   r.tables.push_back(ropes_table(ropes, peaks, display));
+  if (in.choose_ropes) {
+    r.choices["return rope"] = ropes.return_rope->id;
+    r.choices["traction rope"] = ropes.traction_rope->id;
+  }
   judge_rope(in, "return", ropes.return_rope, peaks.return_rope, display, r);
   judge_rope(in, "traction", ropes.traction_rope, peaks.traction_rope, display, r);
   if (in.clearance) check_clearance(in, found, peaks.deepest, display, r);
@@ -222,9 +227,16 @@ void add_words(const Input& in, const Solved& found, const Display& display, Res
   }
   if (failed > 0 && failed < rows.size()) {
     const auto first = std::find_if(rows.begin(), rows.end(), [](const Row& row) { return !row.outcome.ok(); });
-    r.missing.push_back({"positions", static_cast<int>(failed), static_cast<int>(rows.size()),
-                         "x = " + display.brief(first->out.x, si::m), first->outcome.message});
-    r.warnings.push_back(fmt::format("{} of {} positions are infeasible; the table `positions` gives the reasons.",
+    const auto place = [&](const Row& row) { return "x = " + display.brief(row.out.x, si::m); };
+    Stretches all;
+    for (const Row& row : rows) all.take(row.outcome.ok() ? "" : row.outcome.message, place(row), {});
+    r.missing.push_back({.analysis = "positions",
+                         .missing = static_cast<int>(failed),
+                         .places = static_cast<int>(rows.size()),
+                         .first = place(*first),
+                         .reason = first->outcome.message,
+                         .all = all.few_places()});
+    r.warnings.push_back(fmt::format("{} of {} positions have no answer; the table `positions` gives the reasons.",
                                      failed, rows.size()));
   }
   if (in.carriage == Carriage::two_section) {
@@ -255,7 +267,12 @@ Result run(const Input& in, const Engine& engine, const Display& display) {
   Sheet<Num> s(about().short_source, Input::describe(), &in);
   const Outcome outcome = solve_deck(in, engine, s, found, out, &display);
   const std::vector<Row>& rows = found.rows;
-  if (outcome.ok()) prove_paper_choice(in, out, display, r.warnings);
+  if (outcome.ok()) {
+    // a search for ropes has them already
+    if (!found.peaks) found.peaks = peaks_of_both_hauls(in, found.ropes, engine, rows, &display);
+    out.T_max = std::max(found.peaks->return_rope.tension, found.peaks->traction_rope.tension);
+    prove_paper_choice(in, out, display, r.warnings);
+  }
   r.status = outcome.status;
   r.message = outcome.message;
   r.values = values_of(Output::describe(), &out);
@@ -265,7 +282,7 @@ Result run(const Input& in, const Engine& engine, const Display& display) {
   if (!in.position.empty() && rows.size() > 1) r.tables.push_back(positions_table(rows));
   add_words(in, found, display, r);
   if (!outcome.ok()) return r;
-  add_checks(in, engine, found, display, r);
+  add_checks(in, found, display, r);
   if (in.safety_factor && in.wire_strength && std::isnan(out.F_return)) {
     r.unmade.emplace_back("the ropes can't be sized for the load at midspan: the metallic areas have no answer");
   }

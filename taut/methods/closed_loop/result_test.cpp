@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <map>
 #include <tuple>
 #include <utility>
@@ -134,6 +135,78 @@ TEST(ClosedLoopResult, NothingFeasibleKeepsTheStepsReached) {
   }
 }
 
+/// Exact values a little above the closed form; none where `lost` says so.
+Engine engine_without(std::function<bool(const Case<double>&)> lost) {
+  Engine engine;
+  engine.solve = [lost = std::move(lost)](const Input&, const Case<double>& c, Output& out) {
+    if (lost(c)) return not_converged("no equilibrium is found here");
+    out.T_uA_exact = out.T_U_exact = 1.01 * out.T_uA;
+    out.T_uB_exact = 1.01 * out.T_uB;
+    out.T_lB_exact = out.T_lLB_exact = 1.01 * out.T_lB;
+    out.T_lA_exact = out.T_lLA_exact = 1.01 * out.T_lA;
+    return Outcome{};
+  };
+  return engine;
+}
+
+// The closed form has an answer everywhere, and ropes far too strong for it.
+TEST(ClosedLoopResult, APositionThatTheEngineCanNotSolveIsNotJudged) {
+  Input in = example();
+  in.return_weight.reset();
+  in.traction_weight.reset();
+  in.return_rope = in.traction_rope = "6x36-IWRC 32 mm 1960 MPa";
+  in.safety_factor = 3.5;
+  in.position = {60, 100, 140};
+  const Result whole = run(in, engine_without([](const auto&) { return false; }));
+  EXPECT_EQ(verdict_of(whole)->kind, VerdictKind::passes);
+  const Result r = run(in, engine_without([](const auto& c) { return c.x == 140; }));
+  EXPECT_EQ(r.status, Status::ok);
+  EXPECT_EQ(verdict_of(r)->kind, VerdictKind::not_judged);
+  ASSERT_EQ(r.missing.size(), 1U);
+  EXPECT_EQ(r.missing[0].missing, 1);
+  EXPECT_EQ(r.missing[0].reason, "no equilibrium is found here");
+  EXPECT_EQ(std::get<std::string>(r.find_table("positions")->rows[2].back()), "no equilibrium is found here");
+  EXPECT_TRUE(warns(r, "1 of 3 positions have no answer"));
+  // the other haul alone: over the sheave at B the tension falls the other way
+  const double eta = in.tail_efficiency;
+  const Result back = run(in, engine_without([&](const auto& c) { return c.x == 140 && c.eta != eta; }));
+  EXPECT_TRUE(back.missing.empty());
+  EXPECT_EQ(verdict_of(back)->kind, VerdictKind::not_judged);
+  ASSERT_EQ(back.unmade.size(), 1U);
+  EXPECT_NE(back.unmade[0].find("no equilibrium is found here"), std::string::npos) << back.unmade[0];
+  // the only position
+  in.position = {140};
+  const Result none = run(in, engine_without([](const auto&) { return true; }));
+  EXPECT_EQ(none.status, Status::not_converged);
+  EXPECT_EQ(exit_code(none), 3);
+  // ropes are chosen by what has an answer, and not said to pass
+  in.position = {60, 100, 140};
+  in.return_rope.reset();
+  in.traction_rope.reset();
+  in.choose_ropes = RopeFilter{};
+  const Result chosen = run(in, engine_without([](const auto& c) { return c.x == 140; }));
+  EXPECT_EQ(verdict_of(chosen)->kind, VerdictKind::not_judged);
+}
+
+// By hand: of the four ends of the example hauled in T_lA is the largest, and the winch pulls with T_lA /
+// head_efficiency.
+TEST(ClosedLoopResult, TheLargestTensionIsOfBothRopesBothHaulsAndTheWinch) {
+  Input in = example();
+  in.head_efficiency = 0.8;
+  const Result r = run(in);
+  EXPECT_DOUBLE_EQ(r.find_value("T_max")->value, r.find_value("T_lA")->value / 0.8);
+  EXPECT_LT(r.find_value("T_end_max")->value, r.find_value("T_max")->value);
+  in.haul = Haul::out;
+  EXPECT_DOUBLE_EQ(run(in).find_value("T_max")->value, r.find_value("T_max")->value) << "the same two hauls";
+  in.position = {60, 100, 140};
+  const Result all = run(in);
+  const Table* ropes = all.find_table("ropes");
+  EXPECT_EQ(all.find_value("T_max")->value,
+            std::max(std::get<double>(ropes->rows[0][6]), std::get<double>(ropes->rows[1][6])));
+  const Result exact = run(in, engine_without([](const auto&) { return false; }));
+  EXPECT_NEAR(exact.find_value("T_max")->value, 1.01 * all.find_value("T_max")->value, 1e-6) << "exact where known";
+}
+
 TEST(ClosedLoopResult, ChosenRopesPassTheirChecks) {
   Input in = example();
   in.return_weight.reset();
@@ -220,6 +293,11 @@ TEST(ClosedLoopResult, PositionsWithoutAnAnswerAreMissing) {
   ASSERT_EQ(r.missing.size(), 1U);
   EXPECT_EQ(r.missing[0].missing, 1);
   EXPECT_EQ(r.missing[0].first, "x = 1 m");
+  EXPECT_EQ(r.missing[0].all, "x = 1 m");
+  in.position = {1, 2, 100, 3};
+  const Result three = run(in);
+  ASSERT_EQ(three.missing.size(), 1U);
+  EXPECT_EQ(three.missing[0].all, "x = 1 m to x = 2 m (2 states); x = 3 m");
 }
 
 TEST(ClosedLoopResult, AFreeCarriageIsWarnedOf) {

@@ -53,7 +53,7 @@ struct Peaks {
 /// The larger peaks of the two, each rope by itself, and the deeper sag; nothing of the other haul.
 Peaks larger(const Peaks& a, const Peaks& b);
 
-/// The largest tensions of one solved position: exact where known, else by the closed-form tier.
+/// The largest tensions of one solved position: exact, or by the closed-form tier where there is no engine.
 Peaks peaks_of(const Output& out);
 /// By the closed-form tier.
 Peaks closed_form_peaks_of(const Output& out);

@@ -40,6 +40,7 @@ Outcome compute_governing(const Input& in, const Governing& governing, Sheet<T>&
     outcome = compute_at(in, governing.of[k], s, there);
     take_size(k, there, out);
   }
+  out.D_tube_worst = worst_tube(out);
   return outcome;
 }
 

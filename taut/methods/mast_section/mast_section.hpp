@@ -141,6 +141,7 @@ struct Output {
   double D_tube_payout = not_computed;      ///< m
   double D_tube_mixed = not_computed;       ///< m, one rope hauled in, the other paid out
   double D_tube_rest = not_computed;        ///< m, at least one rope at rest
+  double D_tube_worst = not_computed;       ///< m, the largest of the four
   double section_stress = not_computed;     ///< Pa, in the section checked or chosen
   double section_allowable = not_computed;  ///< Pa
   double section_mass = not_computed;       ///< kg/m

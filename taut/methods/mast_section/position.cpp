@@ -351,6 +351,10 @@ double allowable_stress(const Input& in) {
   return catalogue::yield(*steel) / *in.safety;
 }
 
+double worst_tube(const Output& out) {
+  return std::fmax(std::fmax(out.D_tube, out.D_tube_payout), std::fmax(out.D_tube_mixed, out.D_tube_rest));
+}
+
 template <class T>
 Outcome compute_at(const Input& in, std::size_t index, Sheet<T>& s, Output& out) {
   const Mast<T> m = mast_of(in, s);
@@ -368,6 +372,7 @@ Outcome compute_at(const Input& in, std::size_t index, Sheet<T>& s, Output& out)
                     "and the allowable stress {:.4g} Pa",
                     out.N, out.M, out.sigma_allow));
   }
+  out.D_tube_worst = worst_tube(out);
   return {};
 }
 

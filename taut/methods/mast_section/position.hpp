@@ -40,6 +40,9 @@ std::vector<Position> sweep(const Input& in);
 inline constexpr std::array sizes{&Output::D_tube,        &Output::b_square,     &Output::B_hollow,
                                   &Output::D_tube_payout, &Output::D_tube_mixed, &Output::D_tube_rest};
 
+/// The outer diameter of the tube for whatever the ropes do, m: the largest of those that are known.
+double worst_tube(const Output& out);
+
 /// For each of `sizes` the position that asks for most; the outcome is that of the last position when none is feasible.
 struct Governing {
   std::array<std::size_t, sizes.size()> of{};

@@ -50,12 +50,15 @@ TEST(MastSectionPosition, LargestSizeGoverns) {
   const Input in = yarder();
   Output out;
   ASSERT_TRUE(solve(in, out).ok());
-  double D = 0, b = 0;
+  double D = 0, b = 0, worst = 0;
   for (const Position& p : sweep(in)) {
     D = std::max(D, p.out.D_tube);
+    worst = std::max(worst, p.out.D_tube_worst);
     b = std::max(b, p.out.b_square);
   }
   EXPECT_EQ(out.D_tube, D);
+  EXPECT_EQ(out.D_tube_worst, worst) << "each from the position that governs it";
+  EXPECT_GT(worst, D);
   EXPECT_EQ(out.b_square, b);
   EXPECT_EQ(out.x, 290) << "the flattest branch bends most";
 }

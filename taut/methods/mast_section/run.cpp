@@ -8,6 +8,7 @@
 #include <iterator>
 #include <numbers>
 
+#include "taut/base/stretches.hpp"
 #include "taut/calc/shown.hpp"
 #include "taut/math/degree.hpp"
 #include "taut/methods/mast_section/figures.hpp"
@@ -163,6 +164,7 @@ std::optional<Assessment> find_sections(const Input& in, const std::vector<Clamp
         chosen->section.name));
   }
   if (!lines.empty()) r.tables.push_back(sections_table(lines));
+  if (chosen && !in.section) r.choices["section"] = chosen->section.name;
   return chosen;
 }
 
@@ -228,8 +230,10 @@ void add_warnings(const Input& in, const Output& out, bool alone, const Display&
         "first; check both, and local buckling of thin walls, before building");
   }
   w.push_back(
-      fmt::format("the tube by the printed coefficients 1.27 and 10 ({}) is {:.1f} % too small: build by D_tube {}",
-                  length(out.D_tube_printed), (1 - out.D_tube_printed / out.D_tube) * 100, length(out.D_tube)));
+      fmt::format("the tube by the printed coefficients 1.27 and 10 ({}) is {:.1f} % too small for ropes hauled in, "
+                  "which need D_tube {}: build by D_tube_worst {}",
+                  length(out.D_tube_printed), (1 - out.D_tube_printed / out.D_tube) * 100, length(out.D_tube),
+                  length(out.D_tube_worst)));
   if (out.D_tube_payout > out.D_tube) {
     w.push_back(fmt::format(
         "a rope paid out under {} bends the mast more: M {} instead of {}, tube {} instead of {}; the section is "
@@ -329,8 +333,15 @@ Result run(const Input& in, const SecondOrder& second, Solved& found, const Disp
                                        lost, positions.size()));
       const auto first =
           std::find_if(positions.begin(), positions.end(), [](const auto& p) { return !p.outcome.ok(); });
-      r.missing.push_back({"carriage positions", static_cast<int>(lost), static_cast<int>(positions.size()),
-                           "x = " + display.brief(first->out.x, si::m), first->outcome.message});
+      const auto place = [&](const Position& p) { return "x = " + display.brief(p.out.x, si::m); };
+      Stretches all;
+      for (const Position& p : positions) all.take(p.outcome.ok() ? "" : p.outcome.message, place(p), {});
+      r.missing.push_back({.analysis = "carriage positions",
+                           .missing = static_cast<int>(lost),
+                           .places = static_cast<int>(positions.size()),
+                           .first = place(*first),
+                           .reason = first->outcome.message,
+                           .all = all.few_places()});
     }
     found.forces = clamp_forces(in, positions);
     add_warnings(in, out, second.decides_alone, display, r);

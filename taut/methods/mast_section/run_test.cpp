@@ -144,6 +144,7 @@ TEST(MastSectionRun, SomePositionsMayFail) {
   EXPECT_EQ(r.missing[0].missing, 1);
   EXPECT_EQ(r.missing[0].places, 2);
   EXPECT_EQ(r.missing[0].first, "x = 1 m");
+  EXPECT_EQ(r.missing[0].all, "x = 1 m");
 }
 
 TEST(MastSectionRun, EveryErratumNamesATestOfTheCases) {

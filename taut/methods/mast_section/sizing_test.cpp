@@ -130,6 +130,7 @@ TEST(MastSectionSizing, EachRopeIsHauledInAndPaidOut) {
   Output out;
   ASSERT_TRUE(solve(in, out).ok());
   EXPECT_GT(out.D_tube_mixed, std::max(out.D_tube, out.D_tube_payout));
+  EXPECT_EQ(out.D_tube_worst, std::max(out.D_tube_mixed, out.D_tube_rest));
   const double D = out.D_tube_mixed, d = in.tube_ratio * D, pi = std::numbers::pi;
   EXPECT_NEAR(
       in_out->N / (pi / 4 * (D * D - d * d)) + in_out->M * D / 2 / (pi / 64 * (std::pow(D, 4) - std::pow(d, 4))), 160e6,
@@ -160,6 +161,7 @@ TEST(MastSectionSizing, ARopeAtRestMayHaveItsFullForceOnBothSides) {
   ASSERT_TRUE(solve(in, out).ok());
   const double D = out.D_tube_rest, d = in.tube_ratio * D;
   EXPECT_GT(D, std::max({out.D_tube, out.D_tube_payout, out.D_tube_mixed}));
+  EXPECT_EQ(out.D_tube_worst, D);
   EXPECT_NEAR(rest.N / (pi / 4 * (D * D - d * d)) + rest.M * D / 2 / (pi / 64 * (std::pow(D, 4) - std::pow(d, 4))),
               160e6, 1e-6 * 160e6);
   in.paid_out_force = 50e3;

@@ -196,6 +196,7 @@ void compare_lengths(const InstallationRun& run, const machine::Reeving& rope, c
     most = std::max(most, row.at.unstretched);
   }
   if (most == 0 || (rope.value >= least * (1 - same_rope) && rope.value <= most * (1 + same_rope))) return;
+  const AboutPart about(r, {.kind = PartKind::rope, .name = rope.name});
   warn_unsafe(r, fmt::format("installation{}: '{}' is put up with {} (unstretched), but the machine is calculated with "
                              "{} of it: leave out 'given', or give the rope what it is put up with ('install')",
                              run.ending, run.words,

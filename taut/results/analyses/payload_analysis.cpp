@@ -211,6 +211,7 @@ void add_hung(const machine::Model& model, const study::PayloadRun& run, Result&
     for (int n = 0; n < last; ++n) {
       const auto hung = study::hung_on(model, car, static_cast<int>(i), n, n + 1);
       if (!hung) continue;
+      const AboutPart about(r, {.kind = PartKind::rope, .name = model.reevings[i].name});
       r.unmade.push_back(fmt::format(
           "payload{}: it is put on '{}', and '{}' that hangs '{}' there does not carry it: its strength is not judged "
           "with it; put the load on '{}' in an equilibrium or an envelope, or leave the rope out",
@@ -238,6 +239,7 @@ void add_bends_on_sheaves(const MachineRun& machine, const study::PayloadRun& ru
   }
   for (const auto& [name, angle] : most) {
     if (angle <= run.limits.break_angle) continue;
+    const AboutPart about(r, {.kind = PartKind::sheave, .name = name});
     warn_unsafe(r,
                 fmt::format("payload{}: 'break_angle' does not count at sheave '{}', over which the rope bends by up "
                             "to {}: give it 'uplift: report' to count it",
@@ -253,6 +255,7 @@ void add_slack(const machine::Model& model, const study::PayloadRun& run, const 
     for (const solve::BranchResult& branch : one.point.payload.at.branches) {
       if (!branch.slack || !std::isfinite(run.limits.rope_clearance[as_size(branch.reeving)])) continue;
       if (!told.insert(branch.reeving).second) continue;
+      const AboutPart about(r, {.kind = PartKind::rope, .name = model.reevings[branch.reeving].name});
       r.unmade.push_back(
           checks::slack_words(model.reevings[branch.reeving].name,
                               fmt::format("payload{}, x = {}", run.ending, display.brief(one.point.x, si::m))));
@@ -280,15 +283,19 @@ void add_gaps(const machine::Model& model, const study::PayloadRun& run, const D
       worse(ropes[i], study::terrain_gap(*one.model, state.branches, static_cast<int>(i), run.limits.rope_between));
     }
   }
-  const auto tell = [&](const std::string& what, const study::TerrainGap& gap) {
+  const auto tell = [&](const Part& part, const study::TerrainGap& gap) {
     if (!(gap.missing() > 0)) return;
-    r.unmade.push_back(checks::gap_words(what, gap, display));
+    const AboutPart about(r, part);
+    r.unmade.push_back(checks::gap_words(part.name, gap, display));
     r.warnings.push_back(r.unmade.back());
   };
   if (std::isfinite(run.limits.clearance) && low <= high) {
-    tell(model.carriages[run.way.carriage].name, study::terrain_gap(model, low, high));
+    tell({.kind = PartKind::carriage, .name = model.carriages[run.way.carriage].name},
+         study::terrain_gap(model, low, high));
   }
-  for (std::size_t i = 0; i < ropes.size(); ++i) tell(model.reevings[i].name, ropes[i]);
+  for (std::size_t i = 0; i < ropes.size(); ++i) {
+    tell({.kind = PartKind::rope, .name = model.reevings[i].name}, ropes[i]);
+  }
 }
 
 /// Neighbouring places at which the same limit is exceeded without payload.
@@ -351,6 +358,7 @@ std::vector<NothingCarried> add_nothing(const MachineRun& machine, const study::
     c.utilisation = none;
     c.passes = false;
     c.part = machine.model.carriages[run.way.carriage].name;
+    c.kind = PartKind::carriage;
     r.checks.push_back(std::move(c));
   }
   return all;

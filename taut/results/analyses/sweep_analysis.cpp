@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "taut/base/number.hpp"
+#include "taut/base/stretches.hpp"
 #include "taut/calc/answers.hpp"
 #include "taut/calc/none.hpp"
 #include "taut/checks/checked_parts.hpp"
@@ -119,17 +120,21 @@ void add_plots(const study::SweepRun& run, const machine::Model& m, const solve:
 /// The values that were asked for beyond the one where the sweep ends.
 void note_values_lost(const study::SweepRun& run, const solve::Sweep& s, Result& r) {
   if (s.end == solve::SweepEnd::reached || s.end == solve::SweepEnd::interrupted) return;
-  int lost = 0;
-  double first = run.to;
-  for (int i = run.steps; i >= 0; --i) {
+  std::vector<std::string> lost;
+  Stretches all;
+  for (int i = 0; i <= run.steps; ++i) {
     const double value = step_between(run.from, run.to, i, run.steps);
-    if ((value - s.value) * (run.to - run.from) <= 0) break;
-    first = value;
-    ++lost;
+    if ((value - s.value) * (run.to - run.from) <= 0) continue;
+    lost.push_back(fmt::format("{} = {}", run.parameter, Display().quantity(value, run.unit)));
+    all.take(s.outcome.message, lost.back(), {});
   }
-  if (lost == 0) return;
-  r.missing.push_back({fmt::format("sweep{}, {}", run.ending, run.words), lost, run.steps + 1,
-                       fmt::format("{} = {}", run.parameter, Display().quantity(first, run.unit)), s.outcome.message});
+  if (lost.empty()) return;
+  r.missing.push_back({.analysis = fmt::format("sweep{}, {}", run.ending, run.words),
+                       .missing = static_cast<int>(lost.size()),
+                       .places = run.steps + 1,
+                       .first = lost.front(),
+                       .reason = s.outcome.message,
+                       .all = all.places()});
 }
 
 /// How far the parameter goes, and the largest tension of each rope on the way.

@@ -190,15 +190,20 @@ void add_slip_shares(const study::TransientRun& run, Result& r) {
   }
 }
 
-/// The tension with which a rope hangs still, or runs steadily, when the motion ends, N: the same over its last second.
-/// None where too few output steps are in it to tell a swing.
-std::optional<double> hangs_with(const study::TransientRun& run, int reeving) {
+/// The tension of a rope in the last second of a motion, N.
+struct TensionAtEnd {
+  double mean = 0;
+  std::optional<double> still;  ///< with which it hangs still or runs steadily: the same over that second
+};
+
+/// None where too few output steps are in that second to tell a swing.
+TensionAtEnd tension_at_end(const study::TransientRun& run, int reeving) {
   constexpr double lasts = 1, same = 0.01;  // s; as a share
   constexpr int enough = 10;
   const Array<solve::TransientFrame>& frames = run.result.frames;
   const double from = frames.back().t - lasts;
-  if (from < frames.front().t) return std::nullopt;
-  double least = HUGE_VAL, most = 0;
+  if (from < frames.front().t) return {};
+  double least = HUGE_VAL, most = 0, sum = 0;
   int seen = 0;
   for (const solve::TransientFrame& frame : frames) {
     if (frame.t < from) continue;
@@ -209,8 +214,11 @@ std::optional<double> hangs_with(const study::TransientRun& run, int reeving) {
     }
     least = std::min(least, T);
     most = std::max(most, T);
+    sum += T;
   }
-  return seen >= enough && most > 0 && most - least <= same * most ? std::optional(least) : std::nullopt;
+  if (seen < enough) return {};
+  const bool still = most > 0 && most - least <= same * most;
+  return {.mean = sum / seen, .still = still ? std::optional(least) : std::nullopt};
 }
 
 /// Peak over static against phi2 of EN 13001-2. A load that is picked up from the ground hangs at the end alone.
@@ -222,6 +230,7 @@ void check_hoist_factor(const study::TransientRun& run, const Display& display, 
   if (rope == run.model.reevings.end()) return;
   const auto index = static_cast<int>(rope - run.model.reevings.begin());
   const solve::RopeExtreme& e = run.result.ropes[index];
+  const AboutPart about(r, {.kind = PartKind::rope, .name = asked.rope});
   if (std::isnan(e.T_static)) {
     r.unmade.push_back(
         fmt::format("{}.phi2{}: the saved state does not say the tension at rest: calculate the first part anew",
@@ -229,16 +238,21 @@ void check_hoist_factor(const study::TransientRun& run, const Display& display, 
     return;
   }
   constexpr double much_more = 2;  // than where it begins: the load has stood there
-  const double at_end = hangs_with(run, index).value_or(0);
-  const bool at_rest = !(e.T_static > 0) || study::begins_at_rest(run, index);
-  const bool by_end = !at_rest || at_end > much_more * e.T_static;
+  const TensionAtEnd end = tension_at_end(run, index);
+  const double at_end = end.still.value_or(0);
+  const bool bears_nothing = !(e.T_static > 0), at_rest = bears_nothing || study::begins_at_rest(run, index);
+  const bool bears_load = end.mean <= much_more * e.T_static && !study::lifts_from_face(run, index);
+  const bool by_end = !at_rest || !bears_load;
   const double T_static = by_end ? at_end : e.T_static;
   if (!(T_static > 0)) {
+    const std::string begins =
+        bears_nothing ? "the rope bears nothing"
+        : !at_rest    ? "the rope is out of balance with its load"
+                      : fmt::format("the rope does not bear its load, with {},", display.brief(e.T_static, si::N));
     r.unmade.push_back(fmt::format(
         "{}.phi2{}: {} where the motion begins, and no load is seen to hang still on it for 1 s where it ends: give a "
-        "longer 'duration', or an 'output_step' of 0.1 s{}",
-        asked.rope, run.ending, at_rest ? "the rope bears nothing" : "the rope is out of balance with its load",
-        at_rest ? "" : ", or 'start: settled'"));
+        "longer 'duration', a 'damping_ratio' with which its swing dies down, or an 'output_step' of 0.1 s{}",
+        asked.rope, run.ending, begins, at_rest ? "" : ", or 'start: settled'"));
     return;
   }
   const std::string id = fmt::format("hoist.HC{}", static_cast<int>(asked.hoisting_class) + 1);
@@ -343,6 +357,7 @@ void add_kept_lengths(const study::TransientRun& run, const Display& display, Re
     const double T = described && !run.options.from ? begins_with(run, i, at_start) : rope.value;
     if (std::abs(T - rope.value) > same_tension * rope.value) {
       const auto [has, given] = brief_apart(T, rope.value, si::N, display);
+      const AboutPart about(r, {.kind = PartKind::rope, .name = rope.name});
       warn_unsafe(r, fmt::format("{}: '{}' has {} at its {} where the motion begins, not {}: they are those of the "
                                  "places described. Give its 'length'",
                                  words_of(run), rope.name, has, at_start ? "start" : "end", given));

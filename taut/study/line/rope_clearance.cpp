@@ -42,18 +42,114 @@ struct Part {
   }
 };
 
+/// A piece of rope over the terrain, by the distance h from its start in plan.
+class Curve {
+ public:
+  Curve(const machine::Model& model, RopePiece piece) : ground_(model.terrain), piece_(std::move(piece)) {
+    chord_ = piece_.end - piece_.start;
+    length_ = std::hypot(chord_.x(), chord_.y());
+    const Vector3 way(chord_.x(), chord_.y(), 0);
+    const Vector3 along = piece_.shape ? piece_.shape->along : length_ > 0 ? Vector3(way / length_) : Vector3::UnitX();
+    under_ = {.from = terrain_x(model, piece_.start), .rate = model.terrain_along.dot(along)};
+    along_ = along;
+    if (hangs()) reach_ = rope::end_position(piece_.shape->rope, piece_.shape->force).x;
+  }
+
+  const Vector3& start() const { return piece_.start; }
+  const Vector3& end() const { return piece_.end; }
+  const Vector3& along() const { return along_; }
+  const Under& under() const { return under_; }
+  double length() const { return length_; }  ///< in plan, m
+  double x_at(double h) const { return under_.from + under_.rate * h; }
+
+  Vector3 rope_at(double h) const {
+    if (length_ == 0) return piece_.start;
+    return piece_.start + h / length_ * chord_ - sag_at(h) * up();
+  }
+
+  /// The rope over the ground at x below it, m; over an end of the terrain but for rounding. NaN: there is none.
+  double height_of(double x, const Vector3& place) const {
+    const double inside = std::clamp(x, ground_.front().x, ground_.back().x);
+    const double rounding = near * std::max(1.0, length_);
+    return place.z() - ground_height(ground_, std::abs(inside - x) <= rounding ? inside : x);
+  }
+
+  double slope_at(double h) const {
+    if (!hangs()) return (chord_.z() - 4 * piece_.sag * (1 - 2 * h / length_)) / length_;
+    const rope::CatenaryRope& rope = piece_.shape->rope;
+    const rope::CatenaryForce& force = piece_.shape->force;
+    const rope::RopePoint p = rope::point_at(rope, force, rope::length_to(rope, force, std::min(h, reach_)));
+    return p.V / p.H;
+  }
+
+  /// The distance h at which the rope has a slope; none where it has it nowhere.
+  std::optional<double> at_slope(double slope) const {
+    if (hangs()) {
+      const rope::CatenaryRope& rope = piece_.shape->rope;
+      const double s = rope.length / 2 + (slope * piece_.shape->force.H - piece_.shape->force.V) / rope.weight;
+      if (!(s > 0 && s < rope.length)) return std::nullopt;
+      return rope::point_at(*piece_.shape, s).dot(piece_.shape->along);
+    }
+    if (!(piece_.sag > 0)) return std::nullopt;
+    const double share = (1 - (chord_.z() - slope * length_) / (4 * piece_.sag)) / 2;
+    return share > 0 && share < 1 ? std::optional(share * length_) : std::nullopt;
+  }
+
+  /// The lowest place of a rope that hangs upright in a loop.
+  std::optional<Vector3> loop() const {
+    if (!piece_.shape || hangs() || !(piece_.shape->rope.weight > 0)) return std::nullopt;
+    const double s = rope::lowest_point(piece_.shape->rope, piece_.shape->force);
+    if (!(s > 0 && s < piece_.shape->rope.length)) return std::nullopt;
+    return piece_.start + rope::point_at(*piece_.shape, s);
+  }
+
+ private:
+  bool hangs() const {
+    return piece_.shape && !piece_.shape->slack && piece_.shape->rope.weight > 0 && piece_.shape->force.H > 0;
+  }
+  double sag_at(double h) const {
+    // an end that rounding has set beyond the rope is at its end
+    if (hangs()) return rope::sag_at(piece_.shape->rope, piece_.shape->force, std::clamp(h, 0.0, reach_));
+    const double share = h / length_;
+    return 4 * piece_.sag * share * (1 - share);
+  }
+
+  const Array<machine::GroundPoint>& ground_;
+  RopePiece piece_;
+  Vector3 chord_ = Vector3::Zero(), along_ = Vector3::UnitX();
+  Under under_;        ///< the terrain's x
+  double length_ = 0;  ///< in plan, m
+  double reach_ = 0;   ///< the same of a catenary, as its force has it, m
+};
+
+RopePiece piece_of(const solve::BranchResult& branch) {
+  return {.start = branch.start, .end = branch.end, .shape = branch.shape, .sag = 0};
+}
+
+/// The nodes of a rope's ends.
+struct RopeEnds {
+  int reeving = 0, from = 0, to = 0;
+};
+
+RopeEnds ends_of(const solve::BranchResult& branch) {
+  return {.reeving = branch.reeving, .from = branch.from, .to = branch.to};
+}
+
 class ClearanceSearch {
  public:
-  ClearanceSearch(const machine::Model& model, const solve::BranchResult& branch)
-      : model_(model), branch_(branch), ground_(model.terrain) {
-    under_ = {.from = terrain_x(model, branch.start), .rate = model.terrain_along.dot(branch.shape.along)};
-    length_ = std::hypot(branch.shape.chord.x(), branch.shape.chord.y());
-  }
+  ClearanceSearch(const machine::Model& model, const RopePiece& piece, const RopeEnds& ends)
+      : model_(model),
+        ends_(ends),
+        ground_(model.terrain),
+        rope_(model, piece),
+        under_(rope_.under()),
+        length_(rope_.length()) {}
 
   /// Of the free rope.
   RopeClearance least() {
-    take_end(branch_.from, 0, branch_.start);
-    take_end(branch_.to, length_, branch_.end);
+    take_end(ends_.from, 0, rope_.start());
+    take_end(ends_.to, length_, rope_.end());
+    take_loop();
     // at a fixed end, but for rounding
     between({.first = near * length_, .last = (1 - near) * length_});
     take_edge(true);
@@ -65,26 +161,24 @@ class ClearanceSearch {
   /// Of what is in a window, ends counted.
   RopeClearance least(const RopeWindow& window) {
     const auto [low, high] = std::minmax(window.from, window.to);
-    const Under across{.from = window.along.dot(branch_.start), .rate = window.along.dot(branch_.shape.along)};
+    const Under across{.from = window.along.dot(rope_.start()), .rate = window.along.dot(rope_.along())};
     const Part part =
         Part{.first = 0, .last = length_}.within(across, low, high).within(under_, ground_.front().x, ground_.back().x);
     if (part.empty()) return found_;
     take_at(part.first);
     take_at(part.last);
-    if (length_ == 0) take(under_.from, branch_.end);
+    if (length_ == 0) take(under_.from, rope_.end());
+    take_loop();
     between(part);
     return found_;
   }
 
  private:
-  bool straight() const { return branch_.slack || branch_.shape.rope.weight <= 0 || branch_.shape.force.H <= 0; }
-  double x_at(double h) const { return under_.from + under_.rate * h; }
+  double x_at(double h) const { return rope_.x_at(h); }
 
   /// Compares a place of the rope with the ground at x below it.
   void take(double x, const Vector3& place) {
-    const double inside = std::clamp(x, ground_.front().x, ground_.back().x);
-    const double rounding = near * std::max(1.0, length_);
-    const double height = place.z() - ground_height(ground_, std::abs(inside - x) <= rounding ? inside : x);
+    const double height = rope_.height_of(x, place);
     if (std::isnan(height) || height >= found_.height) return;
     found_ = {.height = height, .place = place, .to_end = {}};
   }
@@ -94,12 +188,16 @@ class ClearanceSearch {
   void take_end(int node, double h, const Vector3& place) {
     const RopeClearance above = found_;
     take(x_at(h), place);
-    if (!may_be_on_ground(model_, branch_.reeving, node)) return;
+    if (!may_be_on_ground(model_, ends_.reeving, node)) return;
     if (found_.height >= -buried_anchor) found_ = above;
     if (!(length_ > buried_rope)) return;
     const RopeClearance end = found_;
     take_at(h == 0 ? buried_rope : length_ - buried_rope);
     if (found_.height >= 0) found_ = end;
+  }
+
+  void take_loop() {
+    if (const auto lowest = rope_.loop()) take(under_.from, *lowest);
   }
 
   /// Over the first or last place of the terrain: what is known of a rope may be lowest there. Where the rope goes on
@@ -111,22 +209,15 @@ class ClearanceSearch {
     const RopeClearance above = found_;
     take_at(h);
     const bool to_start = first == (under_.rate > 0);
-    if (!may_be_on_ground(model_, branch_.reeving, to_start ? branch_.from : branch_.to)) return;
-    const bool buried = (h < buried_rope && may_be_on_ground(model_, branch_.reeving, branch_.from)) ||
-                        (length_ - h < buried_rope && may_be_on_ground(model_, branch_.reeving, branch_.to));
+    if (!fixed(to_start ? ends_.from : ends_.to)) return;
+    const bool buried = (h < buried_rope && fixed(ends_.from)) || (length_ - h < buried_rope && fixed(ends_.to));
     if (found_.height >= (buried ? -buried_anchor : 0)) found_ = above;
   }
 
-  /// The rope at the distance h: by its sag under the chord.
+  /// The rope at the distance h.
   void take_at(double h) {
-    if (length_ == 0) return take(under_.from, branch_.start);
-    take(x_at(h), rope_at(h));
-  }
-
-  /// Of a rope that is not upright.
-  Vector3 rope_at(double h) const {
-    const Vector3 below(0, 0, straight() ? 0 : -rope::sag_at(branch_.shape, h));
-    return branch_.start + h / length_ * branch_.shape.chord + below;
+    if (length_ == 0) return take(under_.from, rope_.start());
+    take(x_at(h), rope_.rope_at(h));
   }
 
   void between(const Part& part) {
@@ -136,7 +227,7 @@ class ClearanceSearch {
 
   /// Where the rope is parallel to a piece of ground: at slope m, V = m H.
   void parallel(const machine::GroundPoint& a, const machine::GroundPoint& b, const Part& part) {
-    const auto h = at_slope(under_.rate * (b.z - a.z) / (b.x - a.x));
+    const auto h = rope_.at_slope(under_.rate * (b.z - a.z) / (b.x - a.x));
     if (!h) return;
     const double x = x_at(*h);
     if (*h > part.first && *h < part.last && x >= a.x && x <= b.x) take_at(*h);
@@ -151,7 +242,7 @@ class ClearanceSearch {
     if (!(h > part.first && h < part.last)) return;
     const double one = under_.rate * (b.z - a.z) / (b.x - a.x), other = under_.rate * (c.z - b.z) / (c.x - b.x);
     const double before = under_.rate > 0 ? one : other, behind = under_.rate > 0 ? other : one;
-    const double slope = slope_at(h);
+    const double slope = rope_.slope_at(h);
     if (behind <= slope && slope <= before) take_at(h);
   }
 
@@ -160,11 +251,11 @@ class ClearanceSearch {
     double at = 0, height = 0;
   };
 
-  bool fixed(int node) const { return may_be_on_ground(model_, branch_.reeving, node); }
+  bool fixed(int node) const { return may_be_on_ground(model_, ends_.reeving, node); }
 
   /// What is below the line down to a fixed end, farther from it than a rope may be buried.
   void along_ground() {
-    const bool start = fixed(branch_.from), end = fixed(branch_.to);
+    const bool start = fixed(ends_.from), end = fixed(ends_.to);
     if (!start && !end) return;
     const double first = start ? buried_rope : near * length_,
                  last = end ? length_ - buried_rope : (1 - near) * length_;
@@ -204,9 +295,9 @@ class ClearanceSearch {
     if (std::min(line(first.at), line(last.at)) >= found_.height) return;
     double inside = a < b ? first.at : last.at;
     if (a >= 0 && b >= 0) {
-      const auto ground = [&](const Place& place) { return rope_at(place.at).z() - place.height; };
+      const auto ground = [&](const Place& place) { return rope_.rope_at(place.at).z() - place.height; };
       const double rise = (ground(last) - ground(first)) / (last.at - first.at);
-      const auto lowest = at_slope(rise + (to_start ? 1 : -1) * buried_anchor / buried_rope);
+      const auto lowest = rope_.at_slope(rise + (to_start ? 1 : -1) * buried_anchor / buried_rope);
       if (!lowest || !(*lowest > first.at && *lowest < last.at && over(*lowest) < 0)) return;
       inside = *lowest;
     }
@@ -218,29 +309,13 @@ class ClearanceSearch {
 
   double height_at(double h) const {
     const double x = std::clamp(x_at(h), ground_.front().x, ground_.back().x);
-    return rope_at(h).z() - ground_height(ground_, x);
-  }
-
-  /// Slope of the rope at the distance h: V/H of the tension there.
-  double slope_at(double h) const {
-    if (straight()) return branch_.shape.chord.z() / length_;
-    const rope::CatenaryRope& rope = branch_.shape.rope;
-    const rope::RopePoint p = rope::point_at(rope, branch_.shape.force, rope::length_to(rope, branch_.shape.force, h));
-    return p.V / p.H;
-  }
-
-  /// The distance h at which the rope has a slope; none where it has it nowhere.
-  std::optional<double> at_slope(double slope) const {
-    if (straight()) return std::nullopt;
-    const rope::CatenaryRope& rope = branch_.shape.rope;
-    const double s = rope.length / 2 + (slope * branch_.shape.force.H - branch_.shape.force.V) / rope.weight;
-    if (!(s > 0 && s < rope.length)) return std::nullopt;
-    return rope::point_at(branch_.shape, s).dot(branch_.shape.along);
+    return rope_.rope_at(h).z() - ground_height(ground_, x);
   }
 
   const machine::Model& model_;
-  const solve::BranchResult& branch_;
+  RopeEnds ends_;
   const Array<machine::GroundPoint>& ground_;
+  Curve rope_;
   Under under_;        ///< the terrain's x
   double length_ = 0;  ///< of the span in plan, m
   RopeClearance found_{.height = std::numeric_limits<double>::infinity(), .place = Vector3::Zero(), .to_end = {}};
@@ -277,55 +352,135 @@ RopeClearance lower(const RopeClearance& a, const RopeClearance& b) {
 
 double apart_in_plan(const Vector3& a, const Vector3& b) { return std::hypot(b.x() - a.x(), b.y() - a.y()); }
 
-/// The points of a rope, those over the corners of the ground, and those that end what may be buried.
-Array<Vector3> places_along(const machine::Model& model, const Array<Vector3>& rope) {
-  Array<Vector3> places;
-  for (std::size_t i = 0; i < rope.size(); ++i) {
-    if (i > 0) {
-      Array<double> shares;
-      const double a = terrain_x(model, rope[i - 1]), b = terrain_x(model, rope[i]);
-      for (const machine::GroundPoint& top : model.terrain) {
-        if (top.x > std::min(a, b) && top.x < std::max(a, b)) shares.push_back((top.x - a) / (b - a));
-      }
-      for (const Vector3& end : {rope.front(), rope.back()}) {
-        const double r = apart_in_plan(end, rope[i - 1]), q = apart_in_plan(end, rope[i]);
-        if ((r - buried_rope) * (q - buried_rope) < 0) shares.push_back((buried_rope - r) / (q - r));
-      }
-      std::sort(shares.begin(), shares.end());
-      for (const double share : shares) places.push_back(rope[i - 1] + share * (rope[i] - rope[i - 1]));
-    }
-    places.push_back(rope[i]);
-  }
-  return places;
-}
+/// The same of a rope in pieces. Between two neighbours of its places the height over the ground only rises or falls.
+class ChainSearch {
+ public:
+  ChainSearch(const machine::Model& model, const Array<RopePiece>& pieces, const RopeEnds& ends)
+      : model_(model),
+        pieces_(pieces),
+        front_(pieces.front().start),
+        back_(pieces.back().end),
+        fixed_start_(may_be_on_ground(model, ends.reeving, ends.from)),
+        fixed_end_(may_be_on_ground(model, ends.reeving, ends.to)) {}
 
-/// What of a polyline is below the line down to a fixed end, farther from it than a rope may be buried. Between two
-/// places rope and ground are straight.
-RopeClearance along_ground(const Array<Vector3>& rope, const Array<Vector3>& places, const Array<double>& heights,
-                           bool fixed_start, bool fixed_end) {
-  const double far = std::numeric_limits<double>::infinity();
-  const auto to_end = [&](const Vector3& place) {
-    return std::min(fixed_start ? apart_in_plan(rope.front(), place) : far,
-                    fixed_end ? apart_in_plan(rope.back(), place) : far);
-  };
-  RopeClearance least;
-  if (!fixed_start && !fixed_end) return least;
-  const auto take = [&](double height, const Vector3& place) {
-    if (to_end(place) < buried_rope) return;
-    least = lower(least, {.height = height, .place = place, .to_end = to_end(place)});
-  };
-  double before = std::numeric_limits<double>::quiet_NaN();
-  for (std::size_t i = 0; i < places.size(); ++i) {
-    const double over = heights[i] - line_down(to_end(places[i]));
-    if (over < 0) take(heights[i], places[i]);
-    if (over * before < 0) {
-      const double share = before / (before - over);
-      take(heights[i - 1] + share * (heights[i] - heights[i - 1]), places[i - 1] + share * (places[i] - places[i - 1]));
+  RopeClearance least() {
+    for (const RopePiece& piece : pieces_) {
+      curves_.emplace_back(model_, piece);
+      add_piece(curves_.size() - 1);
     }
-    before = over;
+    along_ground();
+    const std::size_t last = places_.size() - 1;
+    for (std::size_t i = 0; i <= last; ++i) {
+      const Place& place = places_[i];
+      const bool end = i == 0 || i == last;
+      const bool counts = end && !(i == 0 ? fixed_start_ : fixed_end_);
+      // NaN: the terrain has ended
+      const auto falls_from = [&](double next, bool counts_there) {
+        return std::isnan(next) ? counts_there : next >= place.height;
+      };
+      const bool lowest =
+          !end && falls_from(places_[i - 1].height, !fixed_start_) && falls_from(places_[i + 1].height, !fixed_end_);
+      const bool buried = (fixed_start_ && apart_in_plan(front_, place.at) < buried_rope) ||
+                          (fixed_end_ && apart_in_plan(back_, place.at) < buried_rope);
+      if (counts || lowest || place.height < (buried ? -buried_anchor : 0)) take(place.height, place.at, {});
+    }
+    return least_;
   }
-  return least;
-}
+
+ private:
+  struct Place {
+    std::size_t piece = 0;
+    double h = 0;  ///< from the start of its piece, m
+    Vector3 at = Vector3::Zero();
+    double height = 0;
+  };
+
+  void take(double height, const Vector3& place, std::optional<double> to_end) {
+    least_ = lower(least_, {.height = height, .place = place, .to_end = to_end});
+  }
+
+  void add(std::size_t piece, double h, const Vector3& at) {
+    const double height = curves_[piece].height_of(terrain_x(model_, at), at);
+    places_.push_back({.piece = piece, .h = h, .at = at, .height = height});
+  }
+
+  /// The ends of a piece, and where between them its height over the ground or over the line down to a fixed end may
+  /// turn, and where a rope may no longer be buried.
+  void add_piece(std::size_t piece) {
+    const Curve& rope = curves_[piece];
+    Array<double> inside;
+    const auto keep = [&](double h) {
+      if (h > 0 && h < rope.length()) inside.push_back(h);
+    };
+    const Under& under = rope.under();
+    const auto& ground = model_.terrain;
+    for (std::size_t k = 0; k < ground.size() && under.rate != 0; ++k) keep((ground[k].x - under.from) / under.rate);
+    for (std::size_t k = 0; k + 1 < ground.size(); ++k) {
+      const double rise = under.rate * (ground[k + 1].z - ground[k].z) / (ground[k + 1].x - ground[k].x);
+      for (const double line : {-1.0, 0.0, 1.0}) {
+        const auto h = rope.at_slope(rise + line * buried_anchor / buried_rope);
+        if (h && rope.x_at(*h) >= ground[k].x && rope.x_at(*h) <= ground[k + 1].x) keep(*h);
+      }
+    }
+    keep_near_ends(rope, keep);
+    std::sort(inside.begin(), inside.end());
+    if (piece == 0) add(piece, 0, rope.start());
+    for (const double h : inside) add(piece, h, rope.rope_at(h));
+    if (const auto lowest = rope.loop()) add(piece, 0, *lowest);
+    add(piece, rope.length(), rope.end());
+  }
+
+  /// Where it is as far from an end of the rope as that may be buried, and as far from one as from the other.
+  template <class Keep>
+  void keep_near_ends(const Curve& rope, const Keep& keep) const {
+    for (const Vector3& end : {front_, back_}) {
+      const double nearest = (end - rope.start()).dot(rope.along());
+      const double off = apart_in_plan(end, rope.start() + nearest * rope.along());
+      if (off >= buried_rope) continue;
+      const double half = std::sqrt(buried_rope * buried_rope - off * off);
+      keep(nearest - half);
+      keep(nearest + half);
+    }
+    const Vector3 between = back_ - front_ - (back_ - front_).dot(up()) * up();
+    const double rate = between.dot(rope.along());
+    if (rate != 0) keep(between.dot((front_ + back_) / 2 - rope.start()) / rate);
+  }
+
+  double to_end(const Vector3& place) const {
+    const double far = std::numeric_limits<double>::infinity();
+    return std::min(fixed_start_ ? apart_in_plan(front_, place) : far, fixed_end_ ? apart_in_plan(back_, place) : far);
+  }
+
+  /// What is below the line down to a fixed end, farther from it than a rope may be buried.
+  void along_ground() {
+    if (!fixed_start_ && !fixed_end_) return;
+    const auto over = [&](const Vector3& at, double height) { return height - line_down(to_end(at)); };
+    const auto take_it = [&](double height, const Vector3& at) {
+      // at that distance but for rounding
+      if (to_end(at) >= (1 - near) * buried_rope) take(height, at, to_end(at));
+    };
+    for (std::size_t i = 0; i < places_.size(); ++i) {
+      const Place& place = places_[i];
+      const double own = over(place.at, place.height);
+      if (own < 0) take_it(place.height, place.at);
+      const double before = i == 0 ? own : over(places_[i - 1].at, places_[i - 1].height);
+      if (!(own * before < 0)) continue;
+      const Curve& rope = curves_[place.piece];
+      const double from = places_[i - 1].piece == place.piece ? places_[i - 1].h : 0;
+      const auto height_at = [&](double h) { return rope.height_of(rope.x_at(h), rope.rope_at(h)); };
+      const auto root = find_root([&](double h) { return over(rope.rope_at(h), height_at(h)); }, from, place.h);
+      if (root) take_it(height_at(*root), rope.rope_at(*root));
+    }
+  }
+
+  const machine::Model& model_;
+  const Array<RopePiece>& pieces_;
+  Vector3 front_, back_;
+  bool fixed_start_, fixed_end_;
+  std::vector<Curve> curves_;
+  std::vector<Place> places_;
+  RopeClearance least_;
+};
 
 }  // namespace
 
@@ -337,32 +492,15 @@ bool may_be_on_ground(const machine::Model& model, int reeving, int node) {
 
 RopeClearance rope_clearance(const machine::Model& model, const solve::BranchResult& branch) {
   if (model.terrain.empty() || branch.slack) return {};
-  return lower({}, ClearanceSearch(model, branch).least());
+  return lower({}, ClearanceSearch(model, piece_of(branch), ends_of(branch)).least());
 }
 
-RopeClearance rope_clearance(const machine::Model& model, const Array<Vector3>& rope, int reeving, int from, int to) {
-  const bool begins = !may_be_on_ground(model, reeving, from), ends = !may_be_on_ground(model, reeving, to);
-  const Array<Vector3> places = places_along(model, rope);
-  Array<double> heights;
-  for (const Vector3& place : places) {
-    heights.push_back(place.z() - ground_height(model.terrain, terrain_x(model, place)));
-  }
-  RopeClearance least = along_ground(rope, places, heights, !begins, !ends);
-  const std::size_t last = places.size() - 1;
-  for (std::size_t i = 0; i <= last; ++i) {
-    const bool end = i == 0 || i == last;
-    const bool counts = end && (i == 0 ? begins : ends);
-    // NaN: the terrain has ended
-    const auto falls_from = [&](double next, bool counts_there) {
-      return std::isnan(next) ? counts_there : next >= heights[i];
-    };
-    const bool lowest = !end && falls_from(heights[i - 1], begins) && falls_from(heights[i + 1], ends);
-    const bool buried = (!begins && apart_in_plan(rope.front(), places[i]) < buried_rope) ||
-                        (!ends && apart_in_plan(rope.back(), places[i]) < buried_rope);
-    if (counts || lowest || heights[i] < (buried ? -buried_anchor : 0))
-      least = lower(least, {.height = heights[i], .place = places[i], .to_end = {}});
-  }
-  return least;
+RopeClearance rope_clearance(const machine::Model& model, const Array<RopePiece>& pieces, int reeving, int from,
+                             int to) {
+  if (model.terrain.empty() || pieces.empty()) return {};
+  const RopeEnds ends{.reeving = reeving, .from = from, .to = to};
+  if (pieces.size() == 1) return lower({}, ClearanceSearch(model, pieces.front(), ends).least());
+  return ChainSearch(model, pieces, ends).least();
 }
 
 RopeClearance rope_clearance(const machine::Model& model, const solve::EquilibriumResult& result) {
@@ -376,7 +514,8 @@ RopeClearance rope_clearance(const machine::Model& model, const Array<solve::Bra
   RopeClearance least;
   if (model.terrain.empty()) return least;
   for (const solve::BranchResult& branch : branches) {
-    if (branch.reeving == reeving) least = lower(least, ClearanceSearch(model, branch).least(window));
+    if (branch.reeving == reeving)
+      least = lower(least, ClearanceSearch(model, piece_of(branch), ends_of(branch)).least(window));
   }
   return least;
 }

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "taut/base/array.hpp"
+#include "taut/rope/span.hpp"
 #include "taut/solve/equilibrium.hpp"
 
 namespace taut::study {
@@ -37,10 +38,18 @@ bool may_be_on_ground(const machine::Model& model, int reeving, int node);
 /// The least clearance of all branches.
 RopeClearance rope_clearance(const machine::Model& model, const solve::EquilibriumResult& result);
 
-/// Clearance of a rope that is given as a polyline, m. The chords of a sagging rope lie above it: n equal pieces of a
-/// rope with the sag f give up to f/n^2 too much (a branch in motion has 17 pieces: 0.4 % of its sag). `from`,
-/// `to`: the nodes of its ends.
-RopeClearance rope_clearance(const machine::Model& model, const Array<Vector3>& rope, int reeving, int from, int to);
+/// A piece of a rope as it hangs between two places: a catenary, or a parabola that is `sag` below the middle of its
+/// chord, m; with neither it is straight.
+struct RopePiece {
+  Vector3 start = Vector3::Zero(), end = Vector3::Zero();  ///< m
+  std::optional<rope::Span> shape;                         ///< the catenary
+  double sag = 0;
+};
+
+/// Clearance of a rope in pieces, one behind the other: of the curves, as above. Of one piece it is that of a branch.
+/// `from`, `to`: the nodes of the rope's ends.
+RopeClearance rope_clearance(const machine::Model& model, const Array<RopePiece>& pieces, int reeving, int from,
+                             int to);
 
 /// A window: the places with a coordinate along `along` between `from` and `to`, m, in either order.
 struct RopeWindow {

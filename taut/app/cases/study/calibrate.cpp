@@ -10,6 +10,7 @@
 #include "taut/app/cases/study/measured.hpp"
 #include "taut/app/cases/study/study_run.hpp"
 #include "taut/chance/calibration.hpp"
+#include "taut/io/deck/read.hpp"
 #include "taut/io/deck/source.hpp"
 #include "taut/io/file.hpp"
 #include "taut/units/any_quantity.hpp"
@@ -58,6 +59,12 @@ CaseQuestion question_of(const CalibrateRequest& request, const MeasuredTable& t
   return q;
 }
 
+MeasuredTable read_table(const ReadCases& read, Diagnostics& mistakes) {
+  const io::Found at = io::follow(read.blocks(), "calibrate.measured.file");
+  const auto file = io::read_named(*at.node, read.calibrate->measured.file, mistakes);
+  return file ? read_measured(file->text, file->path, mistakes) : MeasuredTable{};
+}
+
 tl::expected<Calibrating, Result> read_calibration(const Job& job) {
   auto read = read_cases(job);
   if (!read) return tl::unexpected(std::move(read.error()));
@@ -70,9 +77,7 @@ tl::expected<Calibrating, Result> read_calibration(const Job& job) {
     return tl::unexpected(bad_deck(std::move(mistakes)));
   }
   const CalibrateRequest& request = *c.read.calibrate;
-  const io::Found at = io::follow(blocks, "calibrate.measured.file");
-  const auto file = io::read_named(*at.node, request.measured.file, mistakes);
-  if (file) c.table = read_measured(file->text, file->path, mistakes);
+  c.table = read_table(c.read, mistakes);
   if (!mistakes.empty()) return tl::unexpected(bad_deck(std::move(mistakes)));
   auto model = c.read.cases(question_of(request, c.table));
   if (!model) return tl::unexpected(refusal(model.error(), blocks));
@@ -296,6 +301,22 @@ void add_fit(const Calibrating& c, const chance::Calibration& found, Result& r) 
 }
 
 }  // namespace
+
+Diagnostics check_calibration(const ReadCases& read) {
+  Diagnostics mistakes;
+  if (!read.calibrate) return mistakes;
+  const MeasuredTable table = read_table(read, mistakes);
+  const auto model = read.cases({.inputs = question_of(*read.calibrate, table).inputs, .outputs = {}});
+  NoCases wrong = model ? NoCases{} : model.error();
+  if (model) {
+    const auto free = free_parameters(*read.calibrate, *model, wrong.complaints);
+    // of the bounds alone: what was measured is in the units of outputs
+    const std::string why = wrong.complaints.empty() ? chance::mistake(free, {.values = {0}, .sd = {}}) : std::string{};
+    if (!why.empty()) wrong.complaints.push_back({"calibrate", why});
+  }
+  io::place(read.blocks(), wrong.complaints, mistakes);
+  return mistakes;
+}
 
 Result calibrate(const Job& job, int threads) {
   const auto c = read_calibration(job);

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <filesystem>
 #include <fstream>
 #include <map>
 #include <random>
@@ -240,6 +241,22 @@ TEST_F(Line, MistakesHaveTheirPlace) {
   EXPECT_THAT(mistakes("output,value\n"), HasSubstr("no measurement"));
   EXPECT_THAT(mistakes("output,value\nequilibrium.sky.T_start,20 kN\nequilibrium.car.z,-7 m\n"),
               HasSubstr("measured.csv:3:19: error"));
+}
+
+/// The same for `calibrate`, with its file.
+TEST_F(Line, ACheckOfTheDeckFindsMistakesOfItsBlock) {
+  write(noisy(1));
+  const auto found = [&](const std::string& more, std::string free = {}) {
+    std::string text = deck_of(more);
+    if (!free.empty()) text.replace(text.find("[203 m, 207 m]"), std::string("[203 m, 207 m]").size(), free);
+    return to_text(check({.text = text, .name = path("deck.yaml"), .set = {}, .progress = {}}));
+  };
+  EXPECT_EQ(found(""), "");
+  EXPECT_THAT(found("", "[207 m, 203 m]"), HasSubstr("must be below"));
+  EXPECT_THAT(found("", "[203 m, 207 kN]"), HasSubstr("207 kN"));
+  EXPECT_THAT(found("    machine.loads[3].mass: [1 t, 2 t]\n"), HasSubstr("loads"));
+  std::filesystem::remove(path("measured.csv"));
+  EXPECT_THAT(found(""), HasSubstr("measured.csv"));
 }
 
 }  // namespace taut::app::calibrate_test

@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "taut/app/cases/read_cases.hpp"
+#include "taut/io/deck/read.hpp"
 #include "taut/io/deck/source.hpp"
 
 namespace taut::app {
@@ -83,10 +85,14 @@ void check_together(const Study& s, std::vector<Complaint>& complaints) {
     const std::string refused = std::string(answer) == "indices" ? chance::indices_refused(s.inputs) : std::string{};
     if (!refused.empty()) complaints.push_back({"study.answer", refused});
     const bool by_limit = std::string(answer) != "indices" && std::string(answer) != "tornado";
-    if (by_limit && s.limits.empty()) {
+    if (by_limit && s.request.limit.empty()) {
       complaints.push_back({"study.answer", fmt::format("'{}' is about a limit: give one in 'limit'", answer)});
     }
   }
+}
+
+Complaint nothing_varies() {
+  return {.path = "study.vary", .message = "names no number: without one that varies all cases are the same"};
 }
 
 }  // namespace
@@ -120,12 +126,7 @@ tl::expected<Study, Result> read_study(const Job& job) {
   }
   Study s;
   s.request = std::move(*read->study);
-  if (s.request.vary.empty()) {
-    return tl::unexpected(
-        refusal({.complaints = {{.path = "study.vary",
-                                 .message = "names no number: without one that varies all cases are the same"}}},
-                read->blocks()));
-  }
+  if (s.request.vary.empty()) return tl::unexpected(refusal({.complaints = {nothing_varies()}}, read->blocks()));
   auto model = read->cases(question_of(s.request));
   if (!model) return tl::unexpected(refusal(model.error(), read->blocks()));
   s.model = std::move(*model);
@@ -143,6 +144,25 @@ tl::expected<Study, Result> read_study(const Job& job) {
   s.overrides = job.set;
   s.hash = read->hash;
   return s;
+}
+
+Diagnostics check_study(const ReadCases& read) {
+  Diagnostics mistakes;
+  if (!read.study) return mistakes;
+  Study s;
+  s.request = *read.study;
+  NoCases wrong;
+  if (s.request.vary.empty()) wrong.complaints.push_back(nothing_varies());
+  auto model = read.cases({.inputs = question_of(s.request).inputs, .outputs = {}});
+  if (model) {
+    s.model = std::move(*model);
+    s.inputs = study_inputs(s.request, s.model.inputs, wrong.complaints);
+    if (wrong.complaints.empty()) check_together(s, wrong.complaints);
+  } else {
+    wrong.complaints = std::move(model.error().complaints);
+  }
+  io::place(read.blocks(), wrong.complaints, mistakes);
+  return mistakes;
 }
 
 }  // namespace taut::app

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "taut/app/cases/case_model.hpp"
+#include "taut/app/cases/read_cases.hpp"
 #include "taut/app/cases/study/study_inputs.hpp"
 #include "taut/app/cases/study_deck.hpp"
 #include "taut/app/job.hpp"
@@ -48,5 +49,9 @@ struct Study {
 /// Reads the deck of a job and runs it once as it is. Else a result that says why there is no study: status bad_deck
 /// with mistakes, or no answer of the deck itself.
 tl::expected<Study, Result> read_study(const Job& job);
+
+/// Mistakes of the block `study` that show without a calculation: numbers that the deck has not, or twice, their units,
+/// laws and bounds. What outputs are called is not looked up.
+Diagnostics check_study(const ReadCases& read);
 
 }  // namespace taut::app

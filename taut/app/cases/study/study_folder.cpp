@@ -92,6 +92,10 @@ const char* word_of(CaseFlaw::Kind kind) {
       return "unsafe";
     case CaseFlaw::Kind::unmade:
       return "unmade";
+    case CaseFlaw::Kind::unlimited:
+      return "unlimited";
+    case CaseFlaw::Kind::chooses:
+      return "chooses";
     case CaseFlaw::Kind::fails:
       break;
   }
@@ -130,7 +134,8 @@ std::optional<std::vector<CaseFlaw>> flaws_in(const std::string& text) {
                   .sense = one.value("sense", "") == word_of(Sense::at_least) ? Sense::at_least : Sense::at_most,
                   .analysis = one.value("analysis", "")};
     const std::string kind = one.value("kind", "");
-    for (const auto known : {CaseFlaw::Kind::unmade, CaseFlaw::Kind::fails}) {
+    using Kind = CaseFlaw::Kind;
+    for (const auto known : {Kind::unmade, Kind::fails, Kind::unlimited, Kind::chooses}) {
       if (kind == word_of(known)) flaw.kind = known;
     }
     flaws.push_back(std::move(flaw));

@@ -17,6 +17,7 @@
 #include "taut/app/cases/study/study_chance.hpp"
 #include "taut/app/cases/study/study_figures.hpp"
 #include "taut/app/cases/study/study_words.hpp"
+#include "taut/base/stretches.hpp"
 #include "taut/calc/verdict.hpp"
 #include "taut/units/any_quantity.hpp"
 
@@ -171,13 +172,27 @@ void add_grid_limits(const Study& study, const StudyData& data, Result& r) {
                                    .rule = "limit of the deck, over the whole grid",
                                    .trust = "user"}));
   }
-  if (!study.limits.empty() && !data.failed.empty()) {
-    r.missing.push_back({.analysis = "grid",
-                         .missing = static_cast<int>(data.failed.size()),
-                         .places = static_cast<int>(study.size()),
-                         .first = values_in_words(study, study.values_at(data.failed.front().index)),
-                         .reason = data.failed.front().reason});
+  if (study.limits.empty() || data.failed.empty()) return;
+  Stretches all;
+  for (std::size_t i = 0; i < data.failed.size(); ++i) {
+    const FailedCase& one = data.failed[i];
+    // cases with an answer end a stretch
+    if (i > 0 && one.index > data.failed[i - 1].index + 1) all.take({}, {}, {});
+    all.take(one.reason, values_in_words(study, study.values_at(one.index)), {});
   }
+  r.missing.push_back({.analysis = "grid",
+                       .missing = static_cast<int>(data.failed.size()),
+                       .places = static_cast<int>(study.size()),
+                       .first = values_in_words(study, study.values_at(data.failed.front().index)),
+                       .reason = data.failed.front().reason,
+                       .all = all.few_places()});
+}
+
+/// "a, b, c and 2 more".
+std::string first_of(const std::vector<std::string>& names) {
+  constexpr std::size_t most = 3;
+  if (names.size() <= most) return fmt::format("{}", fmt::join(names, ", "));
+  return fmt::format("{} and {} more", fmt::join(names.begin(), names.begin() + most, ", "), names.size() - most);
 }
 
 /// Before the sentence of the verdict, behind what stands there.
@@ -334,6 +349,7 @@ std::vector<SameFlaw> open_flaws(const Study& study, const StudyData& data) {
   std::vector<SameFlaw> all;
   const Strengths strengths = least_strengths(study.model.strengths, data);
   for (const FlawedCase& one : data.flawed) {
+    if (one.flaw.kind == CaseFlaw::Kind::unlimited) continue;  // add_unlimited_in_cases
     if (one.flaw.kind == CaseFlaw::Kind::fails && counted(study, data, one, strengths)) continue;
     if (!matters(study, one.flaw)) continue;
     const auto [at, is_new] = known.try_emplace({one.flaw.kind, one.flaw.check}, all.size());
@@ -366,6 +382,11 @@ void add_flaws(const Study& study, const StudyData& data, Result& r) {
     std::string what = "unsafe";
     if (flaw.kind == CaseFlaw::Kind::unsafe) {
       warn_unsafe(r, fmt::format("{} are unsafe, {}", count, first));
+    } else if (flaw.kind == CaseFlaw::Kind::chooses) {
+      what = "another choice";
+      warn_unsafe(r, fmt::format("{} choose otherwise than the deck as it is, {}: nothing is said of its own choice "
+                                 "there. Give what is built",
+                                 count, first));
     } else if (flaw.kind == CaseFlaw::Kind::unmade) {
       what = "not judged";
       unmade.push_back(fmt::format("{} are not judged, {}", count, first));
@@ -429,16 +450,36 @@ std::string unasked_words(const Study& study, const UnaskedPart& part, const Str
   return why.empty() ? part.name : fmt::format("{} ({})", part.name, why);
 }
 
-/// What the deck as it is fails in a check that no case makes: a limit of the study on the same value, in the states of
-/// the check, takes its place.
+/// Whether a limit of the study takes the place of a check: it is about the same value, in states of that analysis.
+bool is_taken(const Study& study, const CaseFlaw& check, const Strengths& strengths) {
+  const std::vector<LimitedValue> like = limits_like(check);
+  return std::any_of(study.limits.begin(), study.limits.end(), [&](const StudyLimit& limit) {
+    return speaks_of(study, limit, like, check.analysis) &&
+           ends_at_strength(study, limit, part_of(check.check), strengths);
+  });
+}
+
+/// Parts that need a limit of their strength in some cases and not in the deck as it is: a rope that a heavier load
+/// tightens.
+void add_unlimited_in_cases(const Study& study, const StudyData& data, const Strengths& least, Result& r) {
+  std::map<std::pair<std::string, std::string>, SameFlaw> parts;  // by check and analysis
+  for (const FlawedCase& one : data.flawed) {
+    if (one.flaw.kind != CaseFlaw::Kind::unlimited || is_taken(study, one.flaw, least)) continue;
+    SameFlaw& same = parts[{one.flaw.check, one.flaw.analysis}];
+    if (same.first == nullptr) same.first = &one;
+    ++same.cases;
+  }
+  for (const auto& [name, one] : parts) {
+    r.unjudged.push_back(fmt::format("{} (in {} of {} cases, the first is case {}: {})", part_of(name.first), one.cases,
+                                     study.size(), one.first->index,
+                                     values_in_words(study, study.values_at(one.first->index))));
+  }
+}
+
+/// What the deck as it is fails in a check that no case makes, and no limit of the study takes its place.
 void add_failures_of_deck(const Study& study, const Unasked& unasked, const Strengths& strengths, Result& r) {
   for (const CaseFlaw& flaw : unasked.fails) {
-    const std::vector<LimitedValue> like = limits_like(flaw);
-    const bool taken = std::any_of(study.limits.begin(), study.limits.end(), [&](const StudyLimit& limit) {
-      return speaks_of(study, limit, like, flaw.analysis) &&
-             ends_at_strength(study, limit, part_of(flaw.check), strengths);
-    });
-    if (taken) continue;
+    if (is_taken(study, flaw, strengths)) continue;
     r.unmade.push_back(
         fmt::format("the deck as it is fails {}, which no case makes and no 'limit' of the study is about: {}",
                     flaw.check, flaw.words));
@@ -451,22 +492,23 @@ void add_unasked(const Study& study, const StudyData& data, Result& r) {
   const auto verdict = verdict_of(r);
   const bool passes =
       verdict && (verdict->kind == VerdictKind::passes || verdict->kind == VerdictKind::passes_with_warnings);
-  if (!passes || !study.model.unasked) return;
-  const Unasked unasked = study.model.unasked();
+  if (!passes) return;
+  const Unasked unasked = study.model.unasked ? study.model.unasked() : Unasked{};
   const Strengths least = least_strengths(unasked.strengths, data);
   for (const UnaskedPart& part : unasked.parts) {
     if (std::string words = unasked_words(study, part, unasked.strengths, least); !words.empty()) {
       r.unjudged.push_back(std::move(words));
     }
   }
+  add_unlimited_in_cases(study, data, least, r);
   add_failures_of_deck(study, unasked, least, r);
-}
-
-/// "a, b, c and 2 more".
-std::string first_of(const std::vector<std::string>& names) {
-  constexpr std::size_t most = 3;
-  if (names.size() <= most) return fmt::format("{}", fmt::join(names, ", "));
-  return fmt::format("{} and {} more", fmt::join(names.begin(), names.begin() + most, ", "), names.size() - most);
+  std::vector<std::string> unmade;
+  for (const Check& check : unasked.unmade) {
+    const CaseFlaw like{
+        .kind = CaseFlaw::Kind::fails, .check = check.name, .sense = check.sense, .analysis = unasked.analysis};
+    if (check.limits && !is_taken(study, like, least)) unmade.push_back(check.name);
+  }
+  if (!unmade.empty()) put_before(fmt::format("no case makes the deck's {}", first_of(unmade)), r);
 }
 
 /// A study without a limit of its own is not judged, whatever its cases are. Said is whether they pass the checks of
@@ -478,10 +520,12 @@ void add_unlimited(const Study& study, const StudyData& data, Result& r) {
   });
   if (fails || !data.failed.empty()) return;
   const Unasked unasked = study.model.unasked ? study.model.unasked() : Unasked{};
+  std::vector<std::string> unmade;
+  for (const Check& check : unasked.unmade) unmade.push_back(check.name);
   r.unjudged.push_back(
-      unasked.unmade.empty()
+      unmade.empty()
           ? fmt::format("what the study asks for; none of the {} cases fails a check of the deck", study.size())
-          : fmt::format("what the study asks for; no case makes the deck's {}", first_of(unasked.unmade)));
+          : fmt::format("what the study asks for; no case makes the deck's {}", first_of(unmade)));
   add_failures_of_deck(study, unasked, unasked.strengths, r);
 }
 

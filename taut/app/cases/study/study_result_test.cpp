@@ -473,6 +473,7 @@ TEST(StudyResult, AGridWithACaseWithoutAnAnswerDoesNotKeepItsLimits) {
   EXPECT_EQ(r.missing[0].missing, 2);
   EXPECT_EQ(r.missing[0].places, 6);
   EXPECT_EQ(r.missing[0].first, "x1.value 2, x2.value 10");
+  EXPECT_EQ(r.missing[0].all, "x1.value 2, x2.value 10 to x2.value 20 (2 states)");
   EXPECT_EQ(r.missing[0].reason, "the function has no value there");
 }
 

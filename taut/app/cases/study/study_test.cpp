@@ -244,6 +244,26 @@ TEST(Study, LawsAreReadInTheUnitsOfTheirNumbers) {
   expect("normal: {mean: 205 m, sd: 0.3 m}, truncate: [204.7 m, 205.3 m]", 205, 0.3 * std::sqrt(0.29112509));
 }
 
+// What `taut study` refuses without a calculation, `taut check` finds too, at its place; it said "no mistakes found".
+TEST(Study, ACheckOfTheDeckFindsMistakesOfItsBlock) {
+  const auto found = [](const std::string& vary, const std::string& of = "equilibrium.T_max") {
+    const Job job{
+        .text = deck_with("  vary: {" + vary + "}\n  of: [" + of + "]\n"), .name = "d", .set = {}, .progress = {}};
+    const Diagnostics all = check(job);
+    const auto study = read_study(job);
+    EXPECT_FALSE(study) << vary;
+    EXPECT_TRUE(all.empty() || all.front().message == study.error().errors.front().message) << to_text(all);
+    return all.empty() ? std::string() : all.front().message;
+  };
+  EXPECT_EQ(found("'machine.loads[0].mass': {uniform: {low: 1 t, high: 2 t}}", "equilibrium.no_such"), "")
+      << "names of outputs need a run";
+  EXPECT_THAT(found("'machine.loads[5].mass': {list: [1 t]}"), HasSubstr("loads"));
+  EXPECT_THAT(found("'machine.loads[0].mass': {list: [1 m]}"), HasSubstr("'m' is a unit of length"));
+  EXPECT_NE(found("'machine.reevings[0].length': {list: [205 m]}, machine.reevings.sky.length: {list: [205 m]}"), "");
+  EXPECT_NE(found("machine.temperature: {normal: {mean: 20 degC, cov: 5 %}}"), "");
+  EXPECT_NE(found("'machine.loads[0].mass': {uniform: {low: 2 t, high: 1 t}}"), "");
+}
+
 TEST(Study, AnInterruptedFormLeavesNoNumberAndKeepsTheCases) {
   const std::string text = deck_with(
       usual + std::string("  limit: {equilibrium.sky.T_max: {at_most: 35.5 kN, allowed: 0.9}}\n  samples: 64\n"
@@ -380,7 +400,9 @@ TEST(Study, SaysWhichAnalysesOfTheDeckItLeavesOut) {
   const std::string text = two_places("equilibrium.sky.safety_factor: {at_least: 4}", "equilibrium.car.z");
   const Result r = whole(text);
   EXPECT_EQ(verdict_of(r)->kind, VerdictKind::passes);
-  EXPECT_THAT(verdict_of(r)->reason, testing::StartsWith("no case calculates equilibrium_mid; nearest to its limit"));
+  EXPECT_THAT(
+      verdict_of(r)->reason,
+      testing::StartsWith("no case calculates equilibrium_mid; no case makes the deck's sky.safety_factor; nearest"));
   EXPECT_EQ(
       verdict_of(run({.text = text, .name = "deck.yaml", .set = {"machine.loads[0].mass=3 t"}, .progress = {}}))->kind,
       VerdictKind::fails);

@@ -214,7 +214,8 @@ void describe_closed(Describe<Output>& d) {
   d.field(&Output::H_4, "H_4", "H_4", si::N, "horizontal tension of the upper branch between the carriage and B")
       .from("closed-form tier")
       .detail();
-  d.field(&Output::T_max, "T_max", "T_max", si::N, "largest of the four end tensions").from("closed-form tier");
+  d.field(&Output::T_end_max, "T_end_max", "T_end_max", si::N, "largest of the four end tensions at this position")
+      .from("closed-form tier");
 }
 
 void describe_areas(Describe<Output>& d) {
@@ -259,6 +260,9 @@ void describe_exact(Describe<Output>& d) {
   add_detail(&Output::T_lLB_exact, "T_lLB_exact", si::N, "return rope of the lower branch at the carriage");
   add_detail(&Output::T_12_exact, "T_12_exact", si::N, "return rope between the sections, its larger end");
   add(&Output::T_winch_exact, "T_winch_exact", si::N, "traction rope at the winch, behind the sheaves at A");
+  add(&Output::T_max, "T_max", si::N,
+      "largest tension of both ropes, anywhere and at the winch, over all positions that have an answer, hauled in and "
+      "out");
   add(&Output::delta_f_exact, "delta_f_exact", si::m, "sag of section 2 under the line from section 1 to B");
   add(&Output::upper_sag_exact, "upper_sag_exact", si::m, "sag of the upper branch at the roller, under its own chord");
   add(&Output::loop_length_exact, "loop_length_exact", si::m, "unstretched length of the whole loop");

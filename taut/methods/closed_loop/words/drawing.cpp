@@ -317,7 +317,7 @@ Plot tension_plot(const Input& in, const Ropes& ropes, const std::vector<Row>& r
   Plot p;
   p.name = "tensions";
   p.title = "End tensions against the position of the carriage";
-  p.caption = fmt::format("Closed-form tier, {}. Gaps are infeasible positions.", law_of(in));
+  p.caption = fmt::format("Closed-form tier, {}. Gaps are positions without an answer.", law_of(in));
   p.x = {.label = "distance from A to the carriage", .unit = si::m};
   p.y = {.label = "tension", .unit = si::N};
   p.curves = {curve_of("T_lA", all, &Output::T_lA), curve_of("T_lB", all, &Output::T_lB),
@@ -325,12 +325,12 @@ Plot tension_plot(const Input& in, const Ropes& ropes, const std::vector<Row>& r
   p.curves[2].dashed = true;
   p.curves[3].dashed = true;
   if (rows.size() > 1) {
-    p.curves.push_back(curve_of("largest, positions of the deck", by_place(rows), &Output::T_max));
+    p.curves.push_back(curve_of("largest, positions of the deck", by_place(rows), &Output::T_end_max));
     p.curves.back().points_only = true;
   }
   const Row& worst = rows[worst_of(rows)];
   if (worst.outcome.ok())
-    p.marks.push_back({worst.out.x, worst.out.T_max, rows.size() > 1 ? "governs" : "deck", false});
+    p.marks.push_back({worst.out.x, worst.out.T_end_max, rows.size() > 1 ? "governs" : "deck", false});
   return p;
 }
 

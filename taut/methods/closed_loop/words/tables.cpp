@@ -28,7 +28,7 @@ const Quantities<Row>& closed_form_quantities() {
       {"T_uB", "T_uB", si::N, "tension of the upper branch at B", of(&Output::T_uB)},
       {"T_lA", "T_lA", si::N, "tension of the lower branch (traction rope) at A", of(&Output::T_lA)},
       {"T_lB", "T_lB", si::N, "tension of the lower branch (return rope) at B", of(&Output::T_lB)},
-      {"T_max", "T_max", si::N, "largest of the four end tensions", of(&Output::T_max)}};
+      {"T_end_max", "T_end_max", si::N, "largest of the four end tensions", of(&Output::T_end_max)}};
   return all;
 }
 

@@ -83,9 +83,7 @@ std::vector<Answer> answers(const Input& in, const Result& r, const Display& dis
          c->name, c->where});
   }
   add_answer_line(lines, "Foot", foot_words(in, r, display));
-  double tube = not_computed;
-  for (const char* size : {"D_tube", "D_tube_payout", "D_tube_mixed", "D_tube_rest"})
-    tube = std::fmax(tube, number_of(r, size));
+  const double tube = number_of(r, "D_tube_worst");
   if (std::isfinite(tube)) {
     const Unit mm = si::m.in("mm");
     add_answer_line(lines, has_section ? std::string_view("Ideal tube") : needs_label,

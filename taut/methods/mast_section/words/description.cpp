@@ -186,14 +186,15 @@ void describe_forces(Describe<Output>& d) {
 
 void describe_sizes(Describe<Output>& d) {
   d.field(&Output::sigma_allow, "sigma_allow", "[sigma]", si::Pa, "allowable stress used");
-  d.field(&Output::b_square, "b_square", "b_square", si::m.in("mm"), "side of the solid square").from("(15), (16)");
+  d.field(&Output::b_square, "b_square", "b_square", si::m.in("mm"), "side of the solid square, ropes hauled in only")
+      .from("(15), (16)");
   d.field(&Output::B_hollow, "B_hollow", "B_hollow", si::m.in("mm"),
-          "outer side of the hollow square, twice the inner one")
+          "outer side of the hollow square, twice the inner one, ropes hauled in only")
       .from("table, 4/3 and 6.40");
   d.field(&Output::B_hollow_printed, "B_hollow_printed", "B_hollow_printed", si::m.in("mm"),
           "the same with the table's 1.33 and 6.41")
       .from("table");
-  d.field(&Output::D_tube, "D_tube", "D_tube", si::m.in("mm"), "outer diameter of the tube")
+  d.field(&Output::D_tube, "D_tube", "D_tube", si::m.in("mm"), "outer diameter of the tube, ropes hauled in only")
       .from("table, 4/pi and 32/pi");
   d.field(&Output::D_tube_printed, "D_tube_printed", "D_tube_printed", si::m.in("mm"),
           "the same with the table's 1.27 and 10, too small")
@@ -211,6 +212,10 @@ void describe_sizes(Describe<Output>& d) {
   d.field(&Output::D_tube_rest, "D_tube_rest", "D_tube_rest", si::m.in("mm"),
           "tube for a rope at rest, full force on both sides of its block")
       .from("(2), (3) corrected, at rest");
+  d.field(
+      &Output::D_tube_worst, "D_tube_worst", "D_tube_worst", si::m.in("mm"),
+      "outer diameter of the tube for whatever the ropes do: the largest of D_tube, D_tube_payout, D_tube_mixed and "
+      "D_tube_rest");
   d.field(&Output::section_stress, "section_stress", "sigma", si::Pa, "stress in the section checked or chosen")
       .from("(12)-(14)");
   d.field(&Output::section_allowable, "section_allowable", "[sigma]", si::Pa,

@@ -27,7 +27,7 @@ const Quantities<PositionRow>& position_quantities() {
       {"Q", "Q", si::N, "shear at the clamp, towards the span", of(&Output::Q)},
       {"b_square", "b_square", mm, "side of the solid square, (15), (16)", of(&Output::b_square)},
       {"B_hollow", "B_hollow", mm, "outer side of the hollow square, twice the inner one", of(&Output::B_hollow)},
-      {"D_tube", "D_tube", mm, "outer diameter of the tube", of(&Output::D_tube)},
+      {"D_tube", "D_tube", mm, "outer diameter of the tube, ropes hauled in only", of(&Output::D_tube)},
       {"D_tube_printed", "D_tube_printed", mm, "the same with the paper's 1.27 and 10, too small",
        of(&Output::D_tube_printed)},
       {"D_tube_payout", "D_tube_payout", mm, "outer diameter of the tube for ropes paid out under load",
