@@ -13,6 +13,9 @@
 namespace taut::checks {
 namespace {
 
+/// Of the way that a drum lets out: taking in less than that is no hauling, but a drum that is stopped.
+constexpr double least_haul = 0.01;
+
 /// Whether the tension of a rope changes over a node while it runs.
 bool loses_at(const machine::Node& node) {
   return node.kind == machine::NodeKind::contact && node.law.efficiency < 1 && node.law.friction != 0;
@@ -99,30 +102,29 @@ void DriveUses::keep_senses(const machine::Model& m, const Array<solve::DrumResu
   }
 }
 
-/// A motion that lets a loaded rope off its drum and never takes it in shows of its losses those that help.
-void DriveUses::take_hauled(const machine::Model& m, const solve::TransientResult& motion, const std::string& words) {
-  struct Way {
-    bool in = false, out = false;
-    int drum = 0;
-  };
-  std::map<int, Way> ways;  // by reeving
-  for (const solve::TransientFrame& frame : motion.frames) {
-    for (const solve::DrumResult& d : solve::drums(m, frame)) {
-      if (!(d.pull > 0) || std::abs(d.speed.value_or(0)) < standing_drum) continue;
-      Way& way = ways[d.reeving];
-      (*d.speed > 0 ? way.in : way.out) = true;
-      way.drum = d.drum;
-    }
+void DriveUses::take_way(const Array<solve::DrumResult>& drums, double time) {
+  if (!(time > 0)) hauls_.clear();  // a motion begins
+  for (const solve::DrumResult& d : drums) {
+    const double speed = d.speed.value_or(0);
+    if (!(time > 0) || !(d.pull > 0) || std::abs(speed) < standing_drum) continue;
+    Haul& way = hauls_[d.reeving];
+    (speed > 0 ? way.in : way.out) += std::abs(speed) * time;
+    way.drum = d.drum;
   }
+}
+
+/// A motion that lets a loaded rope off its drum and never takes it in shows of its losses those that help.
+void DriveUses::take_hauled(const machine::Model& m, const std::string& words) {
   for (std::size_t i = 0; i < m.reevings.size(); ++i) {
     const machine::Reeving& rope = m.reevings[i];
-    const Way way = ways[static_cast<int>(i)];
-    if (way.in || !way.out || !loses(rope)) {
+    const Haul way = hauls_[static_cast<int>(i)];
+    if (way.out == 0 || way.in > least_haul * way.out || !loses(rope)) {
       hauled_.insert(rope.name);
     } else if (at_rest_.contains(rope.name)) {
       paid_out_.try_emplace(rope.name, paid_out_words(rope.name, m.drums[way.drum].name, words));
     }
   }
+  hauls_.clear();
 }
 
 }  // namespace taut::checks

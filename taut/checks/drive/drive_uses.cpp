@@ -346,6 +346,7 @@ void DriveUses::take_moment(const machine::Model& m, const solve::TransientFrame
   const double time = frame.t - last_moment_;
   last_moment_ = frame.t;
   take_slips(m, frame, time, words);
+  take_way(drums, time);
   std::vector<Check> made;
   check_grips(m, frame, made);
   dragged_.take_moment(m, frame, time, words);
@@ -427,7 +428,7 @@ void DriveUses::take(const machine::Model& m, const solve::TransientResult& moti
       brakes_.leave_out(drum.name, {.weight = weight_of(m)}, words);
     }
   }
-  take_hauled(m, motion, words);
+  take_hauled(m, words);
   const solve::TransientFrame& first = motion.frames.front();
   if (motion.brake_ways.empty()) take_set_brakes(m, first, words);
   for (std::size_t c = 0; c < motion.ways.size(); ++c) {

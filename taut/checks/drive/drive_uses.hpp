@@ -51,7 +51,8 @@ class DriveUses {
                   const std::string& words);
   void keep_slip(const machine::Node& node, double slipped, double limit, const std::string& share,
                  const std::string& words);
-  void take_hauled(const machine::Model& model, const solve::TransientResult& motion, const std::string& words);
+  void take_way(const Array<solve::DrumResult>& drums, double time);
+  void take_hauled(const machine::Model& model, const std::string& words);
   void take_brakes(const machine::Model& model, const solve::TransientResult& motion, const std::string& words);
   void keep_turns(const machine::Model& model, const solve::DrumResult& drum, const std::string& words);
   void keep_winding(const machine::Model& m, const Array<solve::DrumResult>& ends,
@@ -80,9 +81,14 @@ class DriveUses {
   ShownLoads brakes_;                            // drums: by their brake, or as they turn, or bear nothing
   std::map<std::string, std::string> paid_out_;  // ropes that a state shows as they run off their drum, with losses
   std::set<std::string> hauled_;                 // ropes that a state shows otherwise
-  std::set<std::string> at_rest_;                // ropes with a limit at rest
-  std::map<Part, std::string> layers_;           // drums with more layers than they are calculated with
-  std::map<Part, std::string> yielding_;         // cylinders at their force limit
+  struct Haul {
+    double in = 0, out = 0;  ///< m, of the loaded rope
+    int drum = 0;
+  };
+  std::map<int, Haul> hauls_;             // by reeving, so far in the motion that is shown now
+  std::set<std::string> at_rest_;         // ropes with a limit at rest
+  std::map<Part, std::string> layers_;    // drums with more layers than they are calculated with
+  std::map<Part, std::string> yielding_;  // cylinders at their force limit
   struct Turns {
     double left = 0;
     std::string words;
