@@ -1,6 +1,6 @@
 """Made from the descriptions by python/tools/make_stub.py; do not edit. `./dev python stub` makes it again.
 
-schema: 655e797befa234ac0b101498112a2d0cff7321a00231bb91b2dcdb77caf841b9
+schema: aae8f5e1c103c7bb24225c0a0a7f5313f4e7d0590ea7d9aa9152a804c14c4427
 """
 
 from collections.abc import Mapping, Sequence
