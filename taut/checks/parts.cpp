@@ -151,6 +151,7 @@ void complain_of_exempt(const ChecksRequest& request, const machine::Machine& ma
           {path, fmt::format("the machine has no part '{}'{}", text, did_you_mean(text, all.names()))});
     if (words.size() < 2) continue;
     std::vector<std::string> each;
+    each.reserve(words.size());
     for (const std::string& word : words) each.push_back(fmt::format("'{} {}'", word, text));
     complaints.push_back({path, fmt::format("several parts are called '{}': a {}; say which one: {}", text,
                                             fmt::join(words, ", a "), fmt::join(each, ", "))});

@@ -466,6 +466,17 @@ std::vector<std::string> analyses_not_run(const MachineModel& model) {
   return all;
 }
 
+void add_inputs(const CaseQuestion& question, const DeckParameters<MachineOfCase>& parameters, MachineDeck& deck,
+                CaseModel& made, NoCases& wrong) {
+  for (const CaseName& one : question.inputs) {
+    if (is_parameter(one.name)) {
+      add_input(parameters.describe(one.name), one, made, wrong);
+    } else {
+      add_input(parameter_of(deck, one.name), one, made, wrong);
+    }
+  }
+}
+
 }  // namespace
 
 MadeCases machine_cases(const ReadMachine& read, const CaseQuestion& question,
@@ -478,13 +489,7 @@ MadeCases machine_cases(const ReadMachine& read, const CaseQuestion& question,
   model->outputs = question.outputs.size();
   CaseModel made;
   NoCases wrong;
-  for (const CaseName& one : question.inputs) {
-    if (is_parameter(one.name)) {
-      add_input(parameters.describe(one.name), one, made, wrong);
-    } else {
-      add_input(parameter_of(model->base.deck, one.name), one, made, wrong);
-    }
-  }
+  add_inputs(question, parameters, model->base.deck, made, wrong);
   if (wrong.complaints.empty()) complain_of_design(made.inputs, question, wrong);
   if (wrong.complaints.empty()) complain_of_set_anew(model->base.deck, made.inputs, question, wrong);
   model->inputs = made.inputs;

@@ -95,6 +95,7 @@ void complain_of_second_entry(std::size_t entry, const std::vector<std::size_t>&
   const RopeCheckRequest& one = ropes[entry];
   if (reevings_of_entry(deck, entry).empty()) {
     std::vector<std::string> own;
+    own.reserve(reevings.size());
     for (const std::size_t i : reevings) own.push_back(fmt::format("'{}'", reeving_name_of(deck.machine, i)));
     complaints.push_back({path, fmt::format("each reeving or guy of '{}' has an entry of its own here, {}, by which it "
                                             "is judged: write there what this entry says, and leave this one out",

@@ -248,18 +248,25 @@ Array<int> RopeUses::uses_in(const machine::Model& model) const {
   return own;
 }
 
+namespace {
+
+/// Of an analysis at rest.
+void take_largest(double T, const std::string& words, rope::RopeUse& use) {
+  use.analysed = use.analysed || (T > 0 && !rope::goes_beyond_rest(use.tension, T));
+  if (T <= use.tension) return;
+  use.tension = T;
+  use.where = words;
+  use.lasts = false;
+}
+
+}  // namespace
+
 void RopeUses::take_forces(const machine::Model& model, const solve::EquilibriumResult& state,
                            const std::string& words) {
   const Array<int> own = uses_in(model);
   for (std::size_t i = 0; i < own.size(); ++i) {
     if (own[i] < 0) continue;
-    rope::RopeUse& use = uses_[as_size(own[i])];
-    const double T = state.ropes[i].T_max;
-    use.analysed = use.analysed || (T > 0 && !rope::goes_beyond_rest(use.tension, T));
-    if (T <= use.tension) continue;
-    use.tension = T;
-    use.where = words;
-    use.lasts = false;
+    take_largest(state.ropes[i].T_max, words, uses_[as_size(own[i])]);
   }
   Array<std::map<std::string, int>> met(model.reevings.size());
   Array<std::vector<Turned>> turned(uses_.size());

@@ -521,6 +521,7 @@ void add_unlimited(const Study& study, const StudyData& data, Result& r) {
   if (fails || !data.failed.empty()) return;
   const Unasked unasked = study.model.unasked ? study.model.unasked() : Unasked{};
   std::vector<std::string> unmade;
+  unmade.reserve(unasked.unmade.size());
   for (const Check& check : unasked.unmade) unmade.push_back(check.name);
   r.unjudged.push_back(
       unmade.empty()
