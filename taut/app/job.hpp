@@ -32,8 +32,8 @@ struct Job {
 /// answer. Throws ContractViolation only for a bug of taut.
 Result run(const Job& job);
 
-/// Reads and checks the deck without calculating, its `study` and `calibrate` too. Returns its mistakes; empty when there
-/// is none.
+/// Reads and checks the deck without calculating, its `study` and `calibrate` too. Returns its mistakes; empty when
+/// there is none.
 Diagnostics check(const Job& job);
 
 /// Why a file could not be read or written: exit code 5.

@@ -42,8 +42,6 @@ struct Doubt {
   std::string source;  ///< which number it is, and its source in words
 };
 
-/// A value compared with a limit. utilisation: value/limit (at_most) or limit/value (at_least), <= 1 exactly when the
-/// check passes; NaN where that is no measure (make_check).
 /// What a part of a machine is. Its name alone does not say it: a rope often has that of its drum.
 enum class PartKind { unknown, rope, beam, mast, drum, sheave, carriage, point, body, contact, cylinder, yarder };
 
@@ -55,6 +53,8 @@ struct Part {
   bool operator<(const Part& other) const { return std::tie(name, kind) < std::tie(other.name, other.kind); }
 };
 
+/// A value compared with a limit. utilisation: value/limit (at_most) or limit/value (at_least), <= 1 exactly when the
+/// check passes; NaN where that is no measure (make_check).
 struct Check {
   std::string name;
   double value = 0;

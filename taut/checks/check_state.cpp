@@ -68,6 +68,14 @@ study::RopePiece hung_by_length(const solve::TransientFrame::Branch& b, const ma
   return hung(b, rope, L * (1 + across * across / 24));
 }
 
+/// The tension with which a branch was given, N; 0: its length is. A motion that goes on from another has the rope
+/// pulled to something else where it begins.
+double given_tension(const machine::Reeving& rope, const solve::TransientFrame& begins, std::size_t branch) {
+  if (rope.given == machine::Given::length) return 0;
+  const bool goes_on = begins.t > 0 && rope.given != machine::Given::equal;
+  return goes_on ? rope.value : mean_tension(begins.branches[branch]);
+}
+
 /// The angle by which a rope turns from one segment to the next.
 double turn_of(const solve::TransientFrame::Branch& in, const solve::TransientFrame::Branch& out) {
   const Vector3 a = in.end - in.start, b = out.end - out.start;
@@ -192,9 +200,7 @@ std::vector<FreeRope> free_ropes(const machine::Model& model, const solve::Trans
     } else if (in_segments) {
       add_segments(branches.subspan(i, next - i), rope, one.pieces);
     } else {
-      const bool by_length = rope.given == machine::Given::length;
-      one.pieces.push_back(
-          hung_by_length(first, rope, by_length ? 0 : mean_tension(motion.frames.front().branches[i])));
+      one.pieces.push_back(hung_by_length(first, rope, given_tension(rope, motion.frames.front(), i)));
     }
     all.push_back(std::move(one));
   }

@@ -42,6 +42,12 @@ CheckedParts::CheckedParts(const CheckedDeck& given, const machine::Model& model
     if (!is_limited_at_rest(given.checks->ropes[k])) continue;
     for (const std::size_t i : reevings_of_entry(given, k)) drives.ask_at_rest(model.reevings[i].name);
   }
+  for (const YarderCheckRequest& one : given.checks->yarders) {
+    for (const YarderLineRequest& line : lines_of(one)) drives.ask_at_rest(line.reeving);
+  }
+  for (const LineCheckRequest& one : given.checks->lines) {
+    if (one.limiter) drives.ask_at_rest(one.name);
+  }
   guys = guy_states(given.checks->guys, given, model);
   anchors = anchor_states(given.checks->anchors, given.machine, model);
   lines = line_states(given.checks->lines, model);
@@ -201,7 +207,7 @@ void CheckedParts::take_moment(const machine::Model& model, const solve::Transie
   judge.take_moment(model, so_far, moment, free, words);
   const bool at_rest = slowly || begins;
   ropes.take_moment(model, moment, so_far.steps, at_rest);
-  drives.take_moment(model, moment, words);
+  drives.take_moment(model, moment, so_far.steps, words);
   if (!any_shown()) return;
   if (begins) T_in_moments.assign(model.reevings.size(), 0);
   for (const solve::TransientFrame::Branch& branch : moment.branches) {

@@ -93,7 +93,7 @@ void CandidateRecord::take(const std::vector<std::size_t>& choice, const Result&
   std::map<std::size_t, std::pair<double, std::string>> worst;
   for (const Check& c : r.checks) {
     const auto list = list_of_->find(c.part);
-    if (list == list_of_->end()) continue;
+    if (list == list_of_->end() || c.kind == PartKind::drum || c.kind == PartKind::sheave) continue;
     const double use = 1 + over_of(c);
     const auto own = worst.try_emplace(list->second, use, c.name).first;
     if (use > own->second.first) own->second = {use, c.name};

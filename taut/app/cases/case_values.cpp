@@ -179,6 +179,7 @@ std::map<std::string, double> strengths_of(const Result& r) {
     for (const std::string_view kind : {breaking_check, yield_check}) {
       if (!c.limits && c.name.ends_with(kind)) strengths[c.name.substr(0, c.name.size() - kind.size())] = c.limit;
     }
+    if (!c.limits && c.name.ends_with(breaking_of_method)) strengths[c.part] = c.limit;
   }
   return strengths;
 }

@@ -79,6 +79,8 @@ Outcome take_values(const Result& r, const std::vector<WantedValue>& wanted, std
 /// How the checks against breaking, of a rope or guy, and against yield, of a beam, are called behind their part.
 inline constexpr const char* breaking_check = ".T_max";
 inline constexpr const char* yield_check = ".stress_max";
+/// The check of a rope against breaking in a method: "return rope does not break".
+inline constexpr const char* breaking_of_method = " does not break";
 
 /// Breaking forces and yields by part, as these checks of a result have them.
 std::map<std::string, double> strengths_of(const Result& r);

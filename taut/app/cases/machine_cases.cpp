@@ -525,6 +525,8 @@ MadeCases machine_cases(const ReadMachine& read, const CaseQuestion& question,
     part.of_deck = said_of_deck(r);
     std::map<std::string, double> strengths = strengths_of(r);
     for (const auto& one : strengths) add_new(analyses_run(part, model->base.deck), made.loaded_in[one.first]);
+    // a part that needs a limit needs it in each of them, whether its strength is known or not
+    for (const std::string& one : r.unjudged) add_new(analyses_run(part, model->base.deck), made.loaded_in[one]);
     made.strengths.merge(strengths);
     if (part.tells) said.hear(r);
   }

@@ -18,7 +18,6 @@ using mast_section::Input;
 
 constexpr int mast_elements = 48;    ///< sections with results: the largest moment lies at one of them to 1e-4
 constexpr double share_step = 1e-3;  ///< to which the share of the loads that is held is found
-constexpr double push_aside = 1e-2;  ///< of the loads: it chooses a side, and is let go
 
 double mast_height(const Input& in) { return std::max(in.skyline_block_height, in.mainline_block_height.value_or(0)); }
 
@@ -142,34 +141,12 @@ machine::Model mast_machine(const Input& in, const std::vector<MastGuy>& guys, c
   return model;
 }
 
-StandingMast stand(const machine::Model& model) {
-  StandingMast mast{.found = solve::equilibrium(model)};
-  double loads = 0;
-  for (const machine::Load& load : model.loads) loads += load.force.norm();
-  if (mast.found.outcome.status != Status::infeasible || model.reevings.empty() || !(loads > 0)) return mast;
-  const auto stress = [](const solve::EquilibriumResult& found) {
-    const solve::BeamResult& beam = found.beams[0];
-    return beam.points[beam.most_stressed].stress;
-  };
-  for (const double side : {-1.0, 1.0}) {
-    machine::Model pushed = model;
-    pushed.loads.push_back({model.loads.front().at, Vector3(0, side * push_aside * loads, 0)});
-    const solve::EquilibriumResult leant = solve::equilibrium(pushed);
-    if (!leant.outcome.ok()) continue;
-    solve::EquilibriumResult let_go = solve::equilibrium(model, {}, leant.state);
-    if (!let_go.outcome.ok() || std::none_of(let_go.branches.begin(), let_go.branches.end(), hangs)) continue;
-    if (mast.leans && stress(let_go) <= stress(mast.found)) continue;
-    mast = {.found = std::move(let_go), .leans = true};
-  }
-  return mast;
-}
-
 Outcome with_share_held(const machine::Model& model, const Outcome& outcome) {
   if (outcome.status != Status::infeasible || model.beams.empty()) return outcome;
   const auto stands = [&](double share) {
     machine::Model part = model;
     for (machine::Load& load : part.loads) load.force *= share;
-    return stand(part).found.outcome.ok();
+    return solve::equilibrium(part).outcome.ok();
   };
   const bool guyed = !model.reevings.empty();
   if (!stands(0)) {

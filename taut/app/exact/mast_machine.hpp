@@ -33,18 +33,6 @@ MastGuys put_up_guys(const mast_section::Input& in);
 machine::Model mast_machine(const mast_section::Input& in, const std::vector<MastGuy>& guys,
                             const mast_section::ClampForces& forces, const structure::BeamSection& section);
 
-/// Such a mast under its loads.
-struct StandingMast {
-  solve::EquilibriumResult found;
-  bool leans = false;  ///< aside, until a guy that was slack holds it
-};
-
-/// The equilibrium of the mast. Guys that have gone slack hold nothing: between them a mast falls aside from where it
-/// would stand by symmetry, until one is taut again. That place is found by a small push to either side, and let go; of
-/// two the one with the larger stress, as the mast may lean to either. Only where guys hang there: a mast that buckles
-/// between taut guys has no answer.
-StandingMast stand(const machine::Model& model);
-
 /// Why such a mast finds no equilibrium, with the share of the block forces that it holds, found by halving to a
 /// thousandth; the outcome as it is where there is one, where the guys had none, and where the engine found no answer
 /// without knowing that there is none.

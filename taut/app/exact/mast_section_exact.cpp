@@ -29,7 +29,6 @@ using namespace mast_section;
 struct LoadedMast {
   machine::Model model;
   solve::EquilibriumResult found;
-  bool leans = false;  ///< see StandingMast
 
   const solve::BeamResult& mast() const { return found.beams[0]; }
 };
@@ -52,9 +51,7 @@ class EngineMasts {
       return one;
     }
     one.model = mast_machine(in_, guys_.all, forces, section);
-    StandingMast standing = stand(one.model);
-    one.found = std::move(standing.found);
-    one.leans = standing.leans;
+    one.found = solve::equilibrium(one.model);
     return one;
   }
 
@@ -365,31 +362,10 @@ void warn_of_values(const Input& in, const Solved& method, const Section& sectio
   }
 }
 
-/// The farthest that the mast leans aside in a load case where guys let it.
-void warn_of_leaning(const Input& in, const Solved& method, const Section& section, EngineMasts& masts,
-                     const Display& display, Result& r) {
-  double most = 0;
-  std::string where;
-  for (const ClampForces& f : method.forces) {
-    const LoadedMast& at = masts.under(f, section.full_name, section.beam);
-    if (!at.leans) continue;
-    const double aside = std::abs(at.mast().points.back().deflection.y());
-    if (aside <= most) continue;
-    most = aside;
-    where = case_words(in, f);
-  }
-  if (where.empty()) return;
-  r.warnings.push_back(
-      fmt::format("guys go slack and hold the mast no longer: it leans aside to the left or right, by {}, until one of "
-                  "them holds it ({}); tighten the guys towards the load, or add guys across it",
-                  display.brief(most, si::m.in("mm")), where));
-}
-
 void warn_of_guys(const Input& in, const Solved& method, const Section& section, EngineMasts& masts,
                   const Display& display, Result& r) {
   if (r.status != Status::ok) return;
   warn_of_values(in, method, section, masts, display, r);
-  warn_of_leaning(in, method, section, masts, display, r);
   const SlackGuys open = slack_guys(in, method, section, masts, false, false),
                   declared = slack_guys(in, method, section, masts, false, true),
                   alone = slack_guys(in, method, section, masts, true, std::nullopt);

@@ -20,8 +20,8 @@ namespace {
 constexpr double least_slip = 0.01, least_way = 1e-3;
 constexpr double least_slide = 0.1;  ///< of the radius: a way that no creep beside a jump of tension makes
 
-/// What a motion shows of a part, it shows under whatever the part bears there.
-constexpr double any_load = std::numeric_limits<double>::infinity();
+/// Above the pull at rest by so much, a motion may still swing (rope::goes_beyond_rest).
+constexpr double still_swings = 0.05;
 
 /// Whether a motor's torque is no more than a limit: with the length and all loads given there is nothing it could set.
 bool is_limit(const machine::Reeving& r) {
@@ -114,22 +114,25 @@ std::map<int, DrumLoad> loads_of(const Array<solve::DrumResult>& ends, const Arr
   return loads;
 }
 
-/// The smallest tension of a rope, N. Where it runs over losses its pull at rest is at least that.
-double least_tension_of(const solve::EquilibriumResult& state, int reeving) {
-  double least = std::numeric_limits<double>::infinity();
-  for (const solve::BranchResult& branch : state.branches) {
-    if (branch.reeving == reeving) least = std::min({least, branch.T_from, branch.T_to});
+/// What a drum bears where the machine of a state stands, which has this torque while its ropes run. Over losses the
+/// tension of a rope falls or grows from the drum on; at rest its pull lies between the smallest and the largest.
+template <class Branches>
+BorneAtRest borne_at_rest(const Array<solve::DrumResult>& ends, const Branches& branches, int drum, double torque) {
+  double low = 1, high = 1;
+  for (const solve::DrumResult& d : ends) {
+    if (d.drum != drum || !(d.pull > 0)) continue;
+    for (const auto& branch : branches) {
+      if (branch.reeving != d.reeving) continue;
+      low = std::min({low, branch.T_from / d.pull, branch.T_to / d.pull});
+      high = std::max({high, branch.T_from / d.pull, branch.T_to / d.pull});
+    }
   }
-  return least;
+  return {.least = low * torque, .most = high * torque};
 }
 
-/// What a drum bears at least when the machine of a state stands, as a share of what it bears in that state.
-double share_at_rest(const Array<solve::DrumResult>& ends, const solve::EquilibriumResult& state, int drum) {
-  double share = 1;
-  for (const solve::DrumResult& d : ends) {
-    if (d.drum == drum && d.pull > 0) share = std::min(share, least_tension_of(state, d.reeving) / d.pull);
-  }
-  return share;
+/// What certainly stays of it where its swings have ceased.
+double lasting(const LastingTension& borne) {
+  return std::max({borne.largest(), borne.mean(), borne.at_end()}) / (1 + still_swings);
 }
 
 /// Where the torque of a drum is given, the rope's tension follows from it, or it is a limit; not of a drum whose brake
@@ -317,10 +320,9 @@ void DriveUses::take(const machine::Model& m, const solve::EquilibriumResult& st
     const std::string& name = m.drums[drum].name;
     if (load.stands && stands_by_brake(m.drums[drum])) {
       add_brake_check(m.drums[drum], load, made);
-      brakes_.show(name, {.weight = weight_of(m), .least = load.torque});
+      brakes_.show(name, machine_loads(m), load.torque);
     } else {
-      const double least = load.torque * share_at_rest(ends, state, drum);
-      brakes_.leave_out(name, {.weight = weight_of(m), .least = least}, words);
+      brakes_.leave_out(name, machine_loads(m), borne_at_rest(ends, state.branches, drum, load.torque), words);
     }
   }
   check_capacities(m, ends, made);
@@ -339,7 +341,17 @@ void DriveUses::take_bound(const machine::Model& m, const solve::EquilibriumResu
   keep(std::move(made), words);
 }
 
-void DriveUses::take_moment(const machine::Model& m, const solve::TransientFrame& frame, const std::string& words) {
+/// Swings of a motion go above the pull at rest: what lasts counts, or what it ends with.
+void DriveUses::take_turning(const machine::Model& m, const solve::TransientFrame& frame, int drum, double torque,
+                             long steps) {
+  const BorneAtRest borne = borne_at_rest(solve::drums(m, frame), frame.branches, drum, torque);
+  Turning& turning = turning_[drum];
+  turning.least.take(frame.t, borne.least, steps);
+  turning.most.take(frame.t, borne.most, steps);
+}
+
+void DriveUses::take_moment(const machine::Model& m, const solve::TransientFrame& frame, long steps,
+                            const std::string& words) {
   const std::string when = fmt::format("{}, t = {:.4g} s", words, frame.t);
   check_cylinders(m, frame, when, display_, yielding_);
   const auto drums = solve::drums(m, frame);
@@ -347,6 +359,7 @@ void DriveUses::take_moment(const machine::Model& m, const solve::TransientFrame
   last_moment_ = frame.t;
   take_slips(m, frame, time, words);
   take_way(drums, time);
+  if (!(time > 0)) turning_.clear();  // a motion begins
   std::vector<Check> made;
   check_grips(m, frame, made);
   dragged_.take_moment(m, frame, time, words);
@@ -357,9 +370,12 @@ void DriveUses::take_moment(const machine::Model& m, const solve::TransientFrame
     // stands without a load before it takes one: that shows nothing
     const bool by_itself =
         frame.drums[drum].held && (m.drums[drum].drive.kind == machine::DriveKind::held || load.torque > 0);
-    if (!by_itself && !frame.drums[drum].braked) continue;
+    if (!by_itself && !frame.drums[drum].braked) {
+      take_turning(m, frame, drum, load.torque, steps);
+      continue;
+    }
     add_brake_check(m.drums[drum], load, made);
-    brakes_.show(m.drums[drum].name, {.weight = weight_of(m), .least = load.torque});
+    brakes_.show(m.drums[drum].name, machine_loads(m), load.torque);
   }
   for (const auto& d : drums) {
     keep_turns(m, d, when);
@@ -409,7 +425,7 @@ void DriveUses::take_set_brakes(const machine::Model& m, const solve::TransientF
   for (const auto& [drum, load] : loads_of(solve::drums(m, rest), {})) {
     if (!stands_by_brake(m.drums[drum]) || !m.drums[drum].drive.brake) continue;
     add_brake_check(m.drums[drum], load, made);
-    brakes_.show(m.drums[drum].name, {.weight = weight_of(m), .least = load.torque});
+    brakes_.show(m.drums[drum].name, machine_loads(m), load.torque);
   }
   keep(std::move(made), words);
 }
@@ -422,12 +438,17 @@ void DriveUses::take(const machine::Model& m, const solve::TransientResult& moti
   for (std::size_t d = 0; d < m.drums.size(); ++d) {
     const machine::Drum& drum = m.drums[d];
     if (!drum.brake) continue;
-    if (d < motion.brake_ways.size() && motion.brake_ways[d].acted) {  // its slip judges it
-      brakes_.show(drum.name, {.weight = weight_of(m), .least = any_load});
-    } else {
-      brakes_.leave_out(drum.name, {.weight = weight_of(m)}, words);
+    const auto turns = turning_.find(static_cast<int>(d));
+    const bool acted = d < motion.brake_ways.size() && motion.brake_ways[d].acted;
+    if (acted) brakes_.show(drum.name, machine_loads(m), 0);  // its slip judges it
+    if (turns != turning_.end()) {
+      const auto& [least, most] = turns->second;
+      brakes_.leave_out(drum.name, machine_loads(m), {.least = lasting(least), .most = lasting(most)}, words);
+    } else if (!acted) {
+      brakes_.leave_out(drum.name, machine_loads(m), {}, words);
     }
   }
+  turning_.clear();
   take_hauled(m, words);
   const solve::TransientFrame& first = motion.frames.front();
   if (motion.brake_ways.empty()) take_set_brakes(m, first, words);

@@ -9,6 +9,7 @@
 #include "taut/calc/result.hpp"
 #include "taut/checks/drive/dragged.hpp"
 #include "taut/checks/drive/shown_loads.hpp"
+#include "taut/checks/rope/lasting_tension.hpp"
 #include "taut/solve/drives.hpp"
 #include "taut/solve/equilibrium.hpp"
 
@@ -30,7 +31,9 @@ class DriveUses {
   void take_bound(const machine::Model& model, const solve::EquilibriumResult& bound, const std::string& words);
   /// A moment of a motion: the grip of its driven sheaves, what lies on its drums, what their brakes have to hold where
   /// they stand without a brake that is set, cylinders at their limits.
-  void take_moment(const machine::Model& model, const solve::TransientFrame& frame, const std::string& words);
+  /// `steps`: so many steps of the motion before it.
+  void take_moment(const machine::Model& model, const solve::TransientFrame& frame, long steps,
+                   const std::string& words);
   /// A motion as a whole, with at least one frame: how far the rope slips on each contact, whether brakes hold and have
   /// stopped their drums.
   void take(const machine::Model& model, const solve::TransientResult& motion, const std::string& words);
@@ -51,6 +54,8 @@ class DriveUses {
                   const std::string& words);
   void keep_slip(const machine::Node& node, double slipped, double limit, const std::string& share,
                  const std::string& words);
+  void take_turning(const machine::Model& model, const solve::TransientFrame& frame, int drum, double torque,
+                    long steps);
   void take_way(const Array<solve::DrumResult>& drums, double time);
   void take_hauled(const machine::Model& model, const std::string& words);
   void take_brakes(const machine::Model& model, const solve::TransientResult& motion, const std::string& words);
@@ -74,10 +79,14 @@ class DriveUses {
   struct Slide {
     double way = 0, speed = 0;  ///< m, so far in the motion that is shown now; m/s, at its last moment
   };
-  std::vector<Slide> slides_;                    // by contact
-  Dragged dragged_;                              // what gives way to its load in it
-  double last_moment_ = 0;                       // s, of that motion
-  std::map<Part, std::string> unbraked_;         // drums whose brake does not hold; drives that give way
+  std::vector<Slide> slides_;             // by contact
+  Dragged dragged_;                       // what gives way to its load in it
+  double last_moment_ = 0;                // s, of that motion
+  std::map<Part, std::string> unbraked_;  // drums whose brake does not hold; drives that give way
+  struct Turning {
+    LastingTension least, most;  ///< N m, see BorneAtRest
+  };
+  std::map<int, Turning> turning_;               // drums that turn, with a brake, in the motion that is shown now
   ShownLoads brakes_;                            // drums: by their brake, or as they turn, or bear nothing
   std::map<std::string, std::string> paid_out_;  // ropes that a state shows as they run off their drum, with losses
   std::set<std::string> hauled_;                 // ropes that a state shows otherwise

@@ -5,50 +5,56 @@
 namespace taut::checks {
 namespace {
 
-/// Relative, of sums and of answers: less more than that is no other load.
-constexpr double same_load = 1e-9;
-
-bool is_more(double one, double other) { return one > (1 + same_load) * other; }
+constexpr double same_pull = 1e-6;  ///< relative: of two answers of one machine
 
 }  // namespace
 
-double weight_of(const machine::Model& model) {
-  double weight = 0;
-  for (std::size_t body = 0; body < model.bodies.size(); ++body)
-    weight += machine::weight_on(model, static_cast<int>(body));
-  return weight;
+MachineLoads machine_loads(const machine::Model& model) {
+  MachineLoads all;
+  all.reserve(model.bodies.size() + 3 * model.loads.size());
+  for (const machine::Body& body : model.bodies) all.push_back(body.mass);
+  for (const machine::Load& load : model.loads) all.insert(all.end(), load.force.begin(), load.force.end());
+  return all;
 }
 
-void ShownLoads::show(const std::string& part, const AskedLoad& load) {
-  AskedLoad& most = shown_[part];
-  most = {.weight = std::max(most.weight, load.weight), .least = std::max(most.least, load.least)};
+void ShownLoads::show(const std::string& part, const MachineLoads& loads, double borne) {
+  Shown& own = shown_[part];
+  own.loads.insert(loads);
+  own.most = std::max(own.most, borne);
 }
 
-void ShownLoads::leave_out(const std::string& part, const AskedLoad& load, const std::string& words) {
-  const auto [at, is_first] =
-      left_out_.try_emplace(part, LeftOut{.most = load, .first = words, .heaviest = words, .hardest = words});
-  if (is_first) return;
+void ShownLoads::leave_out(const std::string& part, const MachineLoads& loads, const BorneAtRest& borne,
+                           const std::string& words) {
+  first_.try_emplace(part, words);
+  const auto [at, is_new] =
+      left_out_[part].try_emplace(loads, LeftOut{.borne = borne, .by_least = words, .by_most = words});
+  if (is_new) return;
   LeftOut& one = at->second;
-  if (is_more(load.weight, one.most.weight)) {
-    one.most.weight = load.weight;
-    one.heaviest = words;
+  if (borne.least > one.borne.least) {
+    one.borne.least = borne.least;
+    one.by_least = words;
   }
-  if (is_more(load.least, one.most.least)) {
-    one.most.least = load.least;
-    one.hardest = words;
+  if (borne.most > one.borne.most) {
+    one.borne.most = borne.most;
+    one.by_most = words;
   }
 }
 
 std::map<std::string, ShownLoads::Missing> ShownLoads::missing() const {
   std::map<std::string, Missing> parts;
-  for (const auto& [part, one] : left_out_) {
+  for (const auto& [part, all] : left_out_) {
     const auto known = shown_.find(part);
     if (known == shown_.end()) {
-      parts.emplace(part, Missing{.words = one.first, .by_less = false});
-    } else if (is_more(one.most.weight, known->second.weight)) {
-      parts.emplace(part, Missing{.words = one.heaviest});
-    } else if (is_more(one.most.least, known->second.least)) {
-      parts.emplace(part, Missing{.words = one.hardest});
+      parts.emplace(part, Missing{.words = first_.at(part), .by_less = false});
+      continue;
+    }
+    double most = known->second.most;
+    for (const auto& [loads, one] : all) {
+      const bool same = known->second.loads.contains(loads);
+      const double asks = same ? one.borne.least : one.borne.most;
+      if (asks <= (1 + same_pull) * most) continue;
+      most = asks;
+      parts[part] = {.words = same ? one.by_least : one.by_most};
     }
   }
   return parts;

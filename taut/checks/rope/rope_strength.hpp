@@ -32,8 +32,8 @@ struct StrengthInUse {
   std::vector<Doubt> doubts;  ///< the unverified numbers in it: of the heat, and the breaking force itself
 };
 
-/// By its entry under `checks: ropes`. `around`: the highest temperature of the machine, K. Without an entry all of the
-/// cold strength: that a hot rope has none is told elsewhere (add_unjudged_heat).
+/// By its entry under `checks: ropes`. `around`: the highest temperature of the machine, K. Without an entry it is all
+/// of the cold strength; add_unjudged_heat tells of hot ropes without one.
 StrengthInUse strength_in_use(const CheckedDeck& deck, std::size_t reeving, std::optional<double> around);
 /// The same with the highest temperature of all analyses.
 StrengthInUse strength_in_use(const CheckedDeck& deck, std::size_t reeving);

@@ -83,7 +83,8 @@ tl::expected<Json, FileError> read_manifest(const fs::path& folder) {
   return manifest;
 }
 
-constexpr const char* last_column = "weaker";
+/// Also tells by which program the cases were calculated: one that knew fewer kinds of flaws called it "weaker".
+constexpr const char* last_column = "weaker_parts";
 constexpr std::size_t columns_beside = 5;  ///< beside inputs and outputs: case, status, reason, flaws, weaker
 
 const char* word_of(CaseFlaw::Kind kind) {

@@ -302,7 +302,7 @@ bool ends_at_strength(const Study& study, const StudyLimit& limit, const std::st
   const bool is_share = name.ends_with(share);
   if (is_share) name.remove_suffix(share.size());
   if (name.ends_with(".safety_factor")) return is_share || value >= 1;
-  if (!name.ends_with(breaking_check) && !name.ends_with(yield_check)) return true;
+  if (name != "T_max" && !name.ends_with(breaking_check) && !name.ends_with(yield_check)) return true;
   if (is_share) return value <= 1;
   const auto strength = strengths.find(part);
   return strength == strengths.end() || value <= strength->second;
