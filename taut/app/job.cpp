@@ -28,6 +28,21 @@ struct Prepared {
   std::function<Result()> calculate;
 };
 
+bool replaces_analyses(const std::string& set) { return set.starts_with("analyses="); }
+
+/// Mistakes of the blocks `study` and `calibrate`, which a run leaves out. They are about the deck's own analyses:
+/// where
+/// `--set analyses=...` puts others in place of these, nothing is said of them.
+void add_mistakes_of_blocks(const Job& job, const io::Deck& deck, Diagnostics& mistakes) {
+  const io::Node& blocks = blocks_of(deck);
+  if (blocks.find("study") == nullptr && blocks.find("calibrate") == nullptr) return;
+  if (std::any_of(job.set.begin(), job.set.end(), replaces_analyses)) return;
+  const auto read = read_cases(job);
+  if (!read) return;
+  for (const auto& more : {check_study(*read), check_calibration(*read)})
+    mistakes.insert(mistakes.end(), more.begin(), more.end());
+}
+
 Prepared prepare(const Job& job) {
   Prepared p;
   p.deck = io::read_deck(job.text, job.name, job.set, method_names(), p.mistakes, job.read);
@@ -39,6 +54,7 @@ Prepared prepare(const Job& job) {
     p.calculate =
         prepare_method(*method, p.deck->input, others, {.progress = job.progress, .display = display}, p.mistakes);
   }
+  if (p.mistakes.empty()) add_mistakes_of_blocks(job, *p.deck, p.mistakes);
   if (!p.mistakes.empty()) p.calculate = {};
   return p;
 }
@@ -60,11 +76,8 @@ std::string words_of(const io::Node& analysis) {
 
 /// The analyses of the deck that `--set analyses=...` has put others in place of: their checks are not made.
 std::vector<std::string> put_aside(const Job& job, const io::Deck& deck) {
-  const auto replaces = [](const std::string& one) { return one.starts_with("analyses="); };
-  const auto first = std::find_if(job.set.begin(), job.set.end(), replaces);
-  if (first == job.set.end()) return {};
   std::vector<std::string> others = job.set;
-  others.erase(std::remove_if(others.begin(), others.end(), replaces), others.end());
+  if (std::erase_if(others, replaces_analyses) == 0) return {};
   Diagnostics ignored;
   const auto own = io::read_deck(job.text, job.name, others, method_names(), ignored, job.read);
   if (!own) return {};
@@ -111,14 +124,6 @@ Result run(const Job& job) {
   return r;
 }
 
-Diagnostics check(const Job& job) {
-  Diagnostics mistakes = prepare(job).mistakes;
-  if (!mistakes.empty()) return mistakes;
-  const auto read = read_cases(job);
-  if (!read) return mistakes;
-  for (const auto& more : {check_study(*read), check_calibration(*read)})
-    mistakes.insert(mistakes.end(), more.begin(), more.end());
-  return mistakes;
-}
+Diagnostics check(const Job& job) { return prepare(job).mistakes; }
 
 }  // namespace taut::app

@@ -27,13 +27,13 @@ struct Job {
 };
 
 /// Reads the deck, runs its method or machine, and returns everything a report needs. The program calls it for every
-/// deck.
+/// deck. Its `study` and `calibrate` are checked, and not calculated.
 /// Returns status bad_deck with `errors` for mistakes of the deck, and infeasible or not_converged where there is no
 /// answer. Throws ContractViolation only for a bug of taut.
 Result run(const Job& job);
 
-/// Reads and checks the deck without calculating, its `study` and `calibrate` too. Returns its mistakes; empty when
-/// there is none.
+/// Reads and checks the deck without calculating. Returns the mistakes for which `run` refuses it; empty when there is
+/// none.
 Diagnostics check(const Job& job);
 
 /// Why a file could not be read or written: exit code 5.

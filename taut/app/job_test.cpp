@@ -84,6 +84,36 @@ machine:
   EXPECT_NE(mistakes[0].message.find("the left side is in kg m s^-2"), std::string::npos) << mistakes[0].message;
 }
 
+// What `check` refuses a run refuses, and the other way round. Of a study of other analyses nothing is said.
+TEST(Job, AMistakeOfABlockThatARunLeavesOutIsOneOfTheDeck) {
+  const auto job = [](const std::string& blocks, const std::vector<std::string>& set) {
+    return Job{.text = R"(taut: 1
+machine:
+  points: {top: [0 m, 0 m, 20 m]}
+  ropes: {r: {mass: 0 kg/m, stiffness: 50 MN, breaking_force: 200 kN}}
+  bodies: {b: {mass: 1 t, at: [0 m, 0 m, 0 m], free: [z]}}
+  reevings: [{rope: r, path: [{anchor: top}, {anchor: b}], length: 20 m}]
+analyses: [{transient: {duration: 0.01 s}}]
+)" + blocks,
+               .name = "d",
+               .set = set};
+  };
+  const std::string good =
+      "study: {vary: {'analyses[0].transient.duration': {normal: {mean: 0.01 s, cov: 0.1}}}, of: [transient.T_max]}\n";
+  const std::string bad =
+      "study: {vary: {machine.bodies.b.mass: {normal: {mean: 2 m, cov: 0.1}}}, of: [transient.T_max]}\n";
+  const std::string lost = "calibrate: {free: {machine.bodies.b.mass: {}}, measured: {file: nowhere.csv}}\n";
+  const std::vector<std::string> none, other = {"analyses=[{equilibrium: {}}]"};
+  EXPECT_EQ(run(job(good, none)).status, Status::ok) << to_text(run(job(good, none)).errors);
+  EXPECT_EQ(run(job(good, other)).status, Status::ok) << to_text(run(job(good, other)).errors);
+  for (const std::string& blocks : {bad, lost}) {
+    const Result r = run(job(blocks, none));
+    EXPECT_EQ(r.status, Status::bad_deck) << blocks;
+    EXPECT_EQ(to_text(r.errors), to_text(check(job(blocks, none))));
+    EXPECT_EQ(r.errors.size(), 1U) << to_text(r.errors);
+  }
+}
+
 /// Gives the files of a map, and notes what it was asked for.
 struct Given {
   std::map<std::string, std::string> files;

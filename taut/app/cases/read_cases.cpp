@@ -55,7 +55,7 @@ tl::expected<ReadCases, Outcome> read_with(Job job, const std::vector<std::strin
 
 }  // namespace
 
-const io::Node& ReadCases::blocks() const { return deck.is_machine || !deck.others ? deck.input : *deck.others; }
+const io::Node& blocks_of(const io::Deck& deck) { return deck.is_machine || !deck.others ? deck.input : *deck.others; }
 
 MadeCases ReadCases::cases(const CaseQuestion& question) const {
   const auto describe = [parameters = deck.parameters](const std::string& path) {

@@ -13,6 +13,9 @@
 
 namespace taut::app {
 
+/// The map of a deck with the blocks `study` and `calibrate`.
+const io::Node& blocks_of(const io::Deck& deck);
+
 /// A deck that was read without a mistake, to be asked for cases.
 struct ReadCases {
   io::Deck deck;
@@ -22,8 +25,8 @@ struct ReadCases {
   Job job;           ///< that it was read from
   std::string hash;  ///< of the deck, all that it names, and what was set over it
 
-  /// The map with the blocks `study` and `calibrate`; paths of complaints begin there.
-  const io::Node& blocks() const;
+  /// As blocks_of; paths of complaints begin there.
+  const io::Node& blocks() const { return blocks_of(deck); }
   /// Without outputs nothing is calculated: the inputs alone are looked up.
   MadeCases cases(const CaseQuestion& question) const;
   /// The same text for all spellings of a number's path; the path itself where it leads to none.
