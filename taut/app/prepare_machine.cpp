@@ -171,15 +171,11 @@ Outcome put_up(const MachineDeck& deck, machine::Model& model, PutUpStates& stat
   if (Outcome outcome = study::install_guys(built, &states.moments); !outcome.ok()) return outcome;
   if (!states.moments.empty()) states.stands_on_guys = study::stand_on_guys(built, machine.reevings.size());
   if (Outcome outcome = study::put_up_lines(built, states.lines); !outcome.ok()) return outcome;
-  if (!deck.put_up_on) return study::set_screws(model, &states.moments);
-  study::keep_guys(machine, built, model);
-  study::keep_lines(built, model);
-  // on the ropes of the case, at the temperature at which the others are put up
-  machine::Model set = model;
-  if (machine.temperature) study::set_temperature(set, deck.machine, *machine.temperature);
-  if (Outcome outcome = study::set_screws(set, &states.moments); !outcome.ok()) return outcome;
-  study::keep_screws(set, model);
-  return {};
+  if (deck.put_up_on) {
+    study::keep_guys(machine, built, model);
+    study::keep_lines(built, model);
+  }
+  return study::set_screws_as_on(machine, deck.machine, model, &states.moments);
 }
 
 void add_payload_limits(const std::vector<study::Asked>& asked, results::MachineRun& run) {
@@ -288,6 +284,9 @@ Result compute(const MachineDeck& deck, machine::Model model, study::AskedAll as
   run.model = std::move(model);
   run.equilibria = std::move(asked.equilibria);
   run.paths = std::move(asked.paths);
+  for (study::Asked& one : asked.more) {
+    if (auto* sweep = std::get_if<study::SweepRun>(&one.question)) sweep->put_up_on = deck.put_up_on;
+  }
   run.progress = progress;
   run.display = deck.display;
   Result r = described(deck, run.model, report);
@@ -313,7 +312,7 @@ Result compute(const MachineDeck& deck, machine::Model model, study::AskedAll as
     results::add_tables(run, r);
     results::add_beam_tables(run, r);
   }
-  if (run.judges && run.tells) run.checked->judge.add_values(r);
+  if (run.judges) run.tells ? run.checked->judge.add_values(r) : run.checked->judge.add_tensions(r);
   results::add_values(run, r);
   results::warn_of_strain(deck.machine, deck.chosen, run.model, run.display, r);
   if (run.judges) run.checked->drives.add_checks(r);
@@ -336,7 +335,7 @@ Result compute(const MachineDeck& deck, machine::Model model, study::AskedAll as
   }
   SweptVerdict swept = judge_apart(deck, run, r);
   if (run.judges) checks::add_checks(deck, run.model, *run.checked, r);
-  std::move(swept).put_values_into(r);
+  std::move(swept).put_numbers_into(r);
   return r;
 }
 
@@ -373,8 +372,14 @@ SweptVerdict judge_apart(const MachineDeck& deck, const results::MachineRun& run
         verdict.take(refused({{.path = "", .message = machine.error().message}}), words);
         continue;
       }
+      auto put_up_on = study::put_up_on_at(sweep, point.value);
+      if (!put_up_on) {
+        verdict.take(refused({{.path = "", .message = put_up_on.error().message}}), words);
+        continue;
+      }
       MachineDeck there = deck;
       there.machine = *std::move(machine);
+      there.put_up_on = *std::move(put_up_on);
       std::vector<Complaint> complaints;
       auto model = machine::compile(there.machine, machine::ModelFor::rest);
       if (model) there.asked = checks::resolve(there, *model, complaints);

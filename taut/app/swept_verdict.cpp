@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <regex>
 #include <utility>
 #include <vector>
@@ -14,13 +15,54 @@
 namespace taut::app {
 namespace {
 
+constexpr double rounding = 1e-9;  ///< of a number: the same state found once more
+
+/// Whether it is the worse value of a name; a number is worse than none.
+bool is_worse(double one, double known, Sense side) {
+  if (!std::isfinite(known)) return std::isfinite(one);
+  const double by = side == Sense::at_least ? known - one : one - known;
+  return by > rounding * std::abs(known);
+}
+
 /// One value of each name: the worse one.
 void keep_worst(Value one, std::vector<Value>& values) {
   const auto known = std::find_if(values.begin(), values.end(), [&](const Value& v) { return v.name == one.name; });
   if (known == values.end()) {
     values.push_back(std::move(one));
-  } else if (checks::worst_side(one.name) == Sense::at_least ? one.value < known->value : one.value > known->value) {
+  } else if (is_worse(one.value, known->value, *checks::worst_side(one.name))) {
     *known = std::move(one);
+  }
+}
+
+/// The largest number of a row in these columns; NaN: none.
+double largest_of(const Table& table, const std::vector<Cell>& row, const std::vector<std::string>& columns) {
+  double largest = std::nan("");
+  for (std::size_t i = 0; i < row.size(); ++i) {
+    const double* number = std::get_if<double>(&row[i]);
+    if (number != nullptr && std::find(columns.begin(), columns.end(), table.columns[i].name) != columns.end()) {
+      largest = std::fmax(largest, *number);
+    }
+  }
+  return largest;
+}
+
+/// One row of each part, which the first column names: the worse one.
+void keep_worst_rows(const Table& one, std::vector<Table>& tables) {
+  const std::vector<std::string> columns = checks::worst_columns(one.name);
+  if (columns.empty()) return;
+  const auto known = std::find_if(tables.begin(), tables.end(), [&](const Table& t) { return t.name == one.name; });
+  if (known == tables.end()) {
+    tables.push_back(one);
+    return;
+  }
+  for (const std::vector<Cell>& row : one.rows) {
+    const auto same = std::find_if(known->rows.begin(), known->rows.end(),
+                                   [&](const std::vector<Cell>& other) { return other.front() == row.front(); });
+    if (same == known->rows.end()) {
+      known->rows.push_back(row);
+    } else if (is_worse(largest_of(one, row, columns), largest_of(*known, *same, columns), Sense::at_most)) {
+      *same = row;
+    }
   }
 }
 
@@ -73,6 +115,7 @@ void SweptVerdict::take(Result at, const std::string& words) {
     one.label += fmt::format(", {}", words);
     keep_worst(std::move(one), values_);
   }
+  for (const Table& one : at.tables) keep_worst_rows(one, tables_);
   take_warnings(at, words);
   for (std::string& one : at.unmade) {
     const About own = about_of(at, one);
@@ -99,8 +142,9 @@ void SweptVerdict::take_warnings(const Result& at, const std::string& words) {
 
 void SweptVerdict::put_into(Result& r) { results::append(all_, r); }
 
-void SweptVerdict::put_values_into(Result& r) && {
+void SweptVerdict::put_numbers_into(Result& r) && {
   for (Value& one : values_) keep_worst(std::move(one), r.values);
+  for (const Table& one : tables_) keep_worst_rows(one, r.tables);
 }
 
 }  // namespace taut::app

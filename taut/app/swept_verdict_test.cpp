@@ -52,12 +52,17 @@ TEST(SweptVerdict, KeepsTheWorstValueOfTheChecks) {
   verdict.take(valued(4, 0.5, 10), "d = 20 mm");
   verdict.take(valued(2, 0.3, 20), "d = 16 mm");
   Result r = valued(3, 0.4, 15);
-  std::move(verdict).put_values_into(r);
+  std::move(verdict).put_numbers_into(r);
   ASSERT_EQ(r.values.size(), 3U);
   EXPECT_EQ(r.values[0].value, 2);
   EXPECT_EQ(r.values[0].label, "factor of sky (at rest), d = 16 mm");
   EXPECT_EQ(r.values[1].value, 0.5);
-  EXPECT_EQ(r.values[2].value, 15);
+  EXPECT_EQ(r.values[2].value, 20);
+  // the same state found once more keeps its words
+  SweptVerdict again;
+  again.take(valued(2 - 1e-12, 0.5, 20), "d = 16 mm");
+  std::move(again).put_numbers_into(r);
+  EXPECT_EQ(r.values[0].label, "factor of sky (at rest), d = 16 mm");
 }
 
 /// r1 and r2 are two ropes; 1 m and 2 m are the same of two states.

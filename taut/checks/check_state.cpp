@@ -246,6 +246,11 @@ std::string span_words(const machine::Model& m, int reeving, int from, int to) {
   return fmt::format("{} between {} and {}", rope.name, rope.nodes[from].name, rope.nodes[to].name);
 }
 
+std::string ground_words(const machine::Model& model, double chainage, const Display& display) {
+  const bool is_x = model.terrain_along == Vector3::UnitX() && model.terrain_from.x() == 0;
+  return fmt::format("{}{}", is_x ? "x = " : "chainage ", display.brief(chainage, si::m));
+}
+
 std::string gap_words(const std::string& what, const study::TerrainGap& gap, const Display& display) {
   const auto length = [&](double x) { return display.brief(x, si::m); };
   return fmt::format(

@@ -89,6 +89,9 @@ inline constexpr std::string_view put_up_analysis = "installation";
 /// "skyline between head and car".
 std::string span_words(const machine::Model& model, int reeving, int from, int to);
 
+/// A place on the ground, by its chainage: "x = 12 m" where that is x, else "chainage 12 m".
+std::string ground_words(const machine::Model& model, double chainage, const Display& display);
+
 /// Why a clearance that is asked for is not judged everywhere: "skyline: its clearance is not judged on 12 m ...".
 std::string gap_words(const std::string& what, const study::TerrainGap& gap, const Display& display);
 

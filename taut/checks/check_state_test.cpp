@@ -159,4 +159,14 @@ TEST(CheckState, names_of_analyses) {
   EXPECT_EQ(analysis_words("_work", "load path"), "work");
 }
 
+TEST(CheckState, AChainageThatIsNoXIsNotCalledX) {
+  machine::Model m;
+  EXPECT_EQ(ground_words(m, 12, Display()), "x = 12 m");
+  m.terrain_from = {-20, 0, 0};
+  EXPECT_EQ(ground_words(m, 340, Display()), "chainage 340 m");
+  m.terrain_from = {0, 0, 0};
+  m.terrain_along = {0, 1, 0};
+  EXPECT_EQ(ground_words(m, 12, Display()), "chainage 12 m");
+}
+
 }  // namespace taut::checks::check_state_test

@@ -179,11 +179,20 @@ const std::vector<CheckWords>& check_words() {
 std::optional<Sense> worst_side(const std::string& name) {
   const auto part_of = [](const std::string& of) { return of.substr(of.rfind('.') + 1); };
   const std::string part = part_of(name);
-  const bool known = std::any_of(value_kinds().begin(), value_kinds().end(), [&](const ValueKind& kind) {
-    return kind.of != every_state && part_of(kind.about.name) == part;
-  });
+  const bool known = std::any_of(value_kinds().begin(), value_kinds().end(),
+                                 [&](const ValueKind& kind) { return part_of(kind.about.name) == part; });
   if (!known) return std::nullopt;
-  return part == "dynamic_safety_factor" || part == "life_repeats" ? Sense::at_least : Sense::at_most;
+  for (const char* least :
+       {"safety_factor", "dynamic_safety_factor", "life_repeats", "clearance_min", "rope_clearance_min"}) {
+    if (part == least) return Sense::at_least;
+  }
+  return Sense::at_most;
+}
+
+std::vector<std::string> worst_columns(const std::string& table) {
+  if (table == anchor_words().name || table == support_words().name) return {"force"};
+  if (table == mast_words().name) return {"section_use", "buckling", "member"};
+  return {};
 }
 
 std::vector<TableWords> table_words() {

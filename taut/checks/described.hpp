@@ -26,8 +26,12 @@ struct CheckWords {
 /// The checks of `checks:` that have no other name in a deck or among the values. docs/guide/checks.md has them all.
 const std::vector<CheckWords>& check_words();
 
-/// Of a value that `checks:` of a machine adds, whether the least or the largest of several states is the worst one;
-/// empty: another value.
+/// Of a value of the verdict's states, or that `checks:` of a machine adds, whether the least or the largest of several
+/// states is the worst one; empty: another value.
 std::optional<Sense> worst_side(const std::string& name);
+
+/// The columns by whose largest number a table with one row a part takes the worst of several states; empty: another
+/// table.
+std::vector<std::string> worst_columns(const std::string& table);
 
 }  // namespace taut::checks

@@ -107,6 +107,9 @@ class Judge {
   /// rest, the checks that can only fail (breaking force, ground), and the warnings of states.
   void add_values(Result& r) const;
 
+  /// Of these T_max, NAME.T_max, NAME.safety_factor and the checks of breaking force alone.
+  void add_tensions(Result& r) const;
+
   /// What the verdict speaks of, once all checks are there: parts without a limit, parts that the deck exempts, parts
   /// beside the verdict; checks at their very limit by a payload pass.
   void add_scope(Result& r) const;
@@ -198,7 +201,6 @@ class Judge {
   void take_places(const machine::Model& model, const solve::EquilibriumResult& state, const std::string& words);
   std::string strength_trust(std::size_t reeving) const;
   bool may_slack(const std::string& reeving) const;
-  void add_tensions(Result& r) const;
   void add_strength(std::size_t reeving, const RopeWorst& own, Result& r) const;
   void add_heights(Result& r) const;
   void add_scope_of(const Part& part, const std::vector<Part>& exempt, Result& r) const;

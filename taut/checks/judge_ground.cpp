@@ -195,7 +195,8 @@ void Judge::take_footings(const machine::Model& m, const solve::EquilibriumResul
 }
 
 void Judge::add_heights(Result& r) const {
-  const auto length = [&](double x) { return deck_->display.brief(x, si::m); };
+  const auto length = [&](double height) { return deck_->display.brief(height, si::m); };
+  const auto place = [&](double x) { return ground_words(*model_, x, deck_->display); };
   const auto add = [&](const std::map<std::string, Height>& all, PartKind kind_of_part, const char* name) {
     const Height* least = nullptr;
     for (const auto& [part, one] : all) {
@@ -206,7 +207,7 @@ void Judge::add_heights(Result& r) const {
           part + ".ground", one.value, si::m,
           {.sense = Sense::at_least,
            .limit = 0,
-           .rule = fmt::format("{} is {} below the ground at x = {}", one.part, length(-one.value), length(one.x)),
+           .rule = fmt::format("{} is {} below the ground at {}", one.part, length(-one.value), place(one.x)),
            .trust = "user"});
       c.utilisation = std::numeric_limits<double>::quiet_NaN();  // a limit of 0 m is no measure
       c.part = part;
@@ -217,9 +218,9 @@ void Judge::add_heights(Result& r) const {
     }
     if (least == nullptr) return;
     const ValueKind& kind = named(value_kinds(), name);
-    r.values.push_back(make_value(
-        kind, "", "", least->value,
-        fmt::format("{}: {} at x = {} ({})", kind.about.words, least->part, length(least->x), least->where)));
+    r.values.push_back(
+        make_value(kind, "", "", least->value,
+                   fmt::format("{}: {} at {} ({})", kind.about.words, least->part, place(least->x), least->where)));
   };
   add(carriages_, PartKind::carriage, "clearance_min");
   add(rope_heights_, PartKind::rope, "rope_clearance_min");

@@ -11,6 +11,7 @@
 #include "taut/base/array.hpp"
 #include "taut/machine/compile/guides.hpp"
 #include "taut/math/index.hpp"
+#include "taut/study/deck/temperature.hpp"
 
 namespace taut::study {
 namespace {
@@ -157,6 +158,16 @@ Outcome set_screws(machine::Model& model, std::vector<PutUpMoment>* moments) {
     body.free.clear();
     model.loads[screw.load].force = Vector3::Zero();
   }
+  return {};
+}
+
+Outcome set_screws_as_on(const machine::Machine& on, const machine::Machine& own, machine::Model& model,
+                         std::vector<PutUpMoment>* moments) {
+  if (model.screws.empty()) return {};
+  machine::Model set = model;
+  if (&on != &own && on.temperature) set_temperature(set, own, *on.temperature);
+  if (Outcome outcome = set_screws(set, moments); !outcome.ok()) return outcome;
+  keep_screws(set, model);
   return {};
 }
 

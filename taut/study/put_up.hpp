@@ -46,6 +46,11 @@ machine::Model without_loads(const machine::Model& model);
 /// `moments`: gets the machine at that moment.
 Outcome set_screws(machine::Model& model, std::vector<PutUpMoment>* moments = nullptr);
 
+/// The same for the load case `own` of the machine `on`, as whose ropes those of the model were put up: at the
+/// temperature of that one.
+Outcome set_screws_as_on(const machine::Machine& on, const machine::Machine& own, machine::Model& model,
+                         std::vector<PutUpMoment>* moments = nullptr);
+
 /// Puts up the guys that have a tension: on the machine with its bodies held and nothing but the guys; each of them
 /// then keeps its length. `moments`: gets the guys at that moment.
 Outcome install_guys(machine::Model& model, std::vector<PutUpMoment>* moments = nullptr);

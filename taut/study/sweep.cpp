@@ -80,6 +80,35 @@ tl::expected<Parameter, Outcome> put_into(machine::Machine& machine, const Sweep
   return *std::move(parameter);
 }
 
+/// Guys and lines at a value of the sweep: put up anew where it changes what they are built on, else as `installed`.
+Outcome put_up_at(const Parameter& parameter, const machine::Machine& machine, const machine::Model& installed,
+                  machine::Model& model) {
+  if (!changes_the_building(parameter)) {
+    keep_guys(machine, installed, model);
+  } else if (Outcome outcome = install_guys(model); !outcome.ok()) {
+    return outcome;
+  }
+  if (!puts_up_anew(parameter)) {
+    keep_lines(installed, model);
+    return {};
+  }
+  std::vector<PutUpLine> lines;
+  return put_up_lines(model, lines);
+}
+
+/// The same on the machine on which they are put up.
+Outcome put_up_on_other(const SweepRun& run, double value, const Parameter& parameter, const machine::Model& installed,
+                        machine::Model& model) {
+  const auto on = put_up_on_at(run, value);
+  if (!on) return on.error();
+  auto built = machine::compile(**on, machine::ModelFor::rest);
+  if (!built) return infeasible(built.error().front().message);
+  if (Outcome outcome = put_up_at(parameter, **on, installed, *built); !outcome.ok()) return outcome;
+  keep_guys(**on, *built, model);
+  keep_lines(*built, model);
+  return {};
+}
+
 tl::expected<machine::Model, Outcome> model_at(const SweepRun& run, const machine::Model& installed, double value) {
   if (below_machine(run.parameter) == "temperature") {
     machine::Model warm = installed;
@@ -91,23 +120,15 @@ tl::expected<machine::Model, Outcome> model_at(const SweepRun& run, const machin
   if (!parameter) return tl::unexpected(parameter.error());
   auto model = machine::compile(machine, machine::ModelFor::rest);
   if (!model) return tl::unexpected(infeasible(model.error().front().message));
-  if (changes_the_building(*parameter)) {
-    const Outcome outcome = install_guys(*model);
-    if (!outcome.ok()) return tl::unexpected(outcome);
-  } else {
-    keep_guys(machine, installed, *model);
-  }
-  std::vector<PutUpLine> lines;
-  if (puts_up_anew(*parameter)) {
-    if (const Outcome outcome = put_up_lines(*model, lines); !outcome.ok()) return tl::unexpected(outcome);
-  } else {
-    keep_lines(installed, *model);
-  }
+  Outcome outcome = run.put_up_on ? put_up_on_other(run, value, *parameter, installed, *model)
+                                  : put_up_at(*parameter, machine, installed, *model);
+  if (!outcome.ok()) return tl::unexpected(std::move(outcome));
   if (hauls(*parameter)) keep_wholes(installed, *model);
   if (loads_alone(*parameter)) {
     keep_screws(installed, *model);
-  } else if (const Outcome outcome = set_screws(*model); !outcome.ok()) {
-    return tl::unexpected(outcome);
+  } else {
+    outcome = set_screws_as_on(run.put_up_on ? *run.put_up_on : machine, machine, *model);
+    if (!outcome.ok()) return tl::unexpected(std::move(outcome));
   }
   return placed(*model, run);
 }
@@ -189,6 +210,15 @@ tl::expected<machine::Machine, Outcome> machine_at(const SweepRun& run, double v
   machine::Machine machine = *run.machine;
   if (auto parameter = put_into(machine, run, value); !parameter) return tl::unexpected(parameter.error());
   return machine;
+}
+
+tl::expected<std::shared_ptr<const machine::Machine>, Outcome> put_up_on_at(const SweepRun& run, double value) {
+  if (!run.put_up_on) return run.put_up_on;
+  machine::Machine machine = *run.put_up_on;
+  const auto parameter = put_into(machine, run, value);
+  if (!parameter) return tl::unexpected(parameter.error());
+  if (!puts_up_anew(*parameter)) return run.put_up_on;
+  return std::make_shared<const machine::Machine>(std::move(machine));
 }
 
 EquilibriumRun state_at(const SweepRun& run, const solve::SweepPoint& point) {

@@ -1,4 +1,5 @@
 #pragma once
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -45,6 +46,8 @@ struct SweepRun {
   /// the deck with that value. Else (loads, lengths and tensions of ropes, temperature) as all states of the deck.
   bool judged_apart = false;
   const machine::Machine* machine = nullptr;
+  /// The machine on which lines and guys are put up, where `machine` is a load case of another one; null: itself.
+  std::shared_ptr<const machine::Machine> put_up_on;
   solve::Sweep answer;
 };
 
@@ -54,6 +57,9 @@ bool puts_up_anew(const Parameter& parameter);
 
 /// The machine of a sweep at one of its values.
 tl::expected<machine::Machine, Outcome> machine_at(const SweepRun& run, double value);
+
+/// `put_up_on` there: with that value where it puts lines and guys up anew.
+tl::expected<std::shared_ptr<const machine::Machine>, Outcome> put_up_on_at(const SweepRun& run, double value);
 
 /// The state of a sweep at one of its points as an equilibrium of that machine, to be solved from there.
 EquilibriumRun state_at(const SweepRun& run, const solve::SweepPoint& point);

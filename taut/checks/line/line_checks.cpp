@@ -139,10 +139,11 @@ void take_gap(const study::TerrainGap& gap, LineStates& line) {
   if (gap.missing() > line.gap.missing()) line.gap = gap;
 }
 
-/// "load path, at rest, x = 40 m, at x = 12 m, 9 m from its fixed end"; the second x along the terrain.
+/// "load path, at rest, x = 40 m, at x = 12 m, 9 m from its fixed end".
 std::string place_words(const machine::Model& model, const std::string& words, const study::RopeClearance& found,
                         const Display& display) {
-  const std::string place = fmt::format("{}, at x = {}", words, display.brief(terrain_x(model, found.place), si::m));
+  const std::string place =
+      fmt::format("{}, at {}", words, ground_words(model, terrain_x(model, found.place), display));
   return found.to_end ? fmt::format("{}, {} from its fixed end", place, display.brief(*found.to_end, si::m)) : place;
 }
 
@@ -163,7 +164,7 @@ void take_rounds(const CheckState& state, LineStates& line) {
   const auto take_place = [&](const Vector3& place) {
     const double x = terrain_x(*state.model, place), height = place.z() - study::ground_height(state.model->terrain, x);
     if (std::isnan(height)) return;
-    line.clearance.least(height, fmt::format("{}, at x = {}", state.words, line.display.brief(x, si::m)));
+    line.clearance.least(height, fmt::format("{}, at {}", state.words, ground_words(*state.model, x, line.display)));
   };
   const auto& all = state.branches;
   const auto same = [](const CheckBranch& a, const CheckBranch& b) {  // pieces of a rope in segments

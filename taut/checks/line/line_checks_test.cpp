@@ -141,7 +141,7 @@ machine:
 checks: {lines: {skyline: {clearance: true}}}
 )");
   EXPECT_THAT(check_of(r, "skyline.clearance").where + check_of(r, "skyline.clearance").rule,
-              testing::HasSubstr("at x = 50 m"));
+              testing::HasSubstr("at chainage 50 m"));
 }
 
 /// In motion the rope may come nearer to the ground than at rest: it is let out by 50 mm, and comes to rest again.
