@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "taut/app/job.hpp"
 
@@ -366,6 +367,32 @@ analyses: [equilibrium: {motion: out}]
     const auto [T, angle] = end_tension(fmt::format("{{over: bollard, turns: {}}}", turns));
     EXPECT_NEAR(angle, wrap + 2 * M_PI * turns, 0.02) << "the load hangs a little elsewhere";
     EXPECT_NEAR(T, 2000 * 9.80665 * std::exp(0.2 * angle), 1e-6 * T);
+  }
+}
+
+// The load is a point of its rope, not a body that could leave it: the upper strand of this loop, whose sag takes it
+// off its rounds, had no answer ("body 'cut' moves away along x"). T = EA (71.4 m / l - 1) without weight and load.
+TEST(MachineDrives, ALoadStandsOnEitherStrandOfALoop) {
+  const auto loop = [](const char* between, double position) {
+    return run_text(fmt::format(R"(taut: 1
+machine:
+  ropes: {{r: {{mass: 1 kg/m, stiffness: 50 MN, breaking_force: 200 kN}}}}
+  sheaves:
+    a: {{at: [0 m, 0 m, 10 m], diameter: 10 m, friction: 0.3, motor: {{}}}}
+    b: {{at: [20 m, 0 m, 10 m], diameter: 10 m, friction: 0.3}}
+  reevings: [{{name: loop, rope: r, path: [{{over: a}}, {{over: b}}], closed: true, length: 71.40 m}}]
+  rope_loads: [{{name: cut, rope: loop, between: {}, tangential: 0.5 kN, position: {}}}]
+analyses: [{{equilibrium: {{}}}}]
+)",
+                                between, position));
+  };
+  const double middle = 50e6 * ((40 + 10 * std::numbers::pi) / 71.4 - 1);
+  for (const char* between : {"[a, b]", "[b, a]"}) {
+    for (const double position : {0.1, 0.5, 0.9}) {
+      const Result r = loop(between, position);
+      ASSERT_EQ(r.status, Status::ok) << between << position << r.message << to_text(r.errors);
+      EXPECT_NEAR(r.find_value("loop.T_max")->value, middle, 0.1 * middle) << between << position;
+    }
   }
 }
 

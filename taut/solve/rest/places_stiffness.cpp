@@ -32,6 +32,16 @@ mechanics::Layout without_beams(const mechanics::Layout& layout, std::optional<i
   return bare;
 }
 
+/// By body, whether it is the place of a rope load: a point of its rope at a share of it, as free as that.
+Array<bool> points_of_ropes(const mechanics::System& s) {
+  Array<bool> found(s.model.bodies.size(), false);
+  for (const mechanics::Layout::Turn& turn : s.layout.turns) {
+    const machine::Node& node = mechanics::node_of(s, turn);
+    if (node.kind == machine::NodeKind::load) found[node.at.body] = true;
+  }
+  return found;
+}
+
 }  // namespace
 
 std::optional<PlacesStiffness> places_stiffness(const mechanics::System& s, const mechanics::Configuration& c,
@@ -48,8 +58,9 @@ std::optional<PlacesStiffness> places_stiffness(const mechanics::System& s, cons
   mechanics::jacobian(rest, now, e, J, columns);
   PlacesStiffness found;
   Array<int> order;
+  const Array<bool> of_ropes = points_of_ropes(rest);
   for (int i = 0; i < bare.size; ++i) {
-    if (i >= static_cast<int>(bare.dofs.size())) {
+    if (i >= static_cast<int>(bare.dofs.size()) || of_ropes[bare.dofs[i].body]) {
       order.push_back(i);
     } else if (i != kept) {
       found.freedoms.push_back(i);

@@ -8,8 +8,8 @@
 namespace taut::solve {
 
 /// The stiffness of a machine against moving its bodies, N/m, N or N m: ropes and dead forces as in the Jacobian, the
-/// unknowns that are no places eliminated, beams left out. Not symmetric where ropes lose on rounds, or forces act
-/// along them.
+/// unknowns that are no places and the points of rope loads eliminated, beams left out. Not symmetric where ropes lose
+/// on rounds, or forces act along them.
 struct PlacesStiffness {
   Array<int> freedoms;     ///< of the layout's dofs, by row
   Eigen::MatrixXd matrix;  ///< rows: what holds the freedom back; columns: which one moves
