@@ -114,20 +114,32 @@ std::map<int, DrumLoad> loads_of(const Array<solve::DrumResult>& ends, const Arr
   return loads;
 }
 
-/// What a drum bears where the machine of a state stands, which has this torque while its ropes run. Over losses the
-/// tension of a rope falls or grows from the drum on; at rest its pull lies between the smallest and the largest.
+/// What a drum bears where the machine of a state stands while its ropes run. Over losses the tension of a rope falls
+/// or grows from the drum on; at rest its pull lies between the smallest and the largest. Ropes that hold each other on
+/// the drum need not be at the same end of that.
 template <class Branches>
-BorneAtRest borne_at_rest(const Array<solve::DrumResult>& ends, const Branches& branches, int drum, double torque) {
-  double low = 1, high = 1;
+BorneAtRest borne_at_rest(const Array<solve::DrumResult>& ends, const Branches& branches, int drum) {
+  double low = 0, high = 0;
   for (const solve::DrumResult& d : ends) {
     if (d.drum != drum || !(d.pull > 0)) continue;
+    double least = 1, most = 1;
     for (const auto& branch : branches) {
       if (branch.reeving != d.reeving) continue;
-      low = std::min({low, branch.T_from / d.pull, branch.T_to / d.pull});
-      high = std::max({high, branch.T_from / d.pull, branch.T_to / d.pull});
+      least = std::min({least, branch.T_from / d.pull, branch.T_to / d.pull});
+      most = std::max({most, branch.T_from / d.pull, branch.T_to / d.pull});
     }
+    low += d.torque * (d.sense > 0 ? least : -most);
+    high += d.torque * (d.sense > 0 ? most : -least);
   }
-  return {.least = low * torque, .most = high * torque};
+  const double least = low <= 0 && high >= 0 ? 0 : std::min(std::abs(low), std::abs(high));
+  return {.least = least, .most = std::max(std::abs(low), std::abs(high))};
+}
+
+/// Of an equilibrium.
+Situation situation_at(const machine::Model& m, const solve::EquilibriumResult& state) {
+  Array<Vector3> places;
+  for (const auto& body : state.state.bodies) places.push_back(body.position);
+  return situation_of(m, std::move(places));
 }
 
 /// What certainly stays of it where its swings have ceased.
@@ -308,7 +320,7 @@ void DriveUses::take(const machine::Model& m, const solve::EquilibriumResult& st
   std::vector<Check> made;
   for (const auto& d : solve::drives(m, state)) check_drive(m, d, made, unmade_);
   const Array<solve::DrumResult> ends = solve::drums(m, state);
-  keep_winding(m, ends, state);
+  keep_winding(m, ends, state.flow);
   keep_senses(m, ends, state, words);
   for (const auto& [drum, load] : loads_of(ends, state.flow)) {
     check_torque(m.drums[drum], load, made, unmade_);
@@ -320,9 +332,10 @@ void DriveUses::take(const machine::Model& m, const solve::EquilibriumResult& st
     const std::string& name = m.drums[drum].name;
     if (load.stands && stands_by_brake(m.drums[drum])) {
       add_brake_check(m.drums[drum], load, made);
-      brakes_.show(name, machine_loads(m), load.torque);
+      brakes_.show(name, situation_at(m, state), load.torque);
     } else {
-      brakes_.leave_out(name, machine_loads(m), borne_at_rest(ends, state.branches, drum, load.torque), words);
+      brakes_.leave_out(name, situation_at(m, state), borne_at_rest(ends, state.branches, drum),
+                        m.drums[drum].brake->torque, words);
     }
   }
   check_capacities(m, ends, made);
@@ -342,9 +355,8 @@ void DriveUses::take_bound(const machine::Model& m, const solve::EquilibriumResu
 }
 
 /// Swings of a motion go above the pull at rest: what lasts counts, or what it ends with.
-void DriveUses::take_turning(const machine::Model& m, const solve::TransientFrame& frame, int drum, double torque,
-                             long steps) {
-  const BorneAtRest borne = borne_at_rest(solve::drums(m, frame), frame.branches, drum, torque);
+void DriveUses::take_turning(const machine::Model& m, const solve::TransientFrame& frame, int drum, long steps) {
+  const BorneAtRest borne = borne_at_rest(solve::drums(m, frame), frame.branches, drum);
   Turning& turning = turning_[drum];
   turning.least.take(frame.t, borne.least, steps);
   turning.most.take(frame.t, borne.most, steps);
@@ -355,8 +367,9 @@ void DriveUses::take_moment(const machine::Model& m, const solve::TransientFrame
   const std::string when = fmt::format("{}, t = {:.4g} s", words, frame.t);
   check_cylinders(m, frame, when, display_, yielding_);
   const auto drums = solve::drums(m, frame);
-  const double time = frame.t - last_moment_;
+  const double time = last_moment_ ? frame.t - *last_moment_ : 0;
   last_moment_ = frame.t;
+  if (!(time > 0)) keep_winding(m, drums, {});  // a motion begins
   take_slips(m, frame, time, words);
   take_way(drums, time);
   if (!(time > 0)) turning_.clear();  // a motion begins
@@ -371,11 +384,11 @@ void DriveUses::take_moment(const machine::Model& m, const solve::TransientFrame
     const bool by_itself =
         frame.drums[drum].held && (m.drums[drum].drive.kind == machine::DriveKind::held || load.torque > 0);
     if (!by_itself && !frame.drums[drum].braked) {
-      take_turning(m, frame, drum, load.torque, steps);
+      take_turning(m, frame, drum, steps);
       continue;
     }
     add_brake_check(m.drums[drum], load, made);
-    brakes_.show(m.drums[drum].name, machine_loads(m), load.torque);
+    brakes_.show(m.drums[drum].name, situation_of(m), load.torque);
   }
   for (const auto& d : drums) {
     keep_turns(m, d, when);
@@ -425,7 +438,7 @@ void DriveUses::take_set_brakes(const machine::Model& m, const solve::TransientF
   for (const auto& [drum, load] : loads_of(solve::drums(m, rest), {})) {
     if (!stands_by_brake(m.drums[drum]) || !m.drums[drum].drive.brake) continue;
     add_brake_check(m.drums[drum], load, made);
-    brakes_.show(m.drums[drum].name, machine_loads(m), load.torque);
+    brakes_.show(m.drums[drum].name, situation_of(m), load.torque);
   }
   keep(std::move(made), words);
 }
@@ -435,17 +448,19 @@ void DriveUses::take(const machine::Model& m, const solve::TransientResult& moti
     if (!yielding_.contains(part)) unbraked_.try_emplace(part, told);  // one at its limit has its own warning
   }
   slides_.clear();
+  last_moment_.reset();
   for (std::size_t d = 0; d < m.drums.size(); ++d) {
     const machine::Drum& drum = m.drums[d];
     if (!drum.brake) continue;
     const auto turns = turning_.find(static_cast<int>(d));
     const bool acted = d < motion.brake_ways.size() && motion.brake_ways[d].acted;
-    if (acted) brakes_.show(drum.name, machine_loads(m), 0);  // its slip judges it
+    if (acted) brakes_.show(drum.name, situation_of(m), 0);  // its slip judges it
     if (turns != turning_.end()) {
       const auto& [least, most] = turns->second;
-      brakes_.leave_out(drum.name, machine_loads(m), {.least = lasting(least), .most = lasting(most)}, words);
+      const BorneAtRest borne{.least = lasting(least), .most = lasting(most)};
+      brakes_.leave_out(drum.name, situation_of(m), borne, drum.brake->torque, words);
     } else if (!acted) {
-      brakes_.leave_out(drum.name, machine_loads(m), {}, words);
+      brakes_.leave_out(drum.name, situation_of(m), {}, drum.brake->torque, words);
     }
   }
   turning_.clear();
@@ -502,7 +517,7 @@ void DriveUses::add_checks(Result& r) const {
         missing.by_less
             ? fmt::format(
                   "{}.brake_torque is checked under less load only than the drum turns with ({}): add an "
-                  "analysis at rest with that load",
+                  "analysis at rest there, with that load",
                   drum, missing.words)
             : fmt::format(
                   "{}.brake_torque is not checked: the drum turns, bears nothing, or is held by its drive, in every "

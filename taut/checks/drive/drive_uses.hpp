@@ -1,5 +1,6 @@
 #pragma once
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <utility>
@@ -54,14 +55,12 @@ class DriveUses {
                   const std::string& words);
   void keep_slip(const machine::Node& node, double slipped, double limit, const std::string& share,
                  const std::string& words);
-  void take_turning(const machine::Model& model, const solve::TransientFrame& frame, int drum, double torque,
-                    long steps);
+  void take_turning(const machine::Model& model, const solve::TransientFrame& frame, int drum, long steps);
   void take_way(const Array<solve::DrumResult>& drums, double time);
   void take_hauled(const machine::Model& model, const std::string& words);
   void take_brakes(const machine::Model& model, const solve::TransientResult& motion, const std::string& words);
   void keep_turns(const machine::Model& model, const solve::DrumResult& drum, const std::string& words);
-  void keep_winding(const machine::Model& m, const Array<solve::DrumResult>& ends,
-                    const solve::EquilibriumResult& state);
+  void keep_winding(const machine::Model& m, const Array<solve::DrumResult>& ends, Array<Array<int>> flow);
   void keep_senses(const machine::Model& m, const Array<solve::DrumResult>& ends, const solve::EquilibriumResult& state,
                    const std::string& words);
   void keep_free(const machine::Drum& drum, double torque, const std::string& words);
@@ -81,7 +80,7 @@ class DriveUses {
   };
   std::vector<Slide> slides_;             // by contact
   Dragged dragged_;                       // what gives way to its load in it
-  double last_moment_ = 0;                // s, of that motion
+  std::optional<double> last_moment_;     // s, of that motion; none: it has not begun
   std::map<Part, std::string> unbraked_;  // drums whose brake does not hold; drives that give way
   struct Turning {
     LastingTension least, most;  ///< N m, see BorneAtRest

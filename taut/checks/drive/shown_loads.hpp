@@ -1,17 +1,25 @@
 #pragma once
 #include <map>
-#include <set>
 #include <string>
 #include <vector>
 
+#include "taut/base/array.hpp"
 #include "taut/machine/model.hpp"
+#include "taut/math/vector.hpp"
 
 namespace taut::checks {
 
-/// The loads of a machine: masses of its bodies, components of the forces of its loads. Two states with the same ones
-/// differ by their places and by how their ropes run.
-using MachineLoads = std::vector<double>;
-MachineLoads machine_loads(const machine::Model& model);
+/// What a machine bears, and where.
+struct Situation {
+  /// Masses of its bodies, components of the forces of its loads, tensions and torques that are given, forces along its
+  /// ropes.
+  std::vector<double> loads;
+  Array<Vector3> places;  ///< of its bodies, m; empty: a motion, which goes through many
+  double extent = 0;      ///< of the machine, m
+};
+Situation situation_of(const machine::Model& model, Array<Vector3> places);
+/// Of a motion.
+Situation situation_of(const machine::Model& model);
 
 /// What a part would bear where a state that moves stood, N m: between these.
 struct BorneAtRest {
@@ -19,34 +27,36 @@ struct BorneAtRest {
 };
 
 /// Parts that only some states can show: a brake holds while its drum stands. Where the other states may ask more of
-/// them than was shown, they show that too little is known.
+/// them than was shown, and than they hold, they show that too little is known.
 class ShownLoads {
  public:
   /// `borne`: in that state, N m.
-  void show(const std::string& part, const MachineLoads& loads, double borne);
-  /// `words`: which state has the part under those loads, and does not show it.
-  void leave_out(const std::string& part, const MachineLoads& loads, const BorneAtRest& borne,
+  void show(const std::string& part, const Situation& situation, double borne);
+  /// `words`: which state has the part in that situation, and does not show it. `holds`: what the part can bear, N m.
+  void leave_out(const std::string& part, const Situation& situation, const BorneAtRest& borne, double holds,
                  const std::string& words);
 
   struct Missing {
     std::string words;    ///< which state
     bool by_less = true;  ///< the part is shown, under less load; false: it is shown by no state
   };
-  /// By part, in the order of their names. A state with loads that are shown asks at least for its `least`, one with
-  /// other loads for its `most`.
+  /// By part, in the order of their names. A state in a situation that is shown asks at least for its `least`, one in
+  /// another for its `most`.
   std::map<std::string, Missing> missing() const;
 
  private:
   struct Shown {
-    std::set<MachineLoads> loads;
+    std::vector<Situation> situations;
     double most = 0;
   };
   struct LeftOut {
-    BorneAtRest borne;              // the largest of each, which may be of two states
+    Situation situation;
+    BorneAtRest borne;  // the largest of each in it, which may be of two states
+    double holds = 0;
     std::string by_least, by_most;  // the words of these
   };
   std::map<std::string, Shown> shown_;
-  std::map<std::string, std::map<MachineLoads, LeftOut>> left_out_;
+  std::map<std::string, std::vector<LeftOut>> left_out_;
   std::map<std::string, std::string> first_;  // the words of the first that is left out
 };
 
