@@ -24,7 +24,9 @@ struct MethodDesign {
   /// m; 1 where the input does not tell.
   std::function<double(const MethodInput&, const std::string& rope)> rope_length = {};
   std::function<void(MethodInput&, const std::string& section)> put_section = {};  ///< of its one mast, `mast`
-  std::function<double(const MethodInput&)> height = {};                           ///< of that mast, m
+  /// Adds a check to a mast that may be given, but not chosen.
+  std::function<void(Result&)> check_choice = {};
+  std::function<double(const MethodInput&)> height = {};       ///< of that mast, m
   std::function<double(const MethodInput&)> mass = {};         ///< of what else is built: take-up weights, kg
   std::function<std::string(const MethodInput&)> refuse = {};  ///< why its ropes or section can't be chosen
 };

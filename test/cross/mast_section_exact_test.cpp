@@ -385,4 +385,100 @@ TEST(MastSectionExact, AFootThatIsPulledUpIsUnsafe) {
   EXPECT_NE(r.unsafe.back().find("pulled up"), std::string::npos) << r.unsafe.back();
 }
 
+/// A rope that comes down steeply: it presses the mast by T (1 + sin alpha) at rest and bends it little, in its plane.
+Input pressed_mast(double force) {
+  Input in;
+  in.skyline_force = force;
+  in.mainline_force = 0;
+  in.skyline_block_height = 14;
+  in.branch_angle = 80 * degree;
+  in.allowable_stress = 160e6;
+  return in;
+}
+
+/// Euler's factor of a cantilever about the weaker axis.
+double euler_factor(const catalogue::SectionRow& row, double N, double height) {
+  return std::pow(std::numbers::pi / (2 * height), 2) * 210e9 * std::min(row.I_y, row.I_z) / N;
+}
+
+// Across its plane nothing bends a plain mast, so that no stress tells of its buckling there. By hand, RHS 200x100x6.3
+// under 8 kN: N = 8 (1 + sin 80 deg) = 15.88 kN, N_cr = pi^2 210e9 6.13e-6/(4 14^2) = 16.2 kN, and its stress passes.
+TEST(MastSectionExact, APlainMastIsChosenThatDoesNotBuckleAcrossItsPlane) {
+  Input in = pressed_mast(8e3);
+  in.choose_section = ChooseSection{};
+  in.choose_section->shape = SectionKind::rhs;
+  const Result r = completed(in);
+  ASSERT_EQ(exit_code(r), 0) << r.message;
+  EXPECT_TRUE(r.unsafe.empty());
+  const double N = 8e3 * (1 + std::sin(80 * degree)), mass = number(r, "section_mass");
+  EXPECT_NEAR(number(r, "N_worst_exact"), N, 1e-6 * N);
+  EXPECT_GE(number(r, "buckling_factor_exact"), 3);
+  const std::vector<ClampForces> forces = clamp_forces(in, sweep(in));
+  int lighter = 0;
+  for (const catalogue::SectionRow& row : candidates(in, catalogue::SectionShape::rhs)) {
+    const double alpha = euler_factor(row, N, 14);
+    if (row.mass_per_length == mass) {
+      EXPECT_NEAR(number(r, "buckling_factor_exact"), alpha, 0.01 * alpha) << row.name;
+    }
+    if (row.mass_per_length >= mass || !assess(limit_of(in), row, forces)->passes()) continue;
+    EXPECT_FALSE(assess(limit_of(in), row, forces, second_order_of(in))->passes()) << row.name;
+    if (alpha < 2.97) ++lighter;
+  }
+  EXPECT_GT(lighter, 0) << "else nothing is shown";
+}
+
+// Where none stands, the nearest is shown and fails by its buckling, though every stress passes.
+TEST(MastSectionExact, TheNearestToAMastThatMayBuckleFails) {
+  Input in = pressed_mast(85e3);
+  in.skyline_block_height = 30;
+  in.branch_angle = 84 * degree;
+  in.allowable_stress = 235e6;
+  in.choose_section = ChooseSection{};
+  in.choose_section->shape = SectionKind::rhs;
+  const Result r = completed(in);
+  for (const Check& c : r.checks) EXPECT_EQ(c.passes, c.name != "buckling of the mast as chosen") << c.name;
+  const Check* buckling = check_named(r, "buckling of the mast as chosen");
+  ASSERT_NE(buckling, nullptr);
+  const double N = 85e3 * (1 + std::sin(84 * degree));
+  EXPECT_NEAR(buckling->value, euler_factor(*catalogue::find_section("RHS 500x300x20"), N, 30), 0.01 * buckling->value);
+  EXPECT_EQ(exit_code(r), 4);
+}
+
+// A named one is judged as one with guys or a side force is: against the safety of the deck, and unsafe below 3.
+TEST(MastSectionExact, APlainMastThatMayBuckleIsUnsafe) {
+  Input in = pressed_mast(15e3);
+  in.section = "RHS 300x100x10";
+  Result r = completed(in);
+  ASSERT_EQ(r.status, Status::ok) << r.message;
+  for (const Check& c : r.checks) EXPECT_TRUE(c.passes) << c.name;
+  const double N = 15e3 * (1 + std::sin(80 * degree)), alpha = number(r, "buckling_factor_exact");
+  EXPECT_NEAR(alpha, euler_factor(*catalogue::find_section("RHS 300x100x10"), N, 14), 0.01 * alpha);
+  ASSERT_EQ(r.unsafe.size(), 1U);
+  EXPECT_NE(r.unsafe[0].find("the mast buckles at 1.09 times its axial force"), std::string::npos) << r.unsafe[0];
+  EXPECT_EQ(check_named(r, "buckling of"), nullptr) << "the deck has no safety";
+  in.lateral_force = 1e-3;  // another mast by name, but none by what it carries
+  EXPECT_EQ(completed(in).unsafe, r.unsafe);
+  in.lateral_force.reset();
+  in.allowable_stress.reset();
+  in.steel = "EN 10219-1 S355H";
+  for (const double safety : {1.05, 1.2}) {
+    in.safety = safety;
+    r = completed(in);
+    const Check* buckling = check_named(r, "buckling of");
+    ASSERT_NE(buckling, nullptr);
+    EXPECT_EQ(buckling->passes, safety < alpha);
+    EXPECT_NEAR(buckling->value, alpha, 0.05 * alpha);
+    EXPECT_EQ(r.unsafe.size(), 1U);
+  }
+  in.section = "CHS 406.4x12.5";
+  r = completed(in);
+  ASSERT_NE(check_named(r, "buckling of"), nullptr);
+  EXPECT_TRUE(check_named(r, "buckling of")->passes);
+  EXPECT_TRUE(r.unsafe.empty());
+  in.section = "CHS 60.3x3.2";  // Euler's factor is far below 1
+  r = completed(in);
+  EXPECT_NE(exit_code(r), 0);
+  EXPECT_TRUE(std::isnan(number(r, "buckling_factor_exact"))) << "no least factor where a case has no equilibrium";
+}
+
 }  // namespace taut::app::mast_section_exact_test

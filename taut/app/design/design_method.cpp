@@ -42,11 +42,15 @@ Result calculate_changed(const MethodDeck& deck) {
   return r;
 }
 
+/// Whether the method has one mast and its section is chosen.
+bool chooses_mast(const MethodDeck& deck, const design::DesignSpace& space) {
+  return deck.method->design.put_section &&
+         std::any_of(space.sections.begin(), space.sections.end(), [](const auto& s) { return s.name == the_mast; });
+}
+
 /// Whether what the method's answer names as given is all chosen: each of its ropes, or its mast.
 bool chooses_all(const MethodDeck& deck, const design::DesignSpace& space) {
-  const bool mast = deck.method->design.put_section && std::any_of(space.sections.begin(), space.sections.end(),
-                                                                   [](const auto& s) { return s.name == the_mast; });
-  return mast ||
+  return chooses_mast(deck, space) ||
          (!deck.method->design.put_section && !space.ropes.empty() && space.ropes.size() == deck.ropes(nullptr).size());
 }
 
@@ -160,6 +164,8 @@ design::DesignTask method_task(MethodDeck deck, design::DesignSpace space,
     const auto one = [&](const design::DesignCase* load_case, design::Depth) -> design::DesignRun {
       const MethodDeck changed = with_design(own->deck, own->space, place, load_case);
       design::DesignRun done{.result = calculate_changed(changed), .tension = 0};
+      if (changed.method->design.check_choice && chooses_mast(changed, own->space))
+        changed.method->design.check_choice(done.result);
       if (depth == design::Depth::report && chooses_all(own->deck, own->space)) {
         for (Answer& a : done.result.answers) {
           if (a.label == given_label && names_chosen(a, own->space, place)) a.label = build_label;

@@ -3,8 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <numbers>
 #include <random>
 #include <string>
 
@@ -269,6 +271,32 @@ design:
   EXPECT_THAT(build, HasSubstr("retraction EN 12385-4 6x36-IWRC"));
   EXPECT_THAT(build, testing::Not(HasSubstr("pretension")));
   EXPECT_THAT(given, HasSubstr("pretension of the extension rope 90 kN"));
+}
+
+// A mast that is chosen buckles at no less than 3 times its axial force, as by `choose_section`; its stress alone would
+// let one pass that buckles at 1.26 times. By hand: N = 8 (1 + sin 80 deg) = 15.88 kN, N_cr = pi^2 E I/(4 14^2 m2).
+TEST(DesignMethod, a_mast_that_may_buckle_is_not_chosen) {
+  const std::string deck = R"(taut: 1
+method: mast_section
+input:
+  skyline_force: 8 kN
+  mainline_force: 0 kN
+  skyline_block_height: 14 m
+  branch_angle: 80 deg
+  steel: EN 10219-1 S355H
+  safety: 1.05
+)";
+  const Result r =
+      run_text(deck + "design: {sections: {mast: {shape: rhs, least_height: 150 mm, most_height: 300 mm}}}");
+  ASSERT_EQ(exit_code(r), 0) << r.message << to_text(r.errors);
+  EXPECT_TRUE(r.unsafe.empty());
+  const std::string chosen = text_cell(table_of(r, "design_sections"), 0, "section");
+  EXPECT_GE(value_of(r, "buckling_factor_exact"), 3) << chosen;
+  const auto row = catalogue::find_section(chosen);
+  ASSERT_TRUE(row);
+  const double N = 8e3 * (1 + std::sin(80 * std::numbers::pi / 180));
+  const double alpha = std::pow(std::numbers::pi / 28, 2) * 210e9 * std::min(row->I_y, row->I_z) / N;
+  EXPECT_NEAR(value_of(r, "buckling_factor_exact"), alpha, 0.02 * alpha);
 }
 
 }  // namespace taut::app::design_method_test

@@ -5,6 +5,7 @@
 #include <limits>
 #include <numbers>
 
+#include "taut/app/exact/mast_section_exact.hpp"
 #include "taut/base/gravity.hpp"
 #include "taut/catalogue/modulus.hpp"
 #include "taut/catalogue/rope_search.hpp"
@@ -145,6 +146,7 @@ MethodDesign design_of_boom() {
 MethodDesign design_of_mast() {
   return {.put_rope = on(put_in_mast),
           .put_section = on(put_section_in_mast),
+          .check_choice = check_chosen_mast,
           .height = on(height_of_mast),
           .refuse = on(refuse_in_mast)};
 }

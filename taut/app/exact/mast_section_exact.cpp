@@ -264,9 +264,6 @@ void add_comparisons(const Input& in, const Output& o, const Section& section, c
   add(("largest stress in the " + section.name).c_str(), "sigma", si::Pa, stress, e.sigma_exact);
 }
 
-/// EN 1993-1-1, 5.2.2: below it second order with imperfections.
-constexpr double least_without_imperfections = 3;
-
 /// The engine's mast is straight: what a real one, which is not, bends by is far from it only well below its critical
 /// load.
 void check_buckling(const Input& in, const Section& section, const MastSectionExact& e, Result& r) {
@@ -276,8 +273,9 @@ void check_buckling(const Input& in, const Section& section, const MastSectionEx
     Check buckling = make_check(fmt::format("buckling of {}, exact", section.name), alpha, si::one,
                                 {.sense = Sense::at_least,
                                  .limit = *in.safety,
-                                 .rule = "factor of the axial force at which the straight mast buckles, held by its "
-                                         "guys, at least the safety of the deck",
+                                 .rule = fmt::format("factor of the axial force at which the straight mast buckles{}, "
+                                                     "at least the safety of the deck",
+                                                     in.guys.empty() ? "" : ", held by its guys"),
                                  .trust = "user"});
     buckling.part = "mast";
     buckling.limits = false;
@@ -412,9 +410,7 @@ double stress_of_all(const Solved& method, const Section& section, EngineMasts& 
   return largest;
 }
 
-void add_checks(const Input& in, const Solved& method, const Section& section, EngineMasts& masts,
-                const MastSectionExact& e, Result& r) {
-  if (!is_beyond_method(in)) return;  // the method has checked it by second order
+void check_strength(const Input& in, const Solved& method, const Section& section, EngineMasts& masts, Result& r) {
   std::string rule =
       "N/A + M/W <= [sigma] at every height, second order, at every carriage position, each rope hauled in, paid out "
       "and "
@@ -429,8 +425,16 @@ void add_checks(const Input& in, const Solved& method, const Section& section, E
   strength.part = "mast";
   strength.covers = {strength.part};
   r.checks.push_back(std::move(strength));
-  check_buckling(in, section, e, r);
-  check_guys(in, method, section, masts, r);
+}
+
+/// The method has checked the stress of its own mast by second order: that bends it in its plane alone, and does not
+/// see that it buckles about its other axis.
+void add_checks(const Input& in, const Solved& method, const Section& section, EngineMasts& masts,
+                const MastSectionExact& e, Result& r) {
+  const bool beyond = is_beyond_method(in);
+  if (beyond) check_strength(in, method, section, masts, r);
+  if (beyond || method.section) check_buckling(in, section, e, r);
+  if (beyond) check_guys(in, method, section, masts, r);
 }
 
 void add_words(const Input& in, const Section& section, Result& r) {
@@ -486,31 +490,33 @@ SecondOrder second_order_of(const Input& in, const std::shared_ptr<EngineMasts>&
   second.wall_yields = [&in](const SectionRow& section, double yield, const ClampForces& forces) {
     return wall_of(in, section, yield, forces).value <= 3;
   };
-  if (second.decides_alone) {
-    second.least_buckling = std::max(in.safety.value_or(0), least_without_imperfections);
-    second.may_stand = [&in, least = second.least_buckling](const SectionRow& section, const ClampForces& forces) {
-      return may_stand(in, section, least, forces);
-    };
-    second.buckling = [masts](const SectionRow& section, const ClampForces& forces) {
-      return masts->buckling(forces, EngineMasts::name_of(section), structure::beam_section(section));
-    };
-  }
+  second.least_buckling = std::max(in.safety.value_or(0), least_without_imperfections);
+  second.may_stand = [&in, least = second.least_buckling](const SectionRow& section, const ClampForces& forces) {
+    return may_stand(in, section, least, forces);
+  };
+  second.buckling = [masts](const SectionRow& section, const ClampForces& forces) {
+    return masts->buckling(forces, EngineMasts::name_of(section), structure::beam_section(section));
+  };
   return second;
 }
 
 /// The other load cases, with the ropes paid out or wrapped as they really are: their stresses and guys count as well.
 void take_other_cases(const Input& in, const Solved& method, const Section& section, EngineMasts& masts,
                       MastSectionExact& e, Result& r) {
+  bool all_stand = true;
   for (const ClampForces& forces : method.forces) {
     const LoadedMast& at = masts.under(forces, section.full_name, section.beam);
     if (at.found.outcome.ok()) {
       take_worst(at, e);
-    } else if (is_beyond_method(in) && r.status == Status::ok) {
-      const Outcome outcome = with_share_held(at.model, at.found.outcome);
-      r.status = outcome.status;
-      r.message = fmt::format("{}: {}", direction_words(forces), outcome.message);
+      continue;
     }
+    all_stand = false;
+    if (!is_beyond_method(in) || r.status != Status::ok) continue;
+    const Outcome outcome = with_share_held(at.model, at.found.outcome);
+    r.status = outcome.status;
+    r.message = fmt::format("{}: {}", direction_words(forces), outcome.message);
   }
+  if (!all_stand) e.buckling_factor_exact = not_computed;  // the least one is of a case that has none
 }
 
 /// Adds the exact column to the method's result.
@@ -550,9 +556,24 @@ void complete_mast_section(const Input& in, const Solved& method, EngineMasts& m
   if (r.status == Status::ok && !std::isnan(e.sigma_worst_exact)) add_checks(in, method, section, masts, e, r);
   const auto values = values_of(MastSectionExact::describe(), &e);
   r.values.insert(r.values.end(), values.begin(), values.end());
+  if (r.status == Status::ok && method.section && !in.section) check_chosen_mast(r);
 }
 
 }  // namespace
+
+void check_chosen_mast(Result& r) {
+  const Value* alpha = r.find_value("buckling_factor_exact");
+  if (alpha == nullptr || !(alpha->value < least_without_imperfections)) return;
+  Check c = make_check("buckling of the mast as chosen", alpha->value, si::one,
+                       {.sense = Sense::at_least,
+                        .limit = least_without_imperfections,
+                        .rule = "factor of the axial force at which the straight mast buckles; below it the bow and "
+                                "sway of a real one decide: EN 1993-1-1, 5.2.2",
+                        .trust = "UNVERIFIED: EN 1993-1-1, 5.2.2, recalled"});
+  c.part = "mast";
+  c.limits = false;
+  r.checks.push_back(std::move(c));
+}
 
 std::vector<TableWords> mast_section_exact_words() {
   return {

@@ -37,6 +37,13 @@ struct MastSectionExact {
   static const Description& describe();
 };
 
+/// The factor of its axial force at which a straight mast buckles, below which second order with imperfections decides
+/// (EN 1993-1-1, 5.2.2).
+constexpr double least_without_imperfections = 3;
+
+/// A given mast is only warned of below that factor. One that is chosen fails a check there: `r` has the exact values.
+void check_chosen_mast(Result& r);
+
 /// What the engine knows of a section for the method's choice and checks; `in` must outlive it. With `safety` n its
 /// stress is the larger of those under the ropes' forces, and under n times these, over n: of second order the stress
 /// grows faster than the forces, and the reserve is meant for them. The tension of guys put up is not multiplied.

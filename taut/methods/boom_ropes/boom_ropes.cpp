@@ -17,6 +17,12 @@ using std::cos, std::max, std::sin;
 /// More cases than this are not written out line by line; the two that govern always are.
 constexpr std::size_t written_out = 12;
 
+/// "case 2 (rated lift)"; of one without a name "case 2".
+std::string case_words(const Input& in, std::size_t i) {
+  const std::string& name = in.cases[i].name;
+  return name.empty() ? fmt::format("case {}", i + 1) : fmt::format("case {} ({})", i + 1, name);
+}
+
 template <class T>
 T force(const Input& in, const Case& one, std::string_view symbol, Sheet<T>& s) {
   const T G_3 = s.given(in.section_weight);
@@ -76,7 +82,8 @@ Span<T> forces(const Input& in, Sheet<T>& s, Output& out) {
       (i == out.highest_case ? span.highest : span.lowest) = out.F[i];
       if (i == out.lowest_case) span.lowest = out.F[i];
     } else {
-      s.section(fmt::format("Case {}: {}", i + 1, in.cases[i].name));
+      const std::string& name = in.cases[i].name;
+      s.section(name.empty() ? fmt::format("Case {}", i + 1) : fmt::format("Case {}: {}", i + 1, name));
       const T F = force(in, in.cases[i], fmt::format("F_{}", i + 1), s);
       if (i == out.highest_case) span.highest = F;
       if (i == out.lowest_case) span.lowest = F;
@@ -124,9 +131,9 @@ void pretension(const Input& in, const Span<T>& F, const Tensioned<T>& F_0, cons
   s.section("Least pretension");
   s.note([&] {
     return fmt::format(
-        "Largest F: case {} ({}); smallest F: case {} ({}). Each limit is taken with the F_0 that makes "
+        "Largest F: {}; smallest F: {}. Each limit is taken with the F_0 that makes "
         "it larger: F_0e for the extension rope, F_0r for the retraction rope.",
-        out.highest_case + 1, in.cases[out.highest_case].name, out.lowest_case + 1, in.cases[out.lowest_case].name);
+        case_words(in, out.highest_case), case_words(in, out.lowest_case));
   });
   const Limits<T> least = limits(F, F_0, lambda, "3", "", s);
   const T S_10b = s.eq("1", "S_10b", si::N, (least.S20 - F_0.last(in)) / 2);
@@ -160,10 +167,10 @@ void corrected(const Input& in, const Span<T>& F, const Tensioned<T>& F_0, Sheet
       const Display& display = s.display();
       return fmt::format(
           "C1 = {} contradicts the ratio of tension changes {:.3g}: the retraction rope needs S20 > {}, not {}. The "
-          "smaller value is unsafe: the rope would go slack when case {} ({}) is lifted.",
+          "smaller value is unsafe: the rope would go slack when {} is lifted.",
           display.brief(in.extension_stiffness, si::N_per_m.in("MN/m")), *ratio,
           display.brief(out.S20_min_corrected, si::N, Rounding::up), display.brief(out.S20_min, si::N),
-          out.lowest_case + 1, in.cases[out.lowest_case].name);
+          case_words(in, out.lowest_case));
     });
   }
 }

@@ -34,7 +34,8 @@ void raise_to_pretension(const std::optional<double>& given, double settled, Lar
 
 void raise_to_cases(const Table& cases, const char* column, LargestTension& most) {
   for (std::size_t k = 0; k < cases.rows.size(); ++k) {
-    const std::string where = fmt::format("case {}", text_in(cases, k, "name"));
+    const std::string name = text_in(cases, k, "name");
+    const std::string where = fmt::format("case {}", name.empty() ? std::to_string(k + 1) : name);
     raise_to(most, number_in(cases, k, column), where);
     raise_to(most, number_in(cases, k, fmt::format("{}_corrected", column)), where + ", corrected stiffness");
   }

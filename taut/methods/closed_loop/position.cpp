@@ -8,6 +8,7 @@
 #include <type_traits>
 
 #include "taut/base/expects.hpp"
+#include "taut/calc/shown.hpp"
 #include "taut/catalogue/rope_words.hpp"
 #include "taut/math/degree.hpp"
 #include "taut/methods/closed_loop/quick.hpp"
@@ -121,12 +122,17 @@ void warn_of_paper(const Case<T>& c, const Output& out, Sheet<T>& s) {
   if (local > local_slope_limit || value(c.alpha) > slope_limit) {
     s.warn([&] {
       const double excess = out.P_b * std::sin(value(c.alpha_s));
+      const std::string vertical =
+          shown_below(out.T_lA_paper - std::abs(excess), out.T_lA_paper)
+              ? fmt::format(
+                    "Taking the roller force as vertical alone makes T_lA_paper about P_b sin(alpha_s) = {} "
+                    "too {}. ",
+                    force(std::abs(excess)), excess < 0 ? "small, which is unsafe" : "large")
+              : std::string();
       return fmt::format(
           "The paper's formulas (P_b, T_b, T_n, T_up, T_lA_paper) are outside their range (sag/distance to the nearer "
-          "support {:.2g}, limit 0.2; slope {}, limit {}). Taking the roller force as vertical alone makes "
-          "T_lA_paper about P_b sin(alpha_s) = {} too {}. Build by {}.",
-          local, shown(c.display, value(c.alpha_s), si::rad), shown(c.display, slope_limit, si::rad),
-          force(std::abs(excess)), excess < 0 ? "small, which is unsafe" : "large",
+          "support {:.2g}, limit 0.2; slope {}, limit {}). {}Build by {}.",
+          local, shown(c.display, value(c.alpha_s), si::rad), shown(c.display, slope_limit, si::rad), vertical,
           local > local_slope_limit ? "the values that end in _exact: the closed-form tier is out of its range too"
                                     : "the closed-form tier");
     });

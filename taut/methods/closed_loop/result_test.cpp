@@ -114,6 +114,22 @@ TEST(ClosedLoopResult, AListOfPositionsMakesATable) {
   EXPECT_TRUE(warns(run(in), "Build by the values that end in _exact"));
 }
 
+// What the paper leaves out of the force of the roller is P_b sin(alpha_s): nothing on a level span.
+TEST(ClosedLoopResult, ALevelSpanHasNoForceAlongItsSlope) {
+  Input in = example();
+  const std::string left_out = "Taking the roller force as vertical alone";
+  in.position = {20};
+  in.sag = 9;
+  for (const double slope : {0.0, 15 * degree}) {
+    in.slope = slope;
+    const Result r = run(in);
+    ASSERT_EQ(r.status, Status::ok) << r.message;
+    EXPECT_TRUE(warns(r, "outside their range")) << slope;
+    EXPECT_EQ(warns(r, left_out), slope != 0);
+    EXPECT_TRUE(warns(r, "Build by ")) << slope;
+  }
+}
+
 TEST(ClosedLoopResult, NothingFeasibleKeepsTheStepsReached) {
   Input in = example();
   in.slope = -30 * degree;

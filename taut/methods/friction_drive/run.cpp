@@ -69,11 +69,12 @@ void warn_of_paper(const Input& in, const Output& o, const Display& display, std
   const auto force = [&](double x) { return display.brief(x, si::N); };
   const double reserve = reserve_under(o.P_M, in, o);
   if (!holds(reserve)) {
+    const std::string ratio = std::isfinite(o.slip_ratio) ? fmt::format("{:.4g}", o.slip_ratio) : "infinite";
     warnings.push_back(fmt::format(
         "the paper's initial tension is not safe: with P_M = {} of (18) ({} as printed) the branches "
-        "stand as (T_1 - c)/(T_2 - c) = {:.4g}, the grip holds e = {:.4g} at most, so the rope slips; beside the idler "
+        "stand as (T_1 - c)/(T_2 - c) = {}, the grip holds e = {:.4g} at most, so the rope slips; beside the idler "
         "loss a take-up that holds P_M passes on {} of the {} cutting force",
-        force(o.P_M), force(o.P_M_printed), o.slip_ratio, o.e, force(cutting_force_under(o.P_M, in, o)),
+        force(o.P_M), force(o.P_M_printed), ratio, o.e, force(cutting_force_under(o.P_M, in, o)),
         force(in.cutting_force)));
   } else if (!keeps(reserve, in.grip_reserve)) {
     warnings.push_back(

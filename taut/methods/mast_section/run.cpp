@@ -222,8 +222,8 @@ void add_comparisons(const Input& in, const Output& out, Result& r) {
 /// `alone`: the mast with its guys is solved besides, and that decides.
 void add_warnings(const Input& in, const Output& out, bool alone, const Display& display, Result& r) {
   auto& w = r.warnings;
-  const auto length = [&](double x) { return display.brief(x, si::m.in("mm")); };
-  const auto moment = [&](double x) { return display.brief(x, si::N_m); };
+  const Unit mm = si::m.in("mm");
+  const auto length = [&](double x) { return display.brief(x, mm); };
   if (!alone) {
     w.emplace_back(
         "guylines and buckling are not in this method: their forces add to N, and a slender mast fails by buckling "
@@ -234,12 +234,13 @@ void add_warnings(const Input& in, const Output& out, bool alone, const Display&
                   "which need D_tube {}: build by D_tube_worst {}",
                   length(out.D_tube_printed), (1 - out.D_tube_printed / out.D_tube) * 100, length(out.D_tube),
                   length(out.D_tube_worst)));
-  if (out.D_tube_payout > out.D_tube) {
+  if (shown_below(out.D_tube, out.D_tube_payout)) {
+    const auto [M_payout, M] = brief_apart(out.M_payout, out.M, si::N_m, display);
+    const auto [D_payout, D] = brief_apart(out.D_tube_payout, out.D_tube, mm, display);
     w.push_back(fmt::format(
         "a rope paid out under {} bends the mast more: M {} instead of {}, tube {} instead of {}; the section is "
         "chosen and checked for both{}",
-        brake_slips(in) ? "the force at which its brake slips" : "its full force", moment(out.M_payout), moment(out.M),
-        length(out.D_tube_payout), length(out.D_tube),
+        brake_slips(in) ? "the force at which its brake slips" : "its full force", M_payout, M, D_payout, D,
         brake_slips(in)     ? ""
         : in.paid_out_force ? "; no brake slips, as paid_out_force is no less than the ropes' forces"
                             : "; paid_out_force states a brake that slips before"));

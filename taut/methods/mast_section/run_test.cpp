@@ -169,4 +169,30 @@ TEST(MastSectionRun, WithoutAnswerShowsTheMastAsDescribed) {
   EXPECT_EQ(forces, 2);
 }
 
+// Without friction both sides of a rope pull alike, hauled in and paid out: what differs in the last bits is not said
+// to be more.
+TEST(MastSectionRun, WithoutFrictionPayingOutBendsNoMore) {
+  Input in;
+  in.skyline_force = 200e3;
+  in.mainline_force = 0;
+  in.skyline_block_height = 12;
+  in.branch_angle = std::acos(-1) / 4;
+  in.steel = "EN 10210-1 S355H";
+  in.safety = 1.5;
+  in.tube_ratio = 0;
+  for (const double friction : {0.0, 1e-9}) {
+    in.block_friction = friction;
+    EXPECT_FALSE(warns(run(in), "bends the mast more")) << friction;
+  }
+  in.block_friction = 0.12;
+  EXPECT_TRUE(warns(run(in), "bends the mast more"));
+  in.block_friction = 2e-5;  // seen in the fifth digit alone
+  const Result r = run(in);
+  for (const std::string& w : r.warnings) {
+    const auto M = w.find("M "), instead = w.find(" instead of ");
+    if (w.find("bends the mast more") == std::string::npos) continue;
+    EXPECT_NE(w.substr(M + 2, instead - M - 2), w.substr(instead + 12, instead - M - 2)) << w;
+  }
+}
+
 }  // namespace taut::mast_section::run_test

@@ -238,7 +238,10 @@ void take_second_order(const StressLimit& limit, const std::vector<ClampForces>&
     const double stress = second.stress(a.section, f);
     const bool larger = !a.second_order || stress > *a.second_order || std::isnan(stress);
     if (larger) a.second_order = stress, a.second_order_worst = f;
-    if (std::isnan(stress)) return;
+    if (std::isnan(stress)) {
+      a.buckling = not_computed;  // the least factor is of this case
+      return;
+    }
     if (second.buckling) a.buckling = std::fmin(a.buckling, second.buckling(a.section, f));
   }
 }
@@ -318,6 +321,7 @@ std::optional<Assessment> first_that_passes(const Input& in, const std::vector<S
     if (second.stress) {
       if (second.may_stand && !second.may_stand(row, a->worst)) continue;
       if (!(second.stress(row, a->worst) <= a->allowable)) continue;
+      if (second.buckling && second.buckling(row, a->worst) < second.least_buckling) continue;
       a = assess(limit, row, forces, second);
     }
     if (a->passes()) return a;

@@ -63,6 +63,23 @@ TEST(BoomAnswers, CasesAloneHaveALoad) {
       << load;
 }
 
+// A case without a name is told by its number.
+TEST(BoomAnswers, CasesWithoutANameHaveTheirNumber) {
+  Input in = whole_boom();
+  in.S10 = 119e3;
+  in.S20 = 238e3;
+  for (Case& one : in.cases) one.name.clear();
+  const Result r = run(in);
+  const std::string load = line_of(answers(in, r, Display()), "Load");
+  EXPECT_NE(load.find("retraction rope up to 238.1 kN (case 4, corrected stiffness)"), std::string::npos) << load;
+  std::string words;
+  for (const Step& s : r.steps) words += s.words + "\n";
+  for (const std::string& w : r.warnings) words += w + "\n";
+  EXPECT_EQ(words.find("()"), std::string::npos) << words;
+  EXPECT_EQ(words.find("Case 2: "), std::string::npos) << words;
+  EXPECT_NE(words.find("smallest F: case 2. Each"), std::string::npos) << words;
+}
+
 TEST(LargestTension, IsNeverBelowAnyStateOfTheResult) {
   for (const Operation operation : {Operation::extend, Operation::retract}) {
     Input in = sliding_boom();

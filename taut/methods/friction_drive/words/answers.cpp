@@ -71,9 +71,10 @@ void add_paper(const Input& in, const Result& r, const Shown& shown, Result& lin
   const double reserve = reserve_under(number_of(r, "P_M"), in, grip_of(r));
   const std::string pull = shown("P_M", Rounding::nearest);
   if (!holds(reserve)) {
+    const std::string ratio = shown("slip_ratio", Rounding::nearest);  // none where the slack branch has no pull
     add_answer_line(lines, "Paper",
                     {fmt::format("its pull {} of (18) lets the rope slip", pull),
-                     fmt::format("the branches stand as {}, the grip holds {}", shown("slip_ratio", Rounding::nearest),
+                     fmt::format("the branches stand as {}, the grip holds {}", ratio.empty() ? "infinite" : ratio,
                                  shown("e", Rounding::nearest))});
   } else if (!keeps(reserve, in.grip_reserve)) {
     add_answer_line(lines, "Paper",
