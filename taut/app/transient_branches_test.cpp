@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "taut/app/job.hpp"
+#include "taut/io/file_reader.hpp"
 
 // Branches that sag, from decks.
 namespace transient_branches_test {
@@ -74,6 +75,60 @@ TEST(TransientBranches, AnotherWordIsAMistakeAtItsPlace) {
   EXPECT_EQ(r.status, Status::bad_deck);
   ASSERT_FALSE(r.errors.empty());
   EXPECT_NE(to_text(r.errors).find("catenary"), std::string::npos) << to_text(r.errors);
+}
+
+/// 99.98 m of rope with 3 kg/m between anchors 100 m apart: straight 30 MN (100/99.98 - 1) = 6.001 kN. With its sag
+/// T = H (1 + (w l/H)^2/24 ...) stretches l by 0.2 mm/m less: H^3 - 6.001 kN H^2 = 30 MN (3 kN)^2/24, H = 24.6 kN.
+Result taut_span(const std::string& transient, const std::string& more = "", const std::string& saved = "") {
+  const std::string deck = fmt::format(R"(taut: 1
+machine:
+  gravity: 10 m/s^2
+  points: {{a: [0 m, 0 m, 20 m], b: [100 m, 0 m, 20 m]}}
+  ropes: {{r: {{mass: 3 kg/m, stiffness: 30 MN, breaking_force: 60 kN, diameter: 20 mm, damping_ratio: 0.1}}}}
+  reevings: [{{name: line, rope: r, path: [{{anchor: a}}, {{anchor: b}}], length: 99.98 m}}]
+{}
+analyses: [{{transient: {{duration: 0.1 s, tolerance: 1e-3{}}}}}]
+checks: {{ropes: {{r: {{safety_factor: 3}}}}}}
+)",
+                                       more, transient);
+  return app::run(
+      app::Job{.text = deck,
+               .name = "deck.yaml",
+               .set = {},
+               .progress = {},
+               .read = [&](const std::string&) -> tl::expected<std::string, io::Unreadable> { return saved; }});
+}
+
+std::string unmade_of(const Result& r) { return fmt::format("{}", fmt::join(r.unmade, "; ")); }
+
+TEST(TransientBranches, AForceAlongARopeDoesNotHideItsSag) {
+  const std::string load = "  rope_loads: [{name: cut, rope: line, between: [a, b], tangential: 2 kN, position: 0.5}]";
+  for (const char* branches : {"straight", "by_weight", "catenary"}) {
+    for (const char* more : {"", ", quasi_static: true"}) {
+      const Result r = taut_span(fmt::format(", branches: {}{}", branches, more), load);
+      ASSERT_EQ(r.status, Status::ok) << r.message << to_text(r.errors);
+      EXPECT_EQ(unmade_of(r),
+                "transient: 'line' begins straight with 6.001 kN; with its sag it has 24.63 kN: the force along it "
+                "keeps it straight: give it 'segments'");
+    }
+  }
+  // no statics has the place that is described
+  const Result assembled = taut_span(", branches: catenary, start: assembled", load);
+  EXPECT_EQ(unmade_of(assembled),
+            "transient: 'line' is straight, though a free part of it weighs 50 % of its tension: the force along it "
+            "keeps it straight: give it 'segments'");
+}
+
+TEST(TransientBranches, AMotionThatGoesOnTellsOfItsSagToo) {
+  const Result first = taut_span(", save: state.json");
+  ASSERT_EQ(first.attachments.size(), 1U);
+  const std::string words =
+      "transient: 'line' begins straight with 6.001 kN; with its sag it has 24.63 kN: use "
+      "'branches: catenary'";
+  EXPECT_EQ(unmade_of(first), words);
+  const Result second = taut_span(", restart: state.json", "", first.attachments[0].text);
+  ASSERT_EQ(second.status, Status::ok) << second.message << to_text(second.errors);
+  EXPECT_EQ(unmade_of(second), words);
 }
 
 }  // namespace transient_branches_test

@@ -228,13 +228,15 @@ void judge_rest(const study::ModesRun& run, MachineRun& machine, Result& r) {
     r.unmade.push_back(fmt::format("{}: what {} may hold by friction at rest is not judged: add an 'equilibrium'",
                                    words, fmt::join(run.result.sets.front().held, ", ")));
   }
-  if (!run.options.rope_mass || run.options.branches == solve::Branches::catenary) return;
+  const bool loaded = any_kept_straight(run.model);
+  if (!run.options.rope_mass || (run.options.branches == solve::Branches::catenary && !loaded)) return;
   solve::ModesOptions sagging = run.options;
   sagging.branches = solve::Branches::catenary;
   const auto hangs = solve::rest_of_modes(run.model, sagging);
   if (hangs) checked.take_rest(run.model, *hangs, true, words, analysis);
-  for (std::string& one : sag_warnings(run.words, run.model, run.result.rest, hangs, {}, checked.deck->display)) {
-    if (asks && !hangs && !by_statics) r.unmade.push_back(one);
+  const auto known = with_sag(run.model, hangs, run.options.start);
+  for (std::string& one : sag_warnings(run.words, run.model, run.result.rest, known, {}, checked.deck->display)) {
+    if (asks && (!hangs || loaded) && !by_statics) r.unmade.push_back(one);
     r.warnings.push_back(std::move(one));
   }
 }

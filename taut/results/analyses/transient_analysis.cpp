@@ -127,16 +127,26 @@ void add_motion(const study::TransientRun& run, const Display& display, bool jud
 }
 
 /// Ropes that a motion takes for straight and that pull harder as they really hang: its checks judge too
-/// little.
+/// little. One that goes on is compared where the machine as described begins, straight and with its sag: its static
+/// tensions are those of there, also of a rope that has broken since.
 void warn_of_sag(const study::TransientRun& run, const checks::CheckedParts& checked, Result& r) {
-  const solve::TransientOptions& o = run.options;
-  if (!o.rope_mass || o.branches == solve::Branches::catenary || run.result.interrupted) return;
-  if (run.result.frames.front().t > 0) return;  // it goes on: its first part has told
+  solve::TransientOptions o = run.options;
+  const bool all_hang = o.branches == solve::Branches::catenary && !any_kept_straight(run.model);
+  if (!o.rope_mass || all_hang || run.result.interrupted) return;
+  solve::TransientFrame begin = run.result.frames.front();
+  bool described = true;
+  if (run.request.restart) {
+    o.from.reset();
+    const auto straight = start_as(run.model, o, o.branches);
+    described = straight.has_value();
+    if (straight) begin = *straight;
+  }
+  std::optional<Sagging> hangs;
+  if (described) hangs = with_sag(run.model, hanging_start(run.model, o), o.start);
   std::vector<double> peaks;
   peaks.reserve(run.result.ropes.size());
   for (const solve::RopeExtreme& rope : run.result.ropes) peaks.push_back(rope.T.max);
-  for (std::string& one : sag_warnings(words_of(run), run.model, run.result.frames.front(), hanging_start(run.model, o),
-                                       peaks, checked.deck->display)) {
+  for (std::string& one : sag_warnings(words_of(run), run.model, begin, hangs, peaks, checked.deck->display)) {
     if (checked.judged && checked.deck->checks) r.unmade.push_back(one);
     r.warnings.push_back(std::move(one));
   }

@@ -40,7 +40,7 @@ solve::TransientFrame state_of(const std::vector<double>& tensions) {
 /// Ropes with these tensions where the motion begins, and with their sag.
 std::vector<std::string> told(const std::vector<double>& begins, const std::vector<double>& sagging,
                               const std::vector<double>& peaks = {}) {
-  return sag_warnings("modes", ropes(begins.size()), state_of(begins), state_of(sagging), peaks);
+  return sag_warnings("modes", ropes(begins.size()), state_of(begins), Sagging{.T = sagging}, peaks);
 }
 
 TEST(StraightRopes, AreNamedWhereTheirSagPullsHarder) {
@@ -87,7 +87,31 @@ TEST(StraightRopes, ThatAreBreakingHangByWhatIsLeftOfThem) {
   const auto hangs = hanging_start(m, options);
   ASSERT_TRUE(hangs);
   EXPECT_NEAR(hangs->branches[0].T_from, begins.branches[0].T_from, 100);
-  EXPECT_THAT(sag_warnings("drop", m, begins, hangs, {}), IsEmpty());
+  EXPECT_THAT(sag_warnings("drop", m, begins, with_sag(m, hangs, options.start), {}), IsEmpty());
+}
+
+/// 100 m of rope with 10 N/m and 4 kN or 6 kN, before a force along it and behind it: 1000 N of rope at 4 kN.
+TEST(StraightRopes, WithForcesAlongThemGoFromRoundToRound) {
+  machine::Model m = ropes(1);
+  m.reevings[0].nodes = {taut_test::anchor("left", {0, 0, 0}), taut_test::anchor("cut", {50, 0, 0}),
+                         taut_test::anchor("right", {100, 0, 0})};
+  m.reevings[0].nodes[1].kind = machine::NodeKind::load;
+  ASSERT_TRUE(kept_straight(m.reevings[0]));
+  solve::TransientFrame begins = state_of({4e3});
+  begins.branches.push_back(begins.branches[0]);
+  for (auto& branch : begins.branches) branch.unstretched = 50;
+  begins.branches[0].to = begins.branches[1].from = 1;
+  begins.branches[1].to = 2;
+  begins.branches[1].T_from = begins.branches[1].T_to = 6e3;
+  EXPECT_DOUBLE_EQ(heaviest_share(m, begins, 0), 0.25);
+  EXPECT_THAT(sag_warnings("saw", m, begins, Sagging{.T = {30e3}}),
+              ElementsAre("saw: 'a' begins straight with 6 kN; with its sag it has 30 kN: the force along it keeps it "
+                          "straight: give it 'segments'"));
+  EXPECT_THAT(sag_warnings("saw", m, begins, Sagging{.T = {6e3}, .with_loads = false}),
+              ElementsAre("saw: 'a' is straight, though a free part of it weighs 25 % of its tension: the force along "
+                          "it keeps it straight: give it 'segments'"));
+  m.reevings[0].segments = 4;
+  EXPECT_FALSE(any_kept_straight(m));
 }
 
 }  // namespace taut::results::straight_ropes_test

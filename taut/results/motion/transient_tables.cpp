@@ -376,9 +376,8 @@ std::string weight_words(const study::TransientRun& run, std::size_t reeving) {
   const double most = heaviest_share(run.model, run.result.frames.front(), reeving);
   if (most <= run.options.light) return {};
   const std::string much = most < 1 ? fmt::format("{:.0f} % of", 100 * most) : std::string("more than");
-  return fmt::format(
-      "; straight, though a free part of it weighs {} its tension at the start ('branches: catenary' lets it sag)",
-      much);
+  return fmt::format("; straight, though a free part of it weighs {} its tension at the start ('{}' lets it sag)", much,
+                     kept_straight(run.model.reevings[reeving]) ? "segments" : "branches: catenary");
 }
 
 /// Kinetic energy that a rope would have by the motion along itself of the halves of its free parts that does not

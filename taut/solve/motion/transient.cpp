@@ -61,16 +61,12 @@ machine::Model with_loads_at_rest(machine::Model model) {
 
 /// The equilibrium of catenaries as a start; none where statics does not know one.
 std::optional<DynamicState> near_equilibrium(const machine::Model& model) {
-  if (!model.contacts.empty() || !model.actuators.empty()) return std::nullopt;
-  EquilibriumOptions at_rest;
-  at_rest.band = false;
-  at_rest.lengths_kept = true;
-  const EquilibriumResult found = equilibrium(with_loads_at_rest(model), at_rest);
-  if (!found.outcome.ok()) return std::nullopt;
+  const auto found = rest_before_motion(model);
+  if (!found) return std::nullopt;
   machine::Model by_length = model;
   for (machine::Reeving& rope : by_length.reevings) rope.given = machine::Given::length;
-  DynamicState start = state_from(by_length, found.state);
-  place_inside(model, found, start);
+  DynamicState start = state_from(by_length, found->state);
+  place_inside(model, *found, start);
   return start;
 }
 
@@ -81,6 +77,20 @@ Outcome settle(Run& run) {
   return not_converged(
       "the machine does not come to rest where it is described: with 'start: assembled' the motion begins there");
 }
+
+}  // namespace
+
+std::optional<EquilibriumResult> rest_before_motion(const machine::Model& model) {
+  if (!model.contacts.empty() || !model.actuators.empty()) return std::nullopt;
+  EquilibriumOptions at_rest;
+  at_rest.band = false;
+  at_rest.lengths_kept = true;
+  EquilibriumResult found = equilibrium(with_loads_at_rest(model), at_rest);
+  if (!found.outcome.ok()) return std::nullopt;
+  return found;
+}
+
+namespace {
 
 /// Where the machine has come to rest, as the state of one that begins there: the masses that its ropes share out, what
 /// lies on drums, the places of loads on ropes, which branches sag and the turns of rounds are not those of the place
@@ -188,13 +198,9 @@ namespace {
 /// The machine with the sides that its sheaves without a given side have where it comes to rest; as described where the
 /// motion begins as described.
 machine::Model sided_at_rest(const machine::Model& model, Start start) {
-  const bool as_described = start == Start::assembled || !model.contacts.empty() || !model.actuators.empty();
-  if (as_described || !has_open_sides(model)) return model;
-  EquilibriumOptions at_rest;
-  at_rest.band = false;
-  at_rest.lengths_kept = true;
-  const EquilibriumResult found = equilibrium(with_loads_at_rest(model), at_rest);
-  return found.outcome.ok() ? machine::with_sides(model, found.state) : model;
+  if (start == Start::assembled || !has_open_sides(model)) return model;
+  const auto found = rest_before_motion(model);
+  return found ? machine::with_sides(model, found->state) : model;
 }
 
 /// Heights stay: energies count from 0.

@@ -294,6 +294,10 @@ struct TransientResult {
   Array<bool> mass_lumped;     ///< by reeving: half of each branch's mass at each end; false: none
 };
 
+/// The equilibrium at rest of statics, where a settled motion begins: all ropes hang as catenaries, friction is none,
+/// loads over time are as they begin. None where statics does not know one; it knows neither faces nor cylinders.
+std::optional<EquilibriumResult> rest_before_motion(const machine::Model& model);
+
 /// The machine in motion. docs/theory/motion.md.
 TransientResult transient(const machine::Model& described, const TransientOptions& given);
 

@@ -35,22 +35,26 @@ bool is_passed(const Contact& contact) {
 int line_at(const Contact& contact, std::size_t side) { return side == 0 ? contact.out : contact.in; }
 
 /// Goes from a rim along its rope over light rounds by which it runs as it does at the rim: of the same body, or on
-/// bodies that stand, and past loads. What lies there, kg: up to the next rim half of it.
-double beyond(Mechanism& m, const DynamicState& start, const Contact& from, std::size_t side) {
+/// bodies that stand, and past loads. What lies there: up to the next rim half of it.
+Array<RopeShare> beyond(Mechanism& m, const Contact& from, std::size_t side) {
   const std::size_t far = 1 - side;
-  double mass = 0;
+  Array<RopeShare> shares;
   for (int line = line_at(from, side); line >= 0;) {
     if (m.lines[line].contact[far] < 0) break;
     const Contact& next = m.contacts[m.lines[line].contact[far]];
-    if (has_rim(next)) return mass / 2;
+    if (has_rim(next)) {
+      for (RopeShare& one : shares) one.share /= 2;
+      break;
+    }
     const bool alike = next.load || next.body == from.body || (stands(m, next.body) && stands(m, from.body));
     if (!is_passed(next) || !alike) break;
     const int after = line_at(next, side);
-    mass += (mass_of(m, start, line) + mass_of(m, start, after)) / 2;
+    shares.push_back({line, 0.5});
+    shares.push_back({after, 0.5});
     m.lines[line].along[far] = m.lines[after].along[side] = true;
     line = after;
   }
-  return mass;
+  return shares;
 }
 
 /// Whether the rope on a side of a contact does not run: it ends at an anchor, or beyond rounds that stand.
@@ -79,10 +83,21 @@ bool is_but_a_bend(const Mechanism& m, int body, int rope) {
 }
 
 /// The rope whose inertia counts at an end of a line, kg. On a body that can move it is the half that goes with the
-/// body: were it more, the kinetic energy of both together could be less than none.
-double rope_at(const Mechanism& m, const Line& line, const LineValues& is, std::size_t end) {
-  const double half = line.carried[end] > 0 ? line.carried[end] : line.mass * is.L / 2;
-  return line.rim[end] ? half + m.contacts[line.contact[end]].beyond[1 - end] : half;
+/// body: were it more, the kinetic energy of both together could be less than none. Else the rope on rounds is part of
+/// it, also on those beyond.
+double rope_at(const Mechanism& m, std::size_t i, std::size_t end, const Values& now) {
+  const Line& line = m.lines[i];
+  const bool carried = line.carried[end] > 0;
+  double mass = carried ? line.carried[end] : line.mass * now.lines[i].L / 2;
+  if (!line.rim[end]) return mass;
+  const Contact& contact = m.contacts[line.contact[end]];
+  mass += contact.beyond[1 - end];
+  if (carried) return mass;
+  for (const RopeShare& one : contact.beyond_arcs[1 - end]) {
+    const LineValues& there = now.lines[one.line];
+    mass += one.share * line.mass * (there.L - free_rope(there));
+  }
+  return mass;
 }
 
 /// A drum whose rope has a given tension does not turn with it; nor does what has neither inertia nor a drive.
@@ -130,7 +145,9 @@ void mark_ropes_along(Mechanism& m, const DynamicState& start) {
       if (line.mass == 0 || line.segment >= 0) continue;
       if (has_rim(contact)) {
         line.along[side] = line.rim[side] = line.has_along = true;
-        contact.beyond[1 - side] = beyond(m, start, contact, side);
+        Array<RopeShare> shares = beyond(m, contact, side);
+        for (const RopeShare& one : shares) contact.beyond[1 - side] += one.share * mass_of(m, start, one.line);
+        contact.beyond_arcs[1 - side] = std::move(shares);
       } else if (is_passed(contact) && !contact.load && is_held(m, contact, side)) {
         line.along[side] = true;
         if (stands(m, contact.body) || is_but_a_bend(m, contact.body, line.reeving)) continue;
@@ -156,8 +173,7 @@ void add_surge(const Mechanism& m, const Scheme& s, const Values& before, std::s
     if (!turns_with_rope(m, contact, before, now)) continue;
     const Vector3& t = direction(m, now, static_cast<int>(i), end);
     const double carried = t.dot(at_place(m, line.body[end], is.touch[end], now).a);
-    const double asked =
-        rope_at(m, line, is, end) * (lever(contact, is, end) * now.spins[contact.spin].alpha + carried);
+    const double asked = rope_at(m, i, end, now) * (lever(contact, is, end) * now.spins[contact.spin].alpha + carried);
     const double most = most_hung * std::max(0.0, is.end_T[end]);
     is.surge[end] = std::clamp(asked, -most, most);
     is.surge_share[end] = asked == 0 ? 1 : is.surge[end] / asked;
@@ -169,7 +185,7 @@ Vector3 force_along(const Mechanism& m, std::size_t i, std::size_t end, const Va
   const Line& line = m.lines[i];
   const LineValues& is = now.lines[i];
   if (is.surge_share[end] == 0) return Vector3::Zero();
-  const double mass = is.surge_share[end] * rope_at(m, line, is, end);
+  const double mass = is.surge_share[end] * rope_at(m, i, end, now);
   if (line.held[end]) {  // of its mass, which the body carries, only what goes across the rope has inertia
     const AtPlace at = at_place(m, line.body[end], is.touch[end], now);
     return mass * (is.t.dot(at.a) * is.t + is.t.dot(at.v) * turning(is));
@@ -193,7 +209,7 @@ void add_held_row(Mechanism& m, std::size_t i, std::size_t end, int freedom, dou
   auto& values = m.solver.values();
   const int first = end == 0 ? 0 : line.freedoms[0];
   const int* const row = line.places.data() + static_cast<std::ptrdiff_t>(first + freedom) * line.columns;
-  const double mass = is.surge_share[end] * rope_at(m, line, is, end);
+  const double mass = is.surge_share[end] * rope_at(m, i, end, now);
   for (int g = 0; g < line.freedoms[end]; ++g) {
     values[row[first + g]] -= mass * along * is.t.dot(moves(m, line, is, end, g, now));
   }
@@ -209,7 +225,7 @@ void assemble_end(Mechanism& m, std::size_t i, std::size_t end, const Values& no
     bound_by_tension(line, sign_at(end) * std::copysign(most_hung, is.surge[end]), tangent);
   }
   if (line.body[end] < 0) return;
-  const double mass = rope_at(m, line, is, end);
+  const double mass = rope_at(m, i, end, now);
   const Vector3 force = force_along(m, i, end, now), t = direction(m, now, static_cast<int>(i), end);
   const int first = end == 0 ? 0 : line.freedoms[0], count = line.freedoms[end];
   for (int f = 0; f < count; ++f) {
@@ -241,8 +257,7 @@ SurgeSlopes surge_slopes(const Mechanism& m, const Contact& contact, const Value
   if (contact.spin < 0 || prescribed(m, m.spins[contact.spin], before, now.when)) return slopes;
   const auto slope = [&](int line, std::size_t end) {
     if (line < 0 || now.lines[line].surge_share[end] < 1) return 0.0;
-    const LineValues& is = now.lines[line];
-    return sign_at(end) * rope_at(m, m.lines[line], is, end) * lever(contact, is, end);
+    return sign_at(end) * rope_at(m, as_size(line), end, now) * lever(contact, now.lines[line], end);
   };
   return {.in = slope(contact.in, 1), .out = slope(contact.out, 0)};
 }

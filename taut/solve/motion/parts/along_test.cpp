@@ -75,6 +75,32 @@ TEST(Along, AnEndlessRopeTakesPartWithAllOfItsMass) {
     EXPECT_NEAR(contact.spin, impulse / (80 + rope), 2e-2 * impulse / (80 + rope));
 }
 
+/// A force along the rope, here of no size, takes nothing of its mass, nor of what lies on the rounds beside it: those
+/// arcs are 12.6 m of 125 m of rope. Half of them was missing, which made it faster by 5 %.
+TEST(Along, APlaceOfAForceOnItTakesNothingOfTheRope) {
+  constexpr double torque = 3000, R = 4, span = 50;
+  const auto run = [&](bool loaded) {
+    machine::Model m = endless(torque, span);
+    machine::Reeving& loop = m.reevings[0];
+    for (machine::Node& node : loop.nodes) node.radius = R;
+    loop.value = 2 * span + 2 * pi * R - 0.2;
+    if (loaded) {
+      machine::Body place = body("cut", {0.3 * span, 0, R}, 0, "xyz");
+      place.of_rope = true;
+      machine::Node cut = anchor_on("cut", static_cast<int>(m.bodies.size()));
+      cut.kind = machine::NodeKind::load;
+      cut.load.share = 0.3;
+      m.bodies.push_back(place);
+      loop.nodes.insert(loop.nodes.begin() + 1, cut);
+    }
+    return last_of(m, 1.2);
+  };
+  const double rope = per_metre * (2 * span + 2 * pi * R - 0.2) * R * R, spin = torque / (80 + rope);
+  const double without = run(false).contacts[0].spin, with = run(true).contacts[0].spin;
+  EXPECT_NEAR(without, spin, 2e-2 * spin);
+  EXPECT_NEAR(with, without, 2e-3 * without);
+}
+
 /// A winch pulls a body of 300 kg along x over a light sheave that stands.
 machine::Model haul(const machine::Drive& drive, double inertia) {
   machine::Model m;

@@ -118,6 +118,12 @@ struct Spin {
   Array<std::pair<int, double>> contacts;  ///< and their sense: +1 where the path runs with the angle
 };
 
+/// Of what a line has on its rounds, a share.
+struct RopeShare {
+  int line = 0;
+  double share = 0;
+};
+
 /// What the rope meets at a node: a round it runs over, or a drum at its end (`in` or `out` < 0).
 struct Contact {
   int reeving = 0, node = 0;
@@ -135,6 +141,7 @@ struct Contact {
   double mass = 0;  ///< kg per unstretched metre, for the pressure of a rope that runs over it
   double bearing_log = 0, bearing_ratio = 1;  ///< what the efficiency of a light one allows: -ln eta, 1/eta
   std::array<double, 2> beyond{0, 0};  ///< rope that goes with its rim beyond light rounds, on the side in, out, kg
+  std::array<Array<RopeShare>, 2> beyond_arcs;  ///< the rope on rounds that belongs to it
   double copies = 1;
   int drum = -1;             ///< an end on a drum
   int on_drum = -1;          ///< its place among the ends on drums

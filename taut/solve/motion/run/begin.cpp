@@ -51,6 +51,21 @@ double back_from_rounds(const Line& line, const Values& v, const DynamicState::R
   return length;
 }
 
+/// The same of a part between loads: what comes back lies along the whole free line, with one strain, so that each part
+/// has as much of it as of the line's length. Near a round the part beside it would begin with all of it.
+double back_from_rounds(const Mechanism& m, const Values& v, const DynamicState& start, int index) {
+  const Line& line = m.lines[index];
+  const DynamicState::Rope& rope = start.ropes[line.reeving];
+  const int first = m.first_line[line.reeving].first;
+  int from = index, to = index;
+  while (m.lines[from].at_load[0]) --from;
+  while (m.lines[to].at_load[1]) ++to;
+  const LineValues& is = v.lines[index];
+  double back = 0;
+  for (int k = from; k <= to; ++k) back += back_from_rounds(m.lines[k], v, rope, as_size(k - first), is.t);
+  return back == 0 ? 0 : back * length_of(line, is.l) / is.l;
+}
+
 /// A motion that goes on with branches of another shape would begin with a jump of their tension.
 Outcome keeps_its_shape(const machine::Model& model, const Line& line, const LineValues& is,
                         const DynamicState::Rope& start, std::size_t branch) {
@@ -84,12 +99,11 @@ void place_lines(const DynamicState& start, Built& built) {
     line.angle = {0, 0};
     const auto& whole = start.ropes[m.lines[i].reeving].whole;
     const std::size_t own = i - as_size(m.first_line[m.lines[i].reeving].first);
-    line.L = start_length(m, start, static_cast<int>(i)) +
-             back_from_rounds(m.lines[i], v, start.ropes[m.lines[i].reeving], own, line.t);
+    if (m.lines[i].part) set_places(start, line, model.reevings[m.lines[i].reeving], m.lines[i]);
+    line.L = start_length(m, start, static_cast<int>(i)) + back_from_rounds(m, v, start, static_cast<int>(i));
     line.gone = own < whole.size() && whole[own] == 0 ? 0 : 1;
     built.outcome = keeps_its_shape(model, m.lines[i], line, start.ropes[m.lines[i].reeving], own);
     if (!built.outcome.ok()) return;
-    if (m.lines[i].part) set_places(start, line, m.model->reevings[m.lines[i].reeving], m.lines[i]);
     line.e = length_of(m.lines[i], line.l) / line.L - 1;
     if (line.e > most_strain) {
       built.outcome = too_short(model, m.lines[i], line);
