@@ -62,10 +62,29 @@ study::RopePiece hung(const solve::TransientFrame::Branch& b, const machine::Ree
 /// How a straight branch hangs whose weight is at its ends. Without sag its length has the tension T0. Where its length
 /// is given, that is the rope's. Where a tension was given, T1 at the start, the rope is longer than the straight
 /// branch by the share W^2/(24 T1^2) that its sag took up then; W is its weight across it (Irvine, Cable Structures).
+/// With the level part of T0 as T1 it hangs in the tension that it has.
 study::RopePiece hung_by_length(const solve::TransientFrame::Branch& b, const machine::Reeving& rope, double T1) {
   const double L = (b.end - b.start).norm() / (1 + mean_tension(b) / rope.stiffness);
   const double across = T1 > 0 ? weight_of(b, rope) * level_share(b) / T1 : 0;
   return hung(b, rope, L * (1 + across * across / 24));
+}
+
+/// Whether the free rope stays as long as it is: it is one branch, on drums that no tension turns. Any other is paid
+/// out, or passes its rounds, until it has its tension.
+bool keeps_its_length(const machine::Model& model, const machine::Reeving& rope) {
+  return rope.nodes.size() == 2 && std::all_of(rope.nodes.begin(), rope.nodes.end(), [&](const machine::Node& end) {
+           if (!end.drum) return true;
+           const machine::DriveKind kind = model.drums[*end.drum].drive.kind;
+           return kind == machine::DriveKind::held || kind == machine::DriveKind::speed;
+         });
+}
+
+/// The level tension of a branch whose ends have the one that a straight branch has, N. One that bears less than its
+/// weight there hangs upright: so deep that no clearance is left.
+double level_tension(const solve::TransientFrame::Branch& b, const machine::Reeving& rope) {
+  constexpr double least = 0.1;  // of the tension
+  const double T = mean_tension(b), V = weight_of(b, rope) * level_share(b) / 2;
+  return std::sqrt(std::max(T * T - V * V, least * least * T * T));
 }
 
 /// The tension with which a branch was given, N; 0: its length is. A motion that goes on from another has the rope
@@ -200,7 +219,9 @@ std::vector<FreeRope> free_ropes(const machine::Model& model, const solve::Trans
     } else if (in_segments) {
       add_segments(branches.subspan(i, next - i), rope, one.pieces);
     } else {
-      one.pieces.push_back(hung_by_length(first, rope, given_tension(rope, motion.frames.front(), i)));
+      const double given = given_tension(rope, motion.frames.front(), i), has = level_tension(first, rope);
+      const double lower = given > 0 ? std::min(given, has) : has;
+      one.pieces.push_back(hung_by_length(first, rope, keeps_its_length(model, rope) ? given : lower));
     }
     all.push_back(std::move(one));
   }

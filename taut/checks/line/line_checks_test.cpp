@@ -361,6 +361,28 @@ checks: {exempt: [tie], ropes: {main: {safety_factor: 3}}, lines: {main: {cleara
   EXPECT_FALSE(check_of(hangs, "main.clearance").passes);
 }
 
+// A counterweight keeps H = 5 kN and lets out what the rope hangs through: 10 N/m sag by 2 kN 200 m/(8 5 kN) = 10 m of
+// 12 m. The rope that the straight branch has would hang 6.7 m deep, and passed 5 m.
+TEST(LineChecks, AMotionsRopeThatIsLetOutHangsInItsTension) {
+  const auto deck = [](const std::string& analysis) {
+    return run_text(R"(taut: 1
+machine:
+  points: {far: [200 m, 0 m, 12 m]}
+  terrain: {x: [-20 m, 210 m], z: [0 m, 0 m]}
+  ropes: {r: {mass: 1.0197162 kg/m, stiffness: 20 MN, breaking_force: 500 kN, damping_ratio: 0.1}}
+  bodies: {cw: {mass: 509.858 kg, at: [-0.2 m, 0 m, 5 m], free: [z]}}
+  sheaves: {head: {at: [0 m, 0 m, 12 m], diameter: 400 mm}}
+  reevings: [{rope: r, path: [{anchor: cw}, {over: head}, {anchor: far}], length: 207 m}]
+checks: {ropes: {r: {safety_factor: 3}}, lines: {r: {least_clearance: 5 m}}}
+analyses: [)" + analysis +
+                    "]\n");
+  };
+  const Result moves = deck("{transient: {duration: 0.2 s, tolerance: 1e-4}}");
+  const Result rests = deck("{equilibrium: {}}");
+  EXPECT_NEAR(check_of(rests, "r.clearance").value, 2, 0.1);
+  EXPECT_NEAR(check_of(moves, "r.clearance").value, check_of(rests, "r.clearance").value, 0.1);
+}
+
 /// The carriage stands between the tail tree that is named and the anchor.
 TEST(LineChecks, ATailTreeThatIsNoneIsNotJudged) {
   const std::string deck = R"(taut: 1
