@@ -341,10 +341,10 @@ Array<DrumResult> drums(const machine::Model& model, const TransientFrame& frame
     const bool known = model.drums[end.drum].length_on_drum.has_value();
     const double pull = tension_at(frame.branches, end.reeving, end.at_end);
     all.push_back(at_drum(model, end.reeving, end.at_end, pull, known ? std::optional(end.content) : std::nullopt));
-    all.back().speed = frame.drums[end.drum].speed;
   }
   set_layers(model, all);
   set_senses(model, {}, all);
+  for (DrumResult& one : all) one.speed = one.sense * frame.drums[one.drum].speed;  // that of its first rope
   return all;
 }
 

@@ -10,6 +10,7 @@
 
 #include "taut/checks/parts.hpp"
 #include "taut/math/index.hpp"
+#include "taut/solve/drives.hpp"
 
 namespace taut::checks {
 namespace {
@@ -261,14 +262,31 @@ Taken taken_from(const machine::Model& m, const Frame& is, const Hung& hung) {
   return taken;
 }
 
-/// A drum by a torque, or by none, that its load turns back. A torque that turns its rope out helps a load that does
+/// The ropes of a drum in a moment. One may run off it while another is taken in.
+struct OnDrum {
+  int ropes = 0;
+  double net = 0;         ///< what all of them give it as they turn it, W
+  bool runs_out = false;  ///< one that bears something does
+
+  OnDrum(const machine::Model& m, const Frame& is, std::size_t drum) {
+    for (const solve::DrumResult& end : solve::drums(m, is)) {
+      if (as_size(end.drum) != drum) continue;
+      ++ropes;
+      const double speed = end.speed.value_or(0);
+      net -= m.reevings[end.reeving].copies * end.pull * speed;
+      runs_out = runs_out || (end.pull > 0 && speed < 0);
+    }
+  }
+};
+
+/// A drum by a torque, or by none, that a load may turn back. A torque that turns a rope out helps a load that does
 /// more, and any load where the drum's drag takes less than half of what both give: they speed it up.
-bool gives_way(const machine::Drum& drum, const Frame::Drum& is) {
+bool gives_way(const machine::Drum& drum, const Frame::Drum& is, const OnDrum& on) {
   if (!is.by_torque || is.braked) return false;
-  if (is.power < 0 || is.speed >= 0 || is.torque == 0) return is.power < 0 || (is.speed < 0 && is.T > 0);
-  if (!(is.T > 0)) return false;
-  const double pulls = is.T * -is.speed, omega = is.power / is.torque;
-  return pulls > is.power || pulls + is.power > 2 * drum.drag * omega * omega;
+  if (is.power < 0) return true;
+  if (!on.runs_out || is.torque == 0) return on.runs_out;
+  const double omega = is.power / is.torque;
+  return on.net > is.power || on.net + is.power > 2 * drum.drag * omega * omega;
 }
 
 /// Somewhere in a motion.
@@ -351,11 +369,12 @@ void Dragged::take_drums(const Moment& now, std::map<Which, Way>& gives) const {
     const Frame::Drum& is = now.is.drums[i];
     const auto d = static_cast<int>(i);
     const machine::Drum& drum = now.m.drums[d];
-    const bool by_torque = gives_way(drum, is);
+    const OnDrum ropes(now.m, now.is, i);
+    const bool by_torque = gives_way(drum, is, ropes);
     const bool by_pull = !is.by_torque && !is.braked && !is.held && is.power < 0 && may_pull(now.m, d);
     const bool slack = is.by_torque && !is.braked && is.torque < 0 && is.speed < 0 && !(is.T > 0);
     if (!by_torque && !by_pull && !slack) continue;
-    const bool led = now.is_led(&Together::drum, i), sure = by_torque && !led;
+    const bool led = now.is_led(&Together::drum, i), sure = by_torque && !led && ropes.ropes == 1;
     const auto on = [&](const machine::Node& node) { return node.drum == d; };
     if (!sure && !now.loads_drag(now.hung_on_ropes(on), led, 0)) continue;
     const std::string pull = " against its pull of " + display_.brief(is.T, si::N);

@@ -96,6 +96,31 @@ TEST(Dragged, ATorqueBelowZeroDropsTheLoad) {
   EXPECT_FALSE(told(hoist("speed: 0 m/s", "torque: -2.5 kN m", ", drag: 400 N m s"), "the load drags"));
 }
 
+// The 2 t run off the drum while its first rope, of 1 t, is taken in; both ways round one load falls.
+TEST(Dragged, ALoadOnTheSecondRopeOfADrumFallsToo) {
+  const auto hung = [](const char* first, const char* second, const char* drive) {
+    return run_text(fmt::format(R"(taut: 1
+machine:
+  ropes: {{hoist: {{mass: 0 kg/m, stiffness: 13 MN, breaking_force: 400 kN, damping_ratio: 0.3}}}}
+  bodies:
+    hook: {{mass: {}, at: [0.2 m, 0 m, 0 m], free: [z]}}
+    other: {{mass: {}, at: [-0.2 m, 0 m, 0 m], free: [z]}}
+  drums: {{winch: {{at: [0 m, 0 m, 10 m], core_diameter: 400 mm, inertia: 5 kg m^2, drive: {{{}}}}}}}
+  reevings:
+    - {{rope: hoist, name: a, path: [{{drum: winch, side: right}}, {{anchor: hook}}], length: 10 m}}
+    - {{rope: hoist, name: b, path: [{{drum: winch, side: left}}, {{anchor: other}}], length: 10 m, haul: to_end}}
+checks: {{ropes: {{hoist: {{dynamic_safety_factor: 3}}}}}}
+analyses: [{{transient: {{duration: 1.2 s, start: assembled, tolerance: 1e-3}}}}]
+)",
+                                first, second, drive));
+  };
+  for (const char* drive : {"brake: open", "torque: 0.1 kN m", "torque: -0.1 kN m"}) {
+    EXPECT_TRUE(told(hung("1 t", "2 t", drive), "the load drags 'winch'")) << drive;
+    EXPECT_TRUE(told(hung("2 t", "1 t", drive), "the load drags 'winch'")) << drive;
+  }
+  EXPECT_FALSE(told(hung("1 t", "1 t", "brake: open"), "the load drags"));
+}
+
 TEST(Dragged, ADrumByAPullGivesWay) {
   const Result drops = hoist("pull: 9.80665 kN", "pull: 5 kN");
   EXPECT_TRUE(told(drops, "the load drags 'winch'"));

@@ -35,13 +35,15 @@ std::string paid_out_words(const std::string& rope, const std::string& drum, con
 
 /// A drum turns one way: all ropes that run on it or off it have to agree on which. At rest they are asked as they run
 /// while the machine hauls in. Which side a rope leaves it follows from the places where the path gives none.
-void DriveUses::keep_winding(const machine::Model& m, const Array<solve::DrumResult>& ends, Array<Array<int>> flow) {
+void DriveUses::keep_winding(const machine::Model& m, const Array<solve::DrumResult>& ends,
+                             const solve::EquilibriumResult& state) {
   if (ends.size() < 2) return;
   const auto runs = [](const Array<Array<int>>& flow) {
     return std::any_of(flow.begin(), flow.end(), [](const Array<int>& rope) {
       return std::any_of(rope.begin(), rope.end(), [](int f) { return f != 0; });
     });
   };
+  Array<Array<int>> flow = state.flow;
   if (!runs(flow)) {
     solve::EquilibriumOptions hauling;
     hauling.motion = solve::Motion::in;

@@ -320,7 +320,7 @@ void DriveUses::take(const machine::Model& m, const solve::EquilibriumResult& st
   std::vector<Check> made;
   for (const auto& d : solve::drives(m, state)) check_drive(m, d, made, unmade_);
   const Array<solve::DrumResult> ends = solve::drums(m, state);
-  keep_winding(m, ends, state.flow);
+  keep_winding(m, ends, state);
   keep_senses(m, ends, state, words);
   for (const auto& [drum, load] : loads_of(ends, state.flow)) {
     check_torque(m.drums[drum], load, made, unmade_);
@@ -369,7 +369,6 @@ void DriveUses::take_moment(const machine::Model& m, const solve::TransientFrame
   const auto drums = solve::drums(m, frame);
   const double time = last_moment_ ? frame.t - *last_moment_ : 0;
   last_moment_ = frame.t;
-  if (!(time > 0)) keep_winding(m, drums, {});  // a motion begins
   take_slips(m, frame, time, words);
   take_way(drums, time);
   if (!(time > 0)) turning_.clear();  // a motion begins

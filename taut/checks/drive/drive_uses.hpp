@@ -60,7 +60,8 @@ class DriveUses {
   void take_hauled(const machine::Model& model, const std::string& words);
   void take_brakes(const machine::Model& model, const solve::TransientResult& motion, const std::string& words);
   void keep_turns(const machine::Model& model, const solve::DrumResult& drum, const std::string& words);
-  void keep_winding(const machine::Model& m, const Array<solve::DrumResult>& ends, Array<Array<int>> flow);
+  void keep_winding(const machine::Model& m, const Array<solve::DrumResult>& ends,
+                    const solve::EquilibriumResult& state);
   void keep_senses(const machine::Model& m, const Array<solve::DrumResult>& ends, const solve::EquilibriumResult& state,
                    const std::string& words);
   void keep_free(const machine::Drum& drum, double torque, const std::string& words);
