@@ -69,14 +69,18 @@ study::RopePiece hung_by_length(const solve::TransientFrame::Branch& b, const ma
   return hung(b, rope, L * (1 + across * across / 24));
 }
 
-/// Whether the free rope stays as long as it is: it is one branch, on drums that no tension turns. Any other is paid
-/// out, or passes its rounds, until it has its tension.
+/// Whether the free rope stays as long as it is. One that a weight pulls over rounds, or a tension off a drum, comes
+/// after until it has its tension.
 bool keeps_its_length(const machine::Model& model, const machine::Reeving& rope) {
-  return rope.nodes.size() == 2 && std::all_of(rope.nodes.begin(), rope.nodes.end(), [&](const machine::Node& end) {
-           if (!end.drum) return true;
-           const machine::DriveKind kind = model.drums[*end.drum].drive.kind;
-           return kind == machine::DriveKind::held || kind == machine::DriveKind::speed;
-         });
+  const auto keeps = [&](const machine::Node& end) {
+    if (!end.drum) {
+      const bool stands = end.at.body == machine::ground || machine::stands_fast(model.bodies[end.at.body]);
+      return stands || rope.nodes.size() == 2;
+    }
+    const machine::DriveKind kind = model.drums[*end.drum].drive.kind;
+    return kind == machine::DriveKind::held || kind == machine::DriveKind::speed;
+  };
+  return rope.closed || (keeps(rope.nodes.front()) && keeps(rope.nodes.back()));
 }
 
 /// The level tension of a branch whose ends have the one that a straight branch has, N. One that bears less than its
