@@ -186,13 +186,21 @@ double power_of_loads(const machine::Model& m, const Frame& is, int b) {
   return power;
 }
 
+/// How fast a drum takes in an end of a rope, m/s; each rope by the way in which it is wound.
+double taken_in(const machine::Model& m, const Frame& is, int rope, bool at_end) {
+  for (const solve::DrumResult& end : solve::drums(m, is)) {
+    if (end.reeving == rope && end.at_end == at_end) return end.speed.value_or(0);
+  }
+  return 0;
+}
+
 /// How fast a rope rises where it leaves a node, or, `arrives`, comes to it, m/s.
 double rises_at(const machine::Model& m, const Frame& is, const Frame::Branch& branch, bool arrives) {
   const int n = arrives ? branch.to : branch.from;
   const machine::Node& node = m.reevings[branch.reeving].nodes[n];
   double flow = 0;
   if (node.drum) {
-    flow = (arrives ? 1 : -1) * is.drums[*node.drum].speed;
+    flow = (arrives ? 1 : -1) * taken_in(m, is, branch.reeving, arrives);
   } else {
     const auto contact = std::find_if(is.contacts.begin(), is.contacts.end(), [&](const Frame::Contact& one) {
       return one.reeving == branch.reeving && one.node == n;
@@ -237,21 +245,71 @@ struct Taken {
   }
 };
 
-Taken taken_from(const machine::Model& m, const Frame& is, const Hung& hung) {
-  Taken taken;
-  std::vector<bool> drums(m.drums.size(), false), motors(m.motors.size(), false);
-  for (std::size_t r = 0; r < m.reevings.size(); ++r) {
-    if (!hung.ropes[r] && !touches(m, r, hung.bodies)) continue;
-    for (const machine::Node& node : m.reevings[r].nodes) {
+/// The drives of ropes, by drum and by motor.
+struct Drives {
+  std::vector<bool> drums, motors;
+
+  explicit Drives(const machine::Model& m) : drums(m.drums.size(), false), motors(m.motors.size(), false) {}
+  void add(const machine::Reeving& rope) {
+    for (const machine::Node& node : rope.nodes) {
       if (node.drum) drums[as_size(*node.drum)] = true;
       if (node.motor) motors[as_size(*node.motor)] = true;
     }
   }
-  for (std::size_t d = 0; d < drums.size(); ++d) {
-    if (drums[d]) taken.add(is.drums[d].power);
+};
+
+Taken taken_by(const Drives& drives, const Frame& is) {
+  Taken taken;
+  for (std::size_t d = 0; d < drives.drums.size(); ++d) {
+    if (drives.drums[d]) taken.add(is.drums[d].power);
   }
-  for (std::size_t k = 0; k < motors.size(); ++k) {
-    if (motors[k]) taken.add(is.motors[k].power);
+  for (std::size_t k = 0; k < drives.motors.size(); ++k) {
+    if (drives.motors[k]) taken.add(is.motors[k].power);
+  }
+  return taken;
+}
+
+/// What the pulls of a rope give to the bodies among these on which it is or bends, W.
+double power_of_rope(const machine::Model& m, const Frame& is, int rope, const std::vector<bool>& bodies) {
+  const machine::Reeving& of = m.reevings[rope];
+  const auto given = [&](int n, const Vector3& at, const Vector3& pull) {
+    const int b = of.nodes[n].at.body;
+    if (b == machine::ground || !bodies[as_size(b)]) return 0.0;
+    const Frame::Body& body = is.bodies[b];
+    return pull.dot(body.velocity + body.spin.cross(at - body.position));
+  };
+  double power = 0;
+  const auto same = [](const Frame::Branch& a, const Frame::Branch& b) {
+    return a.reeving == b.reeving && a.from == b.from && a.to == b.to;
+  };
+  for (std::size_t i = 0; i < is.branches.size(); ++i) {
+    const Frame::Branch& branch = is.branches[i];
+    if (branch.reeving != rope) continue;
+    // of a rope in segments the first and the last one of a branch are at its nodes
+    const bool first = i == 0 || !same(is.branches[i - 1], branch);
+    const bool last = i + 1 == is.branches.size() || !same(is.branches[i + 1], branch);
+    if (first) power += given(branch.from, branch.start, branch.T_from * branch.leaves);
+    if (last) power += given(branch.to, branch.end, -branch.T_to * branch.arrives);
+  }
+  return of.copies * power;
+}
+
+/// Of all that hangs there. The drive of another rope on these bodies may brake the load of that one: it takes from
+/// them no more than its rope does.
+Taken taken_from(const machine::Model& m, const Frame& is, const Hung& hung) {
+  Drives own(m);
+  for (std::size_t r = 0; r < m.reevings.size(); ++r) {
+    if (hung.ropes[r]) own.add(m.reevings[r]);
+  }
+  Taken taken = taken_by(own, is);
+  for (std::size_t r = 0; r < m.reevings.size(); ++r) {
+    if (hung.ropes[r] || !touches(m, r, hung.bodies)) continue;
+    Drives others(m);
+    others.add(m.reevings[r]);
+    for (std::size_t d = 0; d < own.drums.size(); ++d) others.drums[d] = others.drums[d] && !own.drums[d];
+    for (std::size_t k = 0; k < own.motors.size(); ++k) others.motors[k] = others.motors[k] && !own.motors[k];
+    const double by_rope = -power_of_rope(m, is, static_cast<int>(r), hung.bodies);
+    taken.add(-std::min(taken_by(others, is).all, std::max(by_rope, 0.0)));
   }
   for (std::size_t i = 0; i < is.actuators.size(); ++i) {
     const int from = m.actuators[i].from_body, to = m.actuators[i].to_body;
@@ -267,6 +325,7 @@ struct OnDrum {
   int ropes = 0;
   double net = 0;         ///< what all of them give it as they turn it, W
   bool runs_out = false;  ///< one that bears something does
+  bool falls = false;     ///< one that bears nothing runs off it
 
   OnDrum(const machine::Model& m, const Frame& is, std::size_t drum) {
     for (const solve::DrumResult& end : solve::drums(m, is)) {
@@ -275,6 +334,7 @@ struct OnDrum {
       const double speed = end.speed.value_or(0);
       net -= m.reevings[end.reeving].copies * end.pull * speed;
       runs_out = runs_out || (end.pull > 0 && speed < 0);
+      falls = falls || (!(end.pull > 0) && speed < 0);
     }
   }
 };
@@ -351,6 +411,8 @@ class Dragged::Moment {
     const Taken taken = taken_from(m, is, hung);
     return power_of_loads(m, is, hung) > std::max(beside, led ? taken.most : taken.all);
   }
+  /// What they give beside what drives take, W.
+  double loads_give(const Hung& hung) const { return power_of_loads(m, is, hung) - taken_from(m, is, hung).all; }
   /// Whether they give more than twice what drives take: most of it speeds them up.
   bool loads_fall(const Hung& hung) const { return power_of_loads(m, is, hung) > 2 * taken_from(m, is, hung).all; }
 
@@ -369,13 +431,16 @@ void Dragged::take_drums(const Moment& now, std::map<Which, Way>& gives) const {
     const Frame::Drum& is = now.is.drums[i];
     const auto d = static_cast<int>(i);
     const machine::Drum& drum = now.m.drums[d];
-    const OnDrum ropes(now.m, now.is, i);
+    const auto on = [&](const machine::Node& node) { return node.drum == d; };
+    OnDrum ropes(now.m, now.is, i);
+    // the pulls of ropes that run in and out swing about each other: what their loads give is steady
+    if (ropes.ropes > 1 && ropes.runs_out && is.by_torque)
+      ropes.net = std::max(ropes.net, now.loads_give(now.hung_on_ropes(on)));
     const bool by_torque = gives_way(drum, is, ropes);
     const bool by_pull = !is.by_torque && !is.braked && !is.held && is.power < 0 && may_pull(now.m, d);
-    const bool slack = is.by_torque && !is.braked && is.torque < 0 && is.speed < 0 && !(is.T > 0);
+    const bool slack = is.by_torque && !is.braked && is.power > 0 && ropes.falls;
     if (!by_torque && !by_pull && !slack) continue;
     const bool led = now.is_led(&Together::drum, i), sure = by_torque && !led && ropes.ropes == 1;
-    const auto on = [&](const machine::Node& node) { return node.drum == d; };
     if (!sure && !now.loads_drag(now.hung_on_ropes(on), led, 0)) continue;
     const std::string pull = " against its pull of " + display_.brief(is.T, si::N);
     gives[{by_pull ? Kind::pulling_drum : Kind::drum, d}] = {

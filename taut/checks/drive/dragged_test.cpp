@@ -98,27 +98,42 @@ TEST(Dragged, ATorqueBelowZeroDropsTheLoad) {
 
 // The 2 t run off the drum while its first rope, of 1 t, is taken in; both ways round one load falls.
 TEST(Dragged, ALoadOnTheSecondRopeOfADrumFallsToo) {
-  const auto hung = [](const char* first, const char* second, const char* drive) {
+  const auto hung = [](const char* first, const char* second, const char* drive, const char* ratio = "0.3",
+                       const char* more = "inertia: 5 kg m^2") {
     return run_text(fmt::format(R"(taut: 1
 machine:
-  ropes: {{hoist: {{mass: 0 kg/m, stiffness: 13 MN, breaking_force: 400 kN, damping_ratio: 0.3}}}}
+  ropes: {{hoist: {{mass: 0 kg/m, stiffness: 13 MN, breaking_force: 400 kN, damping_ratio: {3}}}}}
   bodies:
-    hook: {{mass: {}, at: [0.2 m, 0 m, 0 m], free: [z]}}
-    other: {{mass: {}, at: [-0.2 m, 0 m, 0 m], free: [z]}}
-  drums: {{winch: {{at: [0 m, 0 m, 10 m], core_diameter: 400 mm, inertia: 5 kg m^2, drive: {{{}}}}}}}
+    hook: {{mass: {0}, at: [0.2 m, 0 m, 0 m], free: [z]}}
+    other: {{mass: {1}, at: [-0.2 m, 0 m, 0 m], free: [z]}}
+  drums: {{winch: {{at: [0 m, 0 m, 10 m], core_diameter: 400 mm, {4}, drive: {{{2}}}}}}}
   reevings:
     - {{rope: hoist, name: a, path: [{{drum: winch, side: right}}, {{anchor: hook}}], length: 10 m}}
     - {{rope: hoist, name: b, path: [{{drum: winch, side: left}}, {{anchor: other}}], length: 10 m, haul: to_end}}
 checks: {{ropes: {{hoist: {{dynamic_safety_factor: 3}}}}}}
 analyses: [{{transient: {{duration: 1.2 s, start: assembled, tolerance: 1e-3}}}}]
 )",
-                                first, second, drive));
+                                first, second, drive, ratio, more));
   };
   for (const char* drive : {"brake: open", "torque: 0.1 kN m", "torque: -0.1 kN m"}) {
     EXPECT_TRUE(told(hung("1 t", "2 t", drive), "the load drags 'winch'")) << drive;
     EXPECT_TRUE(told(hung("2 t", "1 t", drive), "the load drags 'winch'")) << drive;
   }
   EXPECT_FALSE(told(hung("1 t", "1 t", "brake: open"), "the load drags"));
+  // a light drum: the pulls of its two ropes swing about each other
+  EXPECT_TRUE(told(hung("1 t", "2 t", "torque: 0.1 kN m", "0.01", "inertia: 0.2 kg m^2"), "the load drags 'winch'"));
+  EXPECT_TRUE(told(hung("2 t", "1 t", "torque: -0.1 kN m", "0.01", "inertia: 0.2 kg m^2"), "the load drags 'winch'"));
+  // the torque runs ahead of the load, at 0.3 kN m/(5 kg m^2) 0.2 m = 12 m/s^2: it falls freely on a slack rope
+  EXPECT_TRUE(told(hung("1 kg", "1 t", "torque: 0.3 kN m"), "the load drags 'winch'"));
+  EXPECT_TRUE(told(hung("1 t", "1 kg", "torque: -0.3 kN m"), "the load drags 'winch'"));
+  // 2 kN m hold the difference of 10 kN on 0.2 m: 4 kN m hoist the heavier load; what they lower has nearly all of it
+  // taken by the drag, and more of it from the drive
+  EXPECT_FALSE(told(hung("1 t", "2 t", "torque: -4 kN m"), "the load drags"));
+  EXPECT_FALSE(told(hung("2 t", "1 t", "torque: 4 kN m"), "the load drags"));
+  EXPECT_FALSE(
+      told(hung("1 t", "2 t", "torque: 4 kN m", "0.3", "inertia: 5 kg m^2, drag: 1 kN m s"), "the load drags"));
+  EXPECT_FALSE(
+      told(hung("2 t", "1 t", "torque: -4 kN m", "0.3", "inertia: 5 kg m^2, drag: 1 kN m s"), "the load drags"));
 }
 
 TEST(Dragged, ADrumByAPullGivesWay) {
@@ -126,6 +141,42 @@ TEST(Dragged, ADrumByAPullGivesWay) {
   EXPECT_TRUE(told(drops, "the load drags 'winch'"));
   EXPECT_TRUE(told(drops, "against its pull of 5 kN"));
   EXPECT_FALSE(told(hoist("pull: 9.80665 kN", "pull: 12 kN"), "the load drags"));
+}
+
+/// Two hoists on one head: 5 t by a speed, 1 t by a pull.
+Result two_hoists(const char* speed, const char* pull) {
+  return run_text(fmt::format(R"(taut: 1
+machine:
+  signals: {{run: {{constant: {}}}}}
+  points: {{roof: [0 m, 0 m, 20 m]}}
+  ropes: {{hoist: {{mass: 0 kg/m, stiffness: 13 MN, breaking_force: 400 kN, damping_ratio: 0.3}}}}
+  bodies:
+    crown: {{mass: 500 kg, at: [0 m, 0 m, 15 m], free: [z]}}
+    a: {{mass: 5 t, at: [0.4 m, 0 m, 8 m], free: [z]}}
+    b: {{mass: 1 t, at: [-0.4 m, 0 m, 8 m], free: [z]}}
+  sheaves:
+    sa: {{body: crown, at: [0.2 m, 0 m, 0 m], diameter: 400 mm}}
+    sb: {{body: crown, at: [-0.2 m, 0 m, 0 m], diameter: 400 mm}}
+  drums:
+    wa: {{at: [0 m, 0 m, 0 m], core_diameter: 400 mm, inertia: 5 kg m^2, drive: {{speed: run}}}}
+    wb: {{at: [0 m, 0 m, 1 m], core_diameter: 400 mm, inertia: 5 kg m^2, drive: {{pull: {}}}}}
+  reevings:
+    - {{rope: hoist, name: ra, path: [{{drum: wa, side: left}}, {{over: sa}}, {{anchor: a}}], length: 22.6 m}}
+    - {{rope: hoist, name: rb, path: [{{drum: wb, side: right}}, {{over: sb}}, {{anchor: b}}]}}
+    - {{rope: hoist, name: hang, path: [{{anchor: roof}}, {{anchor: crown}}], length: 4.97 m}}
+checks: {{ropes: {{hoist: {{dynamic_safety_factor: 2}}}}}}
+analyses: [{{transient: {{duration: 1.2 s, start: assembled, tolerance: 1e-3}}}}]
+)",
+                              speed, pull));
+}
+
+// 1 t against 5 kN: 4.8 m/s^2 for 1.2 s are 5.8 m/s. It gives 57 kW, and its drum takes 29 kW. The other drum takes
+// 49 kW of its own load.
+TEST(Dragged, TheBrakingOfAnotherLoadHoldsNothing) {
+  for (const char* speed : {"-1 m/s", "0 m/s", "1 m/s"}) {
+    EXPECT_TRUE(told(two_hoists(speed, "5 kN"), "the load drags 'wb'")) << speed;
+    EXPECT_FALSE(told(two_hoists(speed, "12 kN"), "the load drags")) << speed;
+  }
 }
 
 /// Downhill by a mainline: the haulback pays out by its pull.
