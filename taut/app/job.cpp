@@ -30,9 +30,8 @@ struct Prepared {
 
 bool replaces_analyses(const std::string& set) { return set.starts_with("analyses="); }
 
-/// Mistakes of the blocks `study` and `calibrate`, which a run leaves out. They are about the deck's own analyses:
-/// where
-/// `--set analyses=...` puts others in place of these, nothing is said of them.
+/// Mistakes of the blocks `study` and `calibrate`, which a run leaves out. These blocks are about the deck's own
+/// analyses. Where `--set analyses=...` puts others in their place, nothing is said.
 void add_mistakes_of_blocks(const Job& job, const io::Deck& deck, Diagnostics& mistakes) {
   const io::Node& blocks = blocks_of(deck);
   if (blocks.find("study") == nullptr && blocks.find("calibrate") == nullptr) return;

@@ -69,26 +69,26 @@ study::RopePiece hung_by_length(const solve::TransientFrame::Branch& b, const ma
   return hung(b, rope, L * (1 + across * across / 24));
 }
 
-/// Whether the free rope stays as long as it is. One that a weight pulls over rounds, or a tension off a drum, comes
-/// after until it has its tension.
+/// Whether the free rope stays as long as it is. Rope that a weight pulls over rounds, or a tension off a drum, comes
+/// after until it has its tension. A carriage on the rope takes none of its length.
 bool keeps_its_length(const machine::Model& model, const machine::Reeving& rope) {
-  const auto keeps = [&](const machine::Node& end) {
-    if (!end.drum) {
-      const bool stands = end.at.body == machine::ground || machine::stands_fast(model.bodies[end.at.body]);
-      return stands || rope.nodes.size() == 2;
+  return std::all_of(rope.nodes.begin(), rope.nodes.end(), [&](const machine::Node& node) {
+    if (!node.drum) {
+      const bool stands = node.at.body == machine::ground || machine::stands_fast(model.bodies[node.at.body]);
+      return stands || rope.nodes.size() == 2 || machine::rides(model, node) || node.kind == machine::NodeKind::load;
     }
-    const machine::DriveKind kind = model.drums[*end.drum].drive.kind;
+    const machine::DriveKind kind = model.drums[*node.drum].drive.kind;
     return kind == machine::DriveKind::held || kind == machine::DriveKind::speed;
-  };
-  return rope.closed || (keeps(rope.nodes.front()) && keeps(rope.nodes.back()));
+  });
 }
 
-/// The level tension of a branch whose ends have the one that a straight branch has, N. One that bears less than its
-/// weight there hangs upright: so deep that no clearance is left.
+/// The level tension of a branch whose ends have the one that a straight branch has, N: H^2 = T^2 - (W/2)^2. No
+/// catenary has less at its ends than the one with u tanh u = 1, u = W/(2 H) = 1.1997 by its span: with less, rope runs
+/// out without end, and it is taken to hang as deep as that one, a third of the span.
 double level_tension(const solve::TransientFrame::Branch& b, const machine::Reeving& rope) {
-  constexpr double least = 0.1;  // of the tension
-  const double T = mean_tension(b), V = weight_of(b, rope) * level_share(b) / 2;
-  return std::sqrt(std::max(T * T - V * V, least * least * T * T));
+  constexpr double deepest = 1.1997;
+  const double T = mean_tension(b), half = weight_of(b, rope) * level_share(b) / 2;
+  return std::max(std::sqrt(std::max(T * T - half * half, 0.0)), half / deepest);
 }
 
 /// The tension with which a branch was given, N; 0: its length is. A motion that goes on from another has the rope

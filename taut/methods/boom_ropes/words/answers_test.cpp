@@ -63,7 +63,7 @@ TEST(BoomAnswers, CasesAloneHaveALoad) {
       << load;
 }
 
-// A case without a name is told by its number.
+// A case without a name is called by its number.
 TEST(BoomAnswers, CasesWithoutANameHaveTheirNumber) {
   Input in = whole_boom();
   in.S10 = 119e3;
