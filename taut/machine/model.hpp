@@ -105,6 +105,7 @@ struct Node {
   int side = 1;                     ///< +1: along its path the rope turns right-handed about `axis`; -1: left-handed
   bool side_open = false;  ///< no side is given (except at a saddle that can only push): `side` is a first guess, the
                            ///< equilibrium decides
+  bool side_by_place = false;  ///< of an end on a drum: no side is given, `side` follows from the places
   int turns = 0;   ///< the wrap lies in [-pi/2, 3 pi/2) + 2 pi turns; a wrap below 0: the rope has left the sheave
   ContactLaw law;  ///< of a contact
   Vector3 support = Vector3::Zero();  ///< 0: holds the rope in both directions (a sheave with a guard, a carriage).

@@ -31,19 +31,66 @@ std::string paid_out_words(const std::string& rope, const std::string& drum, con
       rope, drum, words);
 }
 
+/// Ways in which a motor with a speed turns, along the path of its rope and against it; neither where the signal has
+/// no known range.
+std::pair<bool, bool> turns_of(const machine::Drive& drive) {
+  if (drive.kind != machine::DriveKind::speed) return {false, false};
+  const auto range = machine::range_of(drive.signal);
+  return range ? std::pair(range->most > 0, range->least < 0) : std::pair(false, false);
+}
+
+int sense_of(const Array<int>& flow) {
+  const auto moves = std::find_if(flow.begin(), flow.end(), [](int f) { return f != 0; });
+  return moves == flow.end() ? 0 : *moves;
+}
+
 }  // namespace
+
+/// `motion` says which way a driven rope runs, not the sign of its motor's speed: one of the states has to agree with
+/// it. An unknown load balances the motor; where it would have to draw the rope, the motor does not turn the machine.
+void DriveUses::keep_runs(const machine::Model& m, const solve::EquilibriumResult& state, const std::string& words) {
+  for (std::size_t r = 0; r < m.reevings.size(); ++r) {
+    const machine::Reeving& rope = m.reevings[r];
+    const int sense = sense_of(state.flow[r]);
+    if (sense == 0) continue;
+    for (const machine::Node& node : rope.nodes) {
+      if (!node.motor || node.kind != machine::NodeKind::drive) continue;
+      const auto [along, against] = turns_of(m.motors[*node.motor].drive);
+      if (!along && !against) continue;
+      Runs& runs = runs_[node.name];
+      runs.as_driven = runs.as_driven || (sense > 0 ? along : against);
+      if (!runs.words.empty()) continue;
+      runs.words = fmt::format(
+          "'{}' is judged only while it runs {} its path ({}); the speed of its motor '{}' is the other way: give "
+          "'motion' the other sense, or the speed its other sign",
+          rope.name, sense > 0 ? "along" : "against", words, node.name);
+    }
+  }
+  constexpr double rounding = 1e-9;  // of the tensions at a load
+  for (const solve::ContactResult& c : state.contacts) {
+    const machine::Reeving& rope = m.reevings[c.reeving];
+    const machine::Node& node = rope.nodes[c.node];
+    if (node.kind != machine::NodeKind::load || !node.load.open) continue;
+    const double draws = sense_of(state.flow[c.reeving]) * (c.T_in - c.T_out);
+    if (draws <= rounding * (c.T_in + c.T_out)) continue;
+    const machine::Node& drive = rope.nodes.front();
+    unmade_.try_emplace(
+        {{.kind = PartKind::sheave, .name = drive.name}, "open_load"},
+        fmt::format("{}: the torque of '{}' is less than its rope needs to run that way: '{}' would have to draw the "
+                    "rope with {}. Give a larger torque, the torque its other sign, or 'motion' the other sense",
+                    words, drive.name, node.name, display_.brief(rope.copies * draws, si::N)));
+  }
+}
 
 /// A drum turns one way: all ropes that run on it or off it have to agree on which. At rest they are asked as they run
 /// while the machine hauls in. Which side a rope leaves it follows from the places where the path gives none.
-void DriveUses::keep_winding(const machine::Model& m, const Array<solve::DrumResult>& ends,
-                             const solve::EquilibriumResult& state) {
+void DriveUses::keep_winding(const machine::Model& m, const Array<solve::DrumResult>& ends, Array<Array<int>> flow) {
   if (ends.size() < 2) return;
   const auto runs = [](const Array<Array<int>>& flow) {
     return std::any_of(flow.begin(), flow.end(), [](const Array<int>& rope) {
       return std::any_of(rope.begin(), rope.end(), [](int f) { return f != 0; });
     });
   };
-  Array<Array<int>> flow = state.flow;
   if (!runs(flow)) {
     solve::EquilibriumOptions hauling;
     hauling.motion = solve::Motion::in;
@@ -75,6 +122,18 @@ void DriveUses::keep_winding(const machine::Model& m, const Array<solve::DrumRes
                           "is hauled in, as a counterweight's does, give '{2}' 'haul: {3}'",
                           name, one.name, other.name, other.haul > 0 ? "to_start" : "to_end"));
   }
+}
+
+/// A motion turns a drum as its ropes are described. What is asked is whether that is meant, where no side is given.
+void DriveUses::take_winding(const machine::Model& m, Array<solve::DrumResult> ends) {
+  std::set<int> by_place;
+  for (const solve::DrumResult& d : ends) {
+    const machine::Reeving& rope = m.reevings[d.reeving];
+    if ((d.at_end ? rope.nodes.back() : rope.nodes.front()).side_by_place) by_place.insert(d.drum);
+  }
+  const auto given = [&](const solve::DrumResult& d) { return !by_place.contains(d.drum); };
+  ends.erase(std::remove_if(ends.begin(), ends.end(), given), ends.end());
+  keep_winding(m, ends, {});
 }
 
 /// Where sheaves lose, a rope pulls less while it runs off its drum than at rest and hauled in; so it does where a map

@@ -10,6 +10,9 @@ namespace taut::drive_senses_test {
 
 using taut_test::run_text;
 
+/// With or without warnings.
+bool passes(const Verdict& verdict) { return to_text(verdict.kind).starts_with("passes"); }
+
 /// Two ropes hoist one block. Left to the places, they leave the drum on opposite sides, and their torques would
 /// cancel.
 TEST(DriveUses, ADrumDoesNotTurnBothWays) {
@@ -44,6 +47,38 @@ machine:
   const Result held = twin(", side: left", "at_rest");
   EXPECT_EQ(to_text(verdict_of(held)->kind), "fails") << verdict_of(held)->reason;
   EXPECT_NEAR(taut_test::check_of(held, "w.brake_torque").value, 8e3 * 9.80665 / 2 * 0.192, 50);
+}
+
+/// Two hooks of 2 t left and right of a drum: by the places the ropes leave it on opposite sides, and their torques
+/// cancel. A motion turns the drum so; whether that is meant only the deck can say.
+TEST(DriveUses, AMotionAsksForTheSidesOfADrum) {
+  const auto hooks = [](const std::string& one, const std::string& other) {
+    const Result r = run_text(R"(taut: 1
+machine:
+  ropes: {hoist: {mass: 0 kg/m, stiffness: 13 MN, breaking_force: 400 kN, damping_ratio: 0.3}}
+  bodies:
+    hook: {mass: 2 t, at: [3.2 m, 0 m, 3 m], free: [z]}
+    other: {mass: 2 t, at: [-3.2 m, 0 m, 3 m], free: [z]}
+  sheaves: {h1: {at: [3 m, 0 m, 10.2 m], diameter: 400 mm}, h2: {at: [-3 m, 0 m, 10.2 m], diameter: 400 mm}}
+  drums: {winch: {at: [0 m, 0 m, 10 m], core_diameter: 400 mm, inertia: 5 kg m^2, brake_torque: 2.5 kN m}}
+  reevings:
+    - {rope: hoist, name: a, path: [{drum: winch)" +
+                              one + R"(}, {over: h1}, {anchor: hook}], length: 10 m}
+    - {rope: hoist, name: b, path: [{drum: winch)" +
+                              other + R"(}, {over: h2}, {anchor: other}], length: 10 m}
+checks: {ropes: {hoist: {safety_factor: 3}}}
+analyses: [transient: {duration: 0.2 s, tolerance: 1e-3}]
+)");
+    const auto verdict = verdict_of(r);
+    EXPECT_TRUE(verdict) << to_text(r.errors);
+    return verdict.value_or(Verdict{});
+  };
+  const Verdict open = hooks("", "");
+  EXPECT_EQ(to_text(open.kind), "not_judged");
+  EXPECT_NE(open.reason.find("turn both ways"), std::string::npos) << open.reason;
+  EXPECT_TRUE(passes(hooks(", side: left", ", side: right"))) << "it is meant so";
+  const Verdict both = hooks(", side: left", ", side: left");
+  EXPECT_EQ(to_text(both.kind), "fails") << "2 x 2 t at 0.2 m are 7.8 kN m";
 }
 
 /// A car of 3 x 1 t and its counterweight of 1 t leave one drum on opposite sides: one runs off as the other comes in.
@@ -147,6 +182,72 @@ analyses:
   EXPECT_EQ(to_text(verdict_of(peak)->kind), "passes") << verdict_of(peak)->reason;
   const Result raised = moved("0.2 m/s", "safety_factor: 3", "");
   EXPECT_EQ(to_text(verdict_of(raised)->kind), "passes") << verdict_of(raised)->reason;
+}
+
+/// A saw whose rope runs along its path with 'motion: in'. Its wheels hold it with 16 kN in all; the tail takes
+/// (1 - 0.97)/(1 + 0.97) of that, and its mean tension is 8 kN: about 0.24 kN, or 85 N m at the drive's rim.
+std::string saw(const std::string& motor, const std::string& load, const std::string& motion) {
+  return R"(taut: 1
+machine:
+  ropes: {saw: {mass: 0.6 kg/m, stiffness: 6.5 MN, diameter: 12 mm, breaking_force: 100 kN}}
+  bodies: {slide: {mass: 85 kg, at: [0 m, 0 m, 1 m], free: [x]}}
+  sheaves:
+    drive: {at: [8 m, 0 m, 1 m], diameter: 700 mm, friction: 0.5, motor: {)" +
+         motor + R"(}}
+    tail: {body: slide, at: [0 m, 0 m, 0 m], diameter: 700 mm, efficiency: 0.97}
+  reevings:
+    - {rope: saw, path: [{over: drive, side: left}, {over: tail, side: left}], closed: true, length: 18.19 m}
+  take_up: [{body: slide, screw: 16 kN, keeps: force, along: [-1, 0, 0]}]
+  rope_loads: [{name: cut, rope: saw, between: [tail, drive], )" +
+         load + R"(}]
+analyses: [)" +
+         motion + R"(]
+checks: {ropes: {saw: {safety_factor: 5}}}
+)";
+}
+
+/// What the verdict says of a saw whose rope runs in these senses.
+Verdict verdict_of_saw(const std::string& motor, const std::string& load, const std::string& motion) {
+  const Result r = run_text(saw(motor, load, motion));
+  const auto verdict = verdict_of(r);
+  EXPECT_TRUE(verdict) << to_text(r.errors);
+  return verdict.value_or(Verdict{});
+}
+
+constexpr const char* in = "equilibrium: {name: saws, motion: in}";
+constexpr const char* out = "equilibrium: {name: back, motion: out}";
+
+TEST(DriveUses, AnUnknownLoadDoesNotDrawTheRope) {
+  const std::string cut = "direction: against_motion";
+  EXPECT_TRUE(passes(verdict_of_saw("torque: 1.9 kN m", cut, in)));
+  EXPECT_TRUE(passes(verdict_of_saw("torque: 100 N m", cut, in)));
+  for (const char* const torque : {"torque: 20 N m", "torque: 70 N m", "torque: -200 N m"}) {
+    const Verdict weak = verdict_of_saw(torque, cut, in);
+    EXPECT_EQ(to_text(weak.kind), "not_judged") << torque;
+    EXPECT_NE(weak.reason.find("'cut' would have to draw the rope"), std::string::npos) << weak.reason;
+  }
+  EXPECT_TRUE(passes(verdict_of_saw("torque: -1.9 kN m", cut, out)));
+}
+
+TEST(DriveUses, AMotorDrivesInTheSenseOfItsTorque) {
+  const std::string cut = "tangential: 5 kN, direction: against_motion";
+  EXPECT_TRUE(passes(verdict_of_saw("torque: 1.9 kN m", cut, in)));
+  EXPECT_EQ(to_text(verdict_of_saw("torque: 1.8 kN m", cut, in).kind), "fails") << "5 kN at 0.35 m, and the tail";
+  const Verdict wrong = verdict_of_saw("torque: -1.9 kN m", cut, in);
+  EXPECT_EQ(to_text(wrong.kind), "not_judged");
+  EXPECT_NE(wrong.reason.find("needs one along it"), std::string::npos) << wrong.reason;
+  EXPECT_TRUE(passes(verdict_of_saw("torque: -1.9 kN m", cut, out)));
+}
+
+/// The sense of a motion has to be that of the motor's speed, in one of the states.
+TEST(DriveUses, ARopeRunsAsItsMotorTurns) {
+  const std::string cut = "tangential: 5 kN, direction: against_motion";
+  EXPECT_TRUE(passes(verdict_of_saw("speed: 20 m/s", cut, in)));
+  const Verdict back = verdict_of_saw("speed: -20 m/s", cut, in);
+  EXPECT_EQ(to_text(back.kind), "not_judged");
+  EXPECT_NE(back.reason.find("judged only while it runs along its path"), std::string::npos) << back.reason;
+  EXPECT_TRUE(passes(verdict_of_saw("speed: -20 m/s", cut, out)));
+  EXPECT_TRUE(passes(verdict_of_saw("speed: 20 m/s", cut, std::string(in) + ", " + out)));
 }
 
 }  // namespace taut::drive_senses_test

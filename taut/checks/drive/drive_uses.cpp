@@ -68,17 +68,33 @@ void check_grip(const machine::Node& own, const solve::DriveResult& d, std::vect
        .trust = "derived"}));
 }
 
+/// The torque of a motor is positive along the path. One way alone it drives, and does not hold back.
+void check_motor_torque(const machine::Model& m, const solve::DriveResult& d, std::vector<Check>& made,
+                        Unmade& unmade) {
+  const machine::Node& own = m.reevings[d.reeving].nodes[d.node];
+  const auto range = torque_range(sheave_part(own.name), m.motors[*own.motor].drive.signal, unmade);
+  if (!range) return;
+  const double rounding = 1e-9 * m.reevings[d.reeving].copies * own.radius * (d.T_in + d.T_out);
+  const double torque = std::abs(d.torque) > rounding ? d.torque : 0;
+  const bool other_way = (torque > 0 && range->most <= 0) || (torque < 0 && range->least >= 0);
+  if (other_way && std::abs(torque) <= range->kept) {
+    unmade.try_emplace({sheave_part(own.name), "torque"},
+                       fmt::format("{0}.torque is not checked: the motor's torque acts {1} the path of the rope, and "
+                                   "the rope needs one {2} it: give the torque its other sign, or let the rope run "
+                                   "the other way with 'motion'",
+                                   own.name, torque > 0 ? "against" : "along", torque > 0 ? "along" : "against"));
+    return;
+  }
+  made.push_back(
+      check_of(sheave_part(own.name), "torque", std::abs(torque), si::N_m,
+               {.sense = Sense::at_most, .limit = range->kept, .rule = "the motor's torque", .trust = "user"}));
+}
+
 void check_drive(const machine::Model& m, const solve::DriveResult& d, std::vector<Check>& made, Unmade& unmade) {
   const machine::Node& own = m.reevings[d.reeving].nodes[d.node];
   check_grip(own, d, made);
   if (!own.motor || own.kind != machine::NodeKind::drive || !is_limit(m.reevings[d.reeving])) return;
-  const auto range = torque_range(sheave_part(own.name), m.motors[*own.motor].drive.signal, unmade);
-  if (!range) return;
-  const double rounding = 1e-9 * m.reevings[d.reeving].copies * own.radius * (d.T_in + d.T_out);
-  const double torque = std::abs(d.torque) > rounding ? std::abs(d.torque) : 0;
-  made.push_back(
-      check_of(sheave_part(own.name), "torque", torque, si::N_m,
-               {.sense = Sense::at_most, .limit = range->kept, .rule = "the motor's torque", .trust = "user"}));
+  check_motor_torque(m, d, made, unmade);
 }
 
 bool is_broken(const solve::TransientFrame& frame, int reeving) {
@@ -319,8 +335,9 @@ void DriveUses::keep_free(const machine::Drum& drum, double torque, const std::s
 void DriveUses::take(const machine::Model& m, const solve::EquilibriumResult& state, const std::string& words) {
   std::vector<Check> made;
   for (const auto& d : solve::drives(m, state)) check_drive(m, d, made, unmade_);
+  keep_runs(m, state, words);
   const Array<solve::DrumResult> ends = solve::drums(m, state);
-  keep_winding(m, ends, state);
+  keep_winding(m, ends, state.flow);
   keep_senses(m, ends, state, words);
   for (const auto& [drum, load] : loads_of(ends, state.flow)) {
     check_torque(m.drums[drum], load, made, unmade_);
@@ -351,6 +368,7 @@ void DriveUses::take(const machine::Model& m, const solve::EquilibriumResult& st
 void DriveUses::take_bound(const machine::Model& m, const solve::EquilibriumResult& bound, const std::string& words) {
   std::vector<Check> made;
   for (const auto& d : solve::drives(m, bound)) check_drive(m, d, made, unmade_);
+  keep_runs(m, bound, words);
   keep(std::move(made), words);
 }
 
@@ -465,6 +483,7 @@ void DriveUses::take(const machine::Model& m, const solve::TransientResult& moti
   turning_.clear();
   take_hauled(m, words);
   const solve::TransientFrame& first = motion.frames.front();
+  take_winding(m, solve::drums(m, first));
   if (motion.brake_ways.empty()) take_set_brakes(m, first, words);
   for (std::size_t c = 0; c < motion.ways.size(); ++c) {
     const int reeving = first.contacts[c].reeving;
@@ -526,6 +545,9 @@ void DriveUses::add_checks(Result& r) const {
   }
   for (const auto& [rope, words] : paid_out_) {
     if (!hauled_.contains(rope)) leave_unmade(r, words, {.part = {.kind = PartKind::rope, .name = rope}});
+  }
+  for (const auto& [motor, runs] : runs_) {
+    if (!runs.as_driven) leave_unmade(r, runs.words, {.part = sheave_part(motor)});
   }
   for (const auto& [check, words] : unmade_) leave_unmade(r, words, {.part = check.first});
   const auto warn = [&r](const Part& part, const std::string& words) {

@@ -60,8 +60,9 @@ class DriveUses {
   void take_hauled(const machine::Model& model, const std::string& words);
   void take_brakes(const machine::Model& model, const solve::TransientResult& motion, const std::string& words);
   void keep_turns(const machine::Model& model, const solve::DrumResult& drum, const std::string& words);
-  void keep_winding(const machine::Model& m, const Array<solve::DrumResult>& ends,
-                    const solve::EquilibriumResult& state);
+  void keep_winding(const machine::Model& m, const Array<solve::DrumResult>& ends, Array<Array<int>> flow);
+  void take_winding(const machine::Model& m, Array<solve::DrumResult> ends);
+  void keep_runs(const machine::Model& m, const solve::EquilibriumResult& state, const std::string& words);
   void keep_senses(const machine::Model& m, const Array<solve::DrumResult>& ends, const solve::EquilibriumResult& state,
                    const std::string& words);
   void keep_free(const machine::Drum& drum, double torque, const std::string& words);
@@ -94,6 +95,11 @@ class DriveUses {
     double in = 0, out = 0;  ///< m, of the loaded rope
     int drum = 0;
   };
+  struct Runs {
+    bool as_driven = false;  ///< a state shows its rope as the motor's speed says
+    std::string words;       ///< what the first other one lacks
+  };
+  std::map<std::string, Runs> runs_;      // of driven sheaves with a speed
   std::map<int, Haul> hauls_;             // by reeving, so far in the motion that is shown now
   std::set<std::string> at_rest_;         // ropes with a limit at rest
   std::map<Part, std::string> layers_;    // drums with more layers than they are calculated with

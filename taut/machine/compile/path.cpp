@@ -411,6 +411,7 @@ void set_sides(Array<Stop>& stops, const Array<Vector3>& places, bool closed) {
     } else if (!closed && (i == 0 || i == last)) {
       const Vector3 d = i == 0 ? places[1] - places[0] : places[last] - places[last - 1];
       node.side = upper_side(d.normalized(), stops[i].axis);
+      node.side_by_place = node.drum.has_value();
     } else {
       const std::size_t from = i == 0 ? last : i - 1, to = i == last ? 0 : i + 1;
       bends[i] = bend_of(stops[i], stops[from], stops[to], places[from], places[i], places[to]);
