@@ -55,13 +55,21 @@ void keep_worst_rows(const Table& one, std::vector<Table>& tables) {
     tables.push_back(one);
     return;
   }
-  for (const std::vector<Cell>& row : one.rows) {
+  const std::vector<std::string> alone = checks::largest_columns(one.name);
+  for (std::vector<Cell> row : one.rows) {
     const auto same = std::find_if(known->rows.begin(), known->rows.end(),
                                    [&](const std::vector<Cell>& other) { return other.front() == row.front(); });
     if (same == known->rows.end()) {
       known->rows.push_back(row);
-    } else if (is_worse(largest_of(one, row, columns), largest_of(*known, *same, columns), Sense::at_most)) {
-      *same = row;
+      continue;
+    }
+    std::vector<Cell>& kept = *same;
+    const bool worse = is_worse(largest_of(one, row, columns), largest_of(*known, kept, columns), Sense::at_most);
+    if (worse) std::swap(kept, row);
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      if (std::find(alone.begin(), alone.end(), one.columns[i].name) == alone.end()) continue;
+      const double *other = std::get_if<double>(&row[i]), *own = std::get_if<double>(&kept[i]);
+      if (other != nullptr && (own == nullptr || is_worse(*other, *own, Sense::at_most))) kept[i] = row[i];
     }
   }
 }

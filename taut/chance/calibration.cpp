@@ -142,15 +142,22 @@ std::string why_not_identifiable(std::size_t i, const Calibration& c, const Free
 }
 
 CalibratedParameter at_bound(const FreeParameter& p, double value, int held) {
-  CalibratedParameter result{.value = value, .standard_error = no_number, .interval = {.low = p.low, .high = p.high}};
+  CalibratedParameter result{
+      .value = value, .standard_error = no_number, .spread = no_number, .interval = {.low = p.low, .high = p.high}};
   result.state = held < 0 ? ParameterState::at_low : ParameterState::at_high;
   result.note = fmt::format("'{}' ends at its {} bound: widen it, or doubt the model; no interval", p.name,
                             held < 0 ? "lower" : "upper");
   return result;
 }
 
+/// Of both ends of an interval.
+struct Quantile {
+  double own = 0, normal = 0;  ///< of the law of the estimates; of the normal law
+};
+
 /// The parameters with their intervals; `variance` of a residual is 1 where sd is given.
-void describe(Calibration& c, const LeastSquares& fit, const FreeList& free, double variance, double quantile) {
+void describe(Calibration& c, const LeastSquares& fit, const FreeList& free, double variance,
+              const Quantile& quantile) {
   Told told = told_by(fit);
   c.inseparable = told.groups;
   add_alike(c.inseparable, told);
@@ -162,7 +169,8 @@ void describe(Calibration& c, const LeastSquares& fit, const FreeList& free, dou
       c.parameters.push_back(at_bound(p, value, fit.held[i]));
       continue;
     }
-    CalibratedParameter result{.value = value, .standard_error = no_number, .interval = {.low = p.low, .high = p.high}};
+    CalibratedParameter result{
+        .value = value, .standard_error = no_number, .spread = no_number, .interval = {.low = p.low, .high = p.high}};
     const double error = std::sqrt(variance * told.covariance(index(i), index(i)));
     const bool no_effect = !(fit.J.col(index(i)).norm() > 0);
     if (told.in_null[i] || error > 0.5) {
@@ -172,7 +180,8 @@ void describe(Calibration& c, const LeastSquares& fit, const FreeList& free, dou
       result.note = "as many parameters as measurements: give the standard deviations of these, or measure more";
     } else {
       result.standard_error = error * (p.high - p.low);
-      const double half = quantile * result.standard_error;
+      const double half = quantile.own * result.standard_error;
+      result.spread = half / quantile.normal;
       result.interval = {.low = std::max(p.low, value - half), .high = std::min(p.high, value + half)};
     }
     c.parameters.push_back(result);
@@ -300,8 +309,9 @@ Calibration calibrate(const Evaluate& model, const std::vector<FreeParameter>& f
   c.p_value = given && c.freedom > 0 ? chi_squared_above(c.chi_squared, c.freedom) : no_number;
   const double upper = (1 + options.confidence) / 2;
   const double variance = given ? 1 : c.sd * c.sd;
-  const double quantile = given ? normal_score(upper) : c.freedom > 0 ? student_value(upper, c.freedom) : no_number;
-  describe(c, fit, free, variance, quantile);
+  const double normal = normal_score(upper);
+  const double own = given ? normal : c.freedom > 0 ? student_value(upper, c.freedom) : no_number;
+  describe(c, fit, free, variance, {.own = own, .normal = normal});
   for (std::size_t j = 0; j < m; ++j) {
     c.residuals.push_back(-fit.r[index(j)] * (given ? measured.sd[j] : 1));
     c.model.push_back(measured.values[j] - c.residuals.back());

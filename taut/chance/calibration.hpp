@@ -31,8 +31,10 @@ struct CalibratedParameter {
   double value = 0;
   ParameterState state = ParameterState::estimated;
   double standard_error = 0;  ///< NaN unless estimated, and where the sd of the measurements is not known
-  Interval interval;          ///< within the bounds; the bounds themselves where there is no standard error
-  std::string note = {};      ///< for the user's eyes: at a bound, or why it is not identifiable; else empty
+  double spread = 0;  ///< standard deviation of the normal law with this interval: where the sd of the measurements is
+                      ///< estimated, more than the standard error; NaN without one
+  Interval interval;  ///< within the bounds; the bounds themselves where there is no standard error
+  std::string note = {};  ///< for the user's eyes: at a bound, or why it is not identifiable; else empty
 };
 
 /// Parameters that the measurements cannot tell apart: the model's outputs stay as they are when these move together.

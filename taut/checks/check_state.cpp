@@ -44,50 +44,43 @@ double weight_of(const solve::TransientFrame::Branch& b, const machine::Reeving&
   return rope.weight * b.unstretched / (1 + rope.thermal_strain);
 }
 
-/// cos of a branch's slope.
-double level_share(const solve::TransientFrame::Branch& b) {
-  const Vector3 way = b.end - b.start;
-  return way.norm() > 0 ? std::hypot(way.x(), way.y()) / way.norm() : 0;
-}
+/// cos of the slope of a way.
+double level_share(const Vector3& way) { return way.norm() > 0 ? std::hypot(way.x(), way.y()) / way.norm() : 0; }
 
-/// The elastic catenary of the unstretched length L between the ends of a branch; straight where there is none.
-study::RopePiece hung(const solve::TransientFrame::Branch& b, const machine::Reeving& rope, double L) {
-  study::RopePiece piece{.start = b.start, .end = b.end, .shape = {}, .sag = 0};
+/// A free part of a rope that the motion has straight, from round to round: forces along it part it in branches.
+struct StraightPart {
+  Vector3 start = Vector3::Zero(), end = Vector3::Zero();
+  double length = 0;   ///< without tension, m
+  double weight = 0;   ///< N
+  double tension = 0;  ///< the least, N
+  double given = 0;    ///< the least with which it was given, N; 0: its length was
+
+  double weight_across() const { return weight * level_share(end - start); }
+};
+
+/// The elastic catenary of the unstretched length L between two places; straight where there is none.
+study::RopePiece hung(const Vector3& start, const Vector3& end, const machine::Reeving& rope, double L) {
+  study::RopePiece piece{.start = start, .end = end, .shape = {}, .sag = 0};
   const double weight = rope.weight / (1 + rope.thermal_strain);
-  const auto span = rope::solve_span({.length = L, .weight = weight, .stiffness = rope.stiffness}, b.end - b.start);
+  const auto span = rope::solve_span({.length = L, .weight = weight, .stiffness = rope.stiffness}, end - start);
   if (span) piece.shape = *span;
   return piece;
 }
 
-/// How a straight branch hangs whose weight is at its ends. Without sag its length has the tension T0. Where its length
-/// is given, that is the rope's. Where a tension was given, T1 at the start, the rope is longer than the straight
-/// branch by the share W^2/(24 T1^2) that its sag took up then; W is its weight across it (Irvine, Cable Structures).
-/// With the level part of T0 as T1 it hangs in the tension that it has.
-study::RopePiece hung_by_length(const solve::TransientFrame::Branch& b, const machine::Reeving& rope, double T1) {
-  const double L = (b.end - b.start).norm() / (1 + mean_tension(b) / rope.stiffness);
-  const double across = T1 > 0 ? weight_of(b, rope) * level_share(b) / T1 : 0;
-  return hung(b, rope, L * (1 + across * across / 24));
+/// How it hangs with the weight that it has at its ends. Without sag its length has its tension. Where its length is
+/// given, that is the rope's. Where a tension was given, T1 at the start, the rope is longer than the straight part by
+/// the share W^2/(24 T1^2) that its sag took up then; W is its weight across it (Irvine, Cable Structures).
+study::RopePiece hung_by_length(const StraightPart& part, const machine::Reeving& rope, double T1) {
+  const double across = T1 > 0 ? part.weight_across() / T1 : 0;
+  return hung(part.start, part.end, rope, part.length * (1 + across * across / 24));
 }
 
-/// Whether the free rope stays as long as it is. Rope that a weight pulls over rounds, or a tension off a drum, comes
-/// after until it has its tension. A carriage on the rope takes none of its length.
-bool keeps_its_length(const machine::Model& model, const machine::Reeving& rope) {
-  return std::all_of(rope.nodes.begin(), rope.nodes.end(), [&](const machine::Node& node) {
-    if (!node.drum) {
-      const bool stands = node.at.body == machine::ground || machine::stands_fast(model.bodies[node.at.body]);
-      return stands || rope.nodes.size() == 2 || machine::rides(model, node) || node.kind == machine::NodeKind::load;
-    }
-    const machine::DriveKind kind = model.drums[*node.drum].drive.kind;
-    return kind == machine::DriveKind::held || kind == machine::DriveKind::speed;
-  });
-}
-
-/// The level tension of a branch whose ends have the one that a straight branch has, N: H^2 = T^2 - (W/2)^2. No
-/// catenary has less at its ends than the one with u tanh u = 1, u = W/(2 H) = 1.1997 by its span: with less, rope runs
-/// out without end, and it is taken to hang as deep as that one, a third of the span.
-double level_tension(const solve::TransientFrame::Branch& b, const machine::Reeving& rope) {
+/// Its level tension where its ends have the one that it has straight, N: H^2 = T^2 - (W/2)^2. No catenary has less at
+/// its ends than the one with u tanh u = 1, u = W/(2 H) = 1.1997 by its span: with less, rope runs out without end, and
+/// it is taken to hang as deep as that one, a third of the span.
+double level_tension(const StraightPart& part) {
   constexpr double deepest = 1.1997;
-  const double T = mean_tension(b), half = weight_of(b, rope) * level_share(b) / 2;
+  const double T = part.tension, half = part.weight_across() / 2;
   return std::max(std::sqrt(std::max(T * T - half * half, 0.0)), half / deepest);
 }
 
@@ -97,6 +90,20 @@ double given_tension(const machine::Reeving& rope, const solve::TransientFrame& 
   if (rope.given == machine::Given::length) return 0;
   const bool goes_on = begins.t > 0 && rope.given != machine::Given::equal;
   return goes_on ? rope.value : mean_tension(begins.branches[branch]);
+}
+
+StraightPart straight_part(std::span<const solve::TransientFrame::Branch> branches, const machine::Reeving& rope,
+                           const solve::TransientFrame& begins, std::size_t first) {
+  StraightPart part{.start = branches.front().start, .end = branches.back().end};
+  for (std::size_t k = 0; k < branches.size(); ++k) {
+    const solve::TransientFrame::Branch& b = branches[k];
+    const double T = mean_tension(b), given = given_tension(rope, begins, first + k);
+    part.length += (b.end - b.start).norm() / (1 + T / rope.stiffness);
+    part.weight += weight_of(b, rope);
+    part.tension = k == 0 ? T : std::min(part.tension, T);
+    part.given = k == 0 ? given : std::min(part.given, given);
+  }
+  return part;
 }
 
 /// The angle by which a rope turns from one segment to the next.
@@ -114,7 +121,7 @@ study::RopePiece hung_between_joints(const solve::TransientFrame::Branch& b, con
   const double W = weight_of(b, rope), T = mean_tension(b);
   const double most = std::min(turns, std::numbers::pi);
   if (!(most > 0) && !(T > 0)) return piece;
-  const double least_T = most > 0 ? W * level_share(b) / most : T;
+  const double least_T = most > 0 ? W * level_share(b.end - b.start) / most : T;
   piece.sag = W * (b.end - b.start).norm() / (8 * std::max(T, least_T));
   return piece;
 }
@@ -207,25 +214,31 @@ std::vector<FreeRope> free_ropes(const machine::Model& model, const solve::Trans
   std::size_t next = 0;
   for (std::size_t i = 0; i < branches.size(); i = next) {
     const solve::TransientFrame::Branch& first = branches[i];
-    while (next < branches.size() && branches[next].reeving == first.reeving && branches[next].from == first.from &&
-           branches[next].to == first.to)
-      ++next;
     const machine::Reeving& rope = model.reevings[first.reeving];
     const bool in_segments = rope.segments > 1, heavy = is_heavy(motion, first.reeving);
+    const bool straight = heavy && !in_segments && first.curve.empty();
+    for (next = i + 1; next < branches.size() && branches[next].reeving == first.reeving; ++next) {
+      const solve::TransientFrame::Branch& one = branches[next];
+      const bool piece = one.from == branches[next - 1].from && one.to == branches[next - 1].to;
+      if (!piece && !(straight && rope.nodes[one.from].kind == machine::NodeKind::load)) break;
+    }
+    const auto part = branches.subspan(i, next - i);
+    const auto pulls = [](const auto& b) { return std::max(b.T_from, b.T_to) > 0; };
     // joints say how a slack rope in segments lies
-    if (!first.whole || !(in_segments || std::max(first.T_from, first.T_to) > 0)) continue;
-    FreeRope one{.reeving = first.reeving, .from = first.from, .to = first.to, .pieces = {}};
+    if (!std::all_of(part.begin(), part.end(), [](const auto& b) { return b.whole; })) continue;
+    if (!in_segments && !std::all_of(part.begin(), part.end(), pulls)) continue;
+    FreeRope one{.reeving = first.reeving, .from = first.from, .to = part.back().to, .pieces = {}, .deeper = {}};
     if (!first.curve.empty()) {
-      one.pieces.push_back(hung(first, rope, first.unstretched));
+      one.pieces.push_back(hung(first.start, first.end, rope, first.unstretched));
     } else if (!heavy) {
-      for (std::size_t k = i; k < next; ++k)
-        one.pieces.push_back({.start = branches[k].start, .end = branches[k].end, .shape = {}, .sag = 0});
+      for (const auto& b : part) one.pieces.push_back({.start = b.start, .end = b.end, .shape = {}, .sag = 0});
     } else if (in_segments) {
-      add_segments(branches.subspan(i, next - i), rope, one.pieces);
+      add_segments(part, rope, one.pieces);
     } else {
-      const double given = given_tension(rope, motion.frames.front(), i), has = level_tension(first, rope);
-      const double lower = given > 0 ? std::min(given, has) : has;
-      one.pieces.push_back(hung_by_length(first, rope, keeps_its_length(model, rope) ? given : lower));
+      const StraightPart own = straight_part(part, rope, motion.frames.front(), i);
+      const double has = level_tension(own);
+      one.pieces.push_back(hung_by_length(own, rope, own.given));
+      one.deeper.push_back(hung_by_length(own, rope, own.given > 0 ? std::min(own.given, has) : has));
     }
     all.push_back(std::move(one));
   }
@@ -234,6 +247,11 @@ std::vector<FreeRope> free_ropes(const machine::Model& model, const solve::Trans
 
 study::RopeClearance clearance_of(const machine::Model& model, const FreeRope& rope) {
   return study::rope_clearance(model, rope.pieces, rope.reeving, rope.from, rope.to);
+}
+
+study::RopeClearance least_clearance_of(const machine::Model& model, const FreeRope& rope) {
+  if (rope.deeper.empty()) return clearance_of(model, rope);
+  return study::rope_clearance(model, rope.deeper, rope.reeving, rope.from, rope.to);
 }
 
 CheckState state_of(const machine::Model& model, const solve::TransientResult& motion,

@@ -33,13 +33,16 @@ struct CheckContact {
   Vector3 force = Vector3::Zero();  ///< of one copy on it, N
 };
 
-/// A free rope of a motion as it hangs there. A branch that sags is the motion's own catenary. One that the motion has
-/// straight, with its weight at its ends, is the catenary of its length. Of a rope in segments each one hangs between
+/// A free rope of a motion as it hangs there. A branch that sags is the motion's own catenary. A part that the motion
+/// has straight, with its weight at its ends, hangs between two catenaries: that of its length, where no rope comes
+/// after, and that in the least tension that it has, or was given, where a weight or a pull draws rope in or out until
+/// it has that tension. Of a rope in segments each one hangs between
 /// its joints as a parabola by its own weight and tension; where waves have slackened it, it turns by no more than the
 /// rope does at both its joints.
 struct FreeRope {
   int reeving = 0, from = 0, to = 0;  ///< nodes
-  Array<study::RopePiece> pieces;     ///< from end to end
+  Array<study::RopePiece> pieces;     ///< from end to end, by its length
+  Array<study::RopePiece> deeper;     ///< the same in its tension; empty: `pieces` are as it hangs
 
   /// Its ends and joints, m: in plan it lies between them.
   Array<Vector3> places() const;
@@ -58,6 +61,11 @@ bool has_no_shape(const machine::Model& model, const solve::TransientFrame& mome
 
 /// Over the terrain.
 study::RopeClearance clearance_of(const machine::Model& model, const FreeRope& rope);
+/// The same where it hangs deepest.
+study::RopeClearance least_clearance_of(const machine::Model& model, const FreeRope& rope);
+
+/// What lets a straight rope hang as it does.
+inline constexpr const char* lets_hang = "use 'branches: catenary', or give the rope 'segments'";
 
 /// One state of a machine as the checks of its parts see it: an equilibrium, one of its bounds, or a moment of a
 /// calculated motion.

@@ -207,7 +207,7 @@ void CheckedParts::take_moment(const machine::Model& model, const solve::Transie
   judge.take_moment(model, so_far, moment, free, words);
   const bool at_rest = slowly || begins;
   ropes.take_moment(model, moment, so_far.steps, at_rest);
-  drives.take_moment(model, moment, so_far.steps, words);
+  drives.take_moment(model, moment, so_far.steps, slowly, words);
   if (!any_shown()) return;
   if (begins) T_in_moments.assign(model.reevings.size(), 0);
   for (const solve::TransientFrame::Branch& branch : moment.branches) {
@@ -246,29 +246,34 @@ void CheckedParts::take_rest(const machine::Model& model, const solve::Transient
     rope.T_loosest = std::min(rope.T_loosest, (T_begins + branch.T_to) / 2);
   }
   take_moment(model, still, rest, words, analysis);
-  take(model, still, words, true);
+  take(model, still, words, {.slowly = true, .complete = true});
   judge.take_rest(model, still, words);
 }
 
 void CheckedParts::take(const machine::Model& model, const solve::TransientResult& motion, const std::string& words,
-                        bool slowly) {
+                        const MotionKind& kind) {
   if (!judged) return;
+  const bool slowly = kind.slowly;
   judge.take(model, motion, words);
   if (motion.frames.empty()) return;
   drives.take(model, motion, words);
   if (deck->checks) drives.take_grips(model);
-  const auto breaks =
-      std::find_if(motion.events.begin(), motion.events.end(), [](const auto& e) { return e.what == "break"; });
-  if (slowly && breaks != motion.events.end()) {
+  for (const char* const what : {"break", "fall"}) {
+    const auto event =
+        std::find_if(motion.events.begin(), motion.events.end(), [&](const auto& e) { return e.what == what; });
+    if (!slowly || event == motion.events.end()) continue;
     unseen.push_back(fmt::format(
-        "{}: {} breaks at t = {:.4g} s in a motion without inertia, which does not show how high the tensions "
-        "of the others rise then: leave out 'quasi_static'",
-        words, breaks->where, breaks->t));
+        "{}: {} {}s at t = {:.4g} s in a motion without inertia, which does not show how high tensions rise then: "
+        "leave out 'quasi_static'",
+        words, event->where, what, event->t));
   }
   payloads.take(model, motion, words, slowly);
+  constexpr double just_after = 1 + 1e-9;  // a ramp may end there
+  const machine::GoesOn then =
+      kind.complete ? machine::GoesOn{} : machine::goes_on(model, just_after * motion.frames.back().t);
   for (std::size_t i = 0; i < motion.ropes.size(); ++i) {
     const solve::RopeExtreme& e = motion.ropes[i];
-    ropes.take_motion(static_cast<int>(i), e, slowly, words);
+    ropes.take_motion(static_cast<int>(i), e, slowly, then, words);
     judge.take_share(model.reevings[i], ropes.of(i).tension, ropes.of(i).where);
     if (!any_shown() || e.T.max <= (1 + unseen_share) * T_in_moments[i]) continue;
     unseen.push_back(

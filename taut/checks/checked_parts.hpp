@@ -17,6 +17,12 @@
 
 namespace taut::checks {
 
+/// What kind of motion is shown.
+struct MotionKind {
+  bool slowly = false;    ///< it has no inertia, and all its steps are at rest
+  bool complete = false;  ///< it ends where it is meant to, whatever its signals would do then: a pull, a place of rest
+};
+
 /// What verdict and checks keep of every state of every judged analysis: all positions, sweep values, temperatures,
 /// times. The deck outlives it.
 struct CheckedParts {
@@ -45,10 +51,9 @@ struct CheckedParts {
   /// The place of rest about which a machine vibrates. `rope_mass`: whether the mass of its ropes is counted.
   void take_rest(const machine::Model& model, const solve::TransientFrame& rest, bool rope_mass,
                  const std::string& words, const std::string& analysis);
-  /// A motion as a whole: tensions at all its steps, and how far its ropes slipped. `slowly`: it has no inertia, and
-  /// all its steps are at rest.
+  /// A motion as a whole: tensions at all its steps, and how far its ropes slipped.
   void take(const machine::Model& model, const solve::TransientResult& motion, const std::string& words,
-            bool slowly = false);
+            const MotionKind& kind = {});
 
   /// What friction may do to a state beyond what is judged. `words`, `analysis`: as in `take`.
   void take_friction(const solve::EquilibriumResult& state, const std::string& words, const std::string& analysis);

@@ -195,6 +195,11 @@ std::vector<std::string> worst_columns(const std::string& table) {
   return {};
 }
 
+std::vector<std::string> largest_columns(const std::string& table) {
+  if (table == anchor_words().name || table == support_words().name) return {"tree_diameter"};
+  return {};
+}
+
 std::vector<TableWords> table_words() {
   return {life_words(),   discard_words(), mast_words(),  mast_choice_words(),
           anchor_words(), support_words(), yarder_words()};

@@ -33,5 +33,7 @@ std::optional<Sense> worst_side(const std::string& name);
 /// The columns by whose largest number a table with one row a part takes the worst of several states; empty: another
 /// table.
 std::vector<std::string> worst_columns(const std::string& table);
+/// The columns whose largest number such a row has, of whichever state.
+std::vector<std::string> largest_columns(const std::string& table);
 
 }  // namespace taut::checks

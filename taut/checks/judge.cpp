@@ -438,6 +438,7 @@ void Judge::take_moment(const machine::Model& m, const solve::TransientResult& s
     const std::string part =
         fmt::format("{} between {} and {}", rope.name, rope.nodes[one.from].name, rope.nodes[one.to].name);
     take_height(rope.name, part, own.height, terrain_x(m, own.place), when, rope_heights_);
+    if (own.height >= 0 && least_clearance_of(m, one).height < -rough) slack_over_ground_.insert(rope.name);
   }
 }
 

@@ -22,6 +22,8 @@
 
 namespace taut::checks {
 
+inline constexpr double rough = 0.1;  ///< m; a terrain is not surveyed better
+
 inline constexpr double fallen_angle = std::numbers::pi / 3;  ///< rad: what leans by more has fallen over
 
 /// A quantity at its worst, and the state where it is.
@@ -209,8 +211,9 @@ class Judge {
   const machine::Model* model_;
   std::map<std::string, RopeWorst> ropes_;  ///< by the name of a reeving or guy
   std::map<std::string, Height> carriages_, rope_heights_;
-  std::set<std::string> off_ground_;         ///< ropes of which a part leaves the corridor of the terrain
-  std::set<std::string> slack_over_ground_;  ///< ropes that were slack over terrain: how low they hang is not known
+  std::set<std::string> off_ground_;                 ///< ropes of which a part leaves the corridor of the terrain
+  std::set<std::string> slack_over_ground_;          ///< ropes of which is not known how low they hang: slack ones, and
+                                                     ///< straight ones whose tension lets them into the ground
   std::map<std::string, study::TerrainGap> beyond_;  ///< how far carriages have stood from the ends of the terrain
   std::map<std::string, OffLine> off_line_;          ///< ropes
   std::map<std::string, study::TerrainGap> gaps_;    ///< of ropes, the largest of one state

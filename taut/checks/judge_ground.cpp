@@ -16,8 +16,6 @@
 namespace taut::checks {
 namespace {
 
-constexpr double rough = 0.1;  ///< m; a terrain is not surveyed better
-
 /// Whether the deck asks for the clearance of a rope: then its check tells where it is not known.
 bool asks_clearance(const std::optional<ChecksRequest>& checks, const std::string& rope) {
   return checks && std::any_of(checks->lines.begin(), checks->lines.end(), [&](const LineCheckRequest& one) {

@@ -94,7 +94,7 @@ void Judge::add_scope(Result& r) const {
     r.beside.push_back(fmt::format("the ground below {}, off the line of the terrain", rope));
   }
   for (const std::string& rope : slack_over_ground_) {
-    r.beside.push_back(fmt::format("the ground below {} where it is slack", rope));
+    r.beside.push_back(fmt::format("the ground below {} where it is slack or nearly so", rope));
   }
   add_beside("cylinders", {PartKind::cylinder}, names_of_all(deck_->machine.actuators));
 }

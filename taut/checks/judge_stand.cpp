@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 
 #include "taut/checks/judge.hpp"
 #include "taut/checks/parts.hpp"
@@ -95,6 +96,30 @@ std::map<int, std::vector<std::size_t>> feet_of(const machine::Model& m) {
   return feet;
 }
 
+/// A body and what it carries in its faces and by cylinders, from one to the next. What stands on it by feet, as on a
+/// mat, is not a part of it.
+std::set<int> carried_by(const machine::Model& m, int body, const std::map<int, std::vector<std::size_t>>& feet) {
+  std::set<int> all = {body};
+  bool more = true;
+  const auto join = [&](int one, int other) {
+    if (is_fixed(m, one) || is_fixed(m, other) || all.contains(one) == all.contains(other)) return;
+    all.insert({one, other});
+    more = true;
+  };
+  const auto is_foot = [&](std::size_t contact) {
+    const auto own = feet.find(m.contacts[contact].body);
+    return own != feet.end() && std::find(own->second.begin(), own->second.end(), contact) != own->second.end();
+  };
+  while (more) {
+    more = false;
+    for (std::size_t i = 0; i < m.contacts.size(); ++i) {
+      if (!is_foot(i)) join(m.contacts[i].body, m.faces[m.contacts[i].face].body);
+    }
+    for (const machine::Actuator& actuator : m.actuators) join(actuator.from_body, actuator.to_body);
+  }
+  return all;
+}
+
 /// By a plain end of a rope whose other end a body hangs on: below it rather than aside.
 bool hangs_loads(const machine::Model& m, int body) {
   const machine::State state = as_described(m);
@@ -151,12 +176,15 @@ std::vector<bool> turned_with_deck(const machine::Model& m, const solve::Transie
 
 }  // namespace
 
-/// Bodies that carry ropes, or are an anchor, or have loads hang on them, and stand by feet.
+/// Bodies that carry ropes, or are an anchor, or have loads hang on them, and stand by feet; a chassis has these on
+/// what it carries by its own faces and cylinders.
 std::map<int, std::vector<std::size_t>> Judge::standing(const machine::Model& m) const {
   std::map<int, std::vector<std::size_t>> feet = feet_of(m);
   std::erase_if(feet, [&](const std::pair<const int, std::vector<std::size_t>>& one) {
-    return one.second.size() < 2 ||
-           !(carries_ropes(m, one.first) || is_anchor(m, one.first) || hangs_loads(m, one.first));
+    const std::set<int> all = carried_by(m, one.first, feet);
+    return one.second.size() < 2 || std::none_of(all.begin(), all.end(), [&](int body) {
+             return carries_ropes(m, body) || is_anchor(m, body) || hangs_loads(m, body);
+           });
   });
   return feet;
 }
@@ -190,11 +218,14 @@ void Judge::take_stand(const machine::Model& m, const solve::TransientFrame& mom
     if (moment.faces[i].closed) stood_.insert(i);
   }
   if (moment.faces.size() < m.contacts.size()) return;
+  const std::map<int, std::vector<std::size_t>> all_feet = feet_of(m);
   for (const auto& [body, all] : standing(m)) {
     const std::vector<std::size_t> feet = meant_to_stand(m, all);
     if (feet.size() < 2) continue;
     if (!std::all_of(feet.begin(), feet.end(), [&](std::size_t i) { return stood_.contains(i); })) continue;
-    const bool is_load = !has_drum(m, body) && !is_anchor(m, body);
+    const std::set<int> parts = carried_by(m, body, all_feet);
+    const bool is_load =
+        std::none_of(parts.begin(), parts.end(), [&](int part) { return has_drum(m, part) || is_anchor(m, part); });
     if (!is_load) take_ways_of_feet(m, moment, feet, words);
     take_lifted(m, moment, feet, is_load, words);
   }

@@ -352,7 +352,7 @@ class Searching {
     if (found_.feasible) move_best();
     for (const auto& [choice, values] : near_misses()) {
       if (found_.ended) return;
-      if (is_cheaper(choice)) move_near_miss(choice, values);
+      if (may_be_cheaper(choice)) move_near_miss(choice, values);
     }
     if (found_.feasible && found_.refined) settle();
   }
@@ -409,10 +409,18 @@ class Searching {
     }
   }
 
-  /// Whether a choice could be better than the best, with the unknowns where the best has them.
-  bool is_cheaper(const std::vector<std::size_t>& choice) {
-    if (!found_.feasible || measured_) return true;
-    return cost_of({.choice = choice, .values = found_.best.values}) < found_.best.answer.best.cost;
+  /// The least cost of a choice with the unknowns where the best has them, or at a place of the grid.
+  double least_cost_of(const std::vector<std::size_t>& choice) {
+    double least = cost_of({.choice = choice, .values = found_.best.values});
+    for (const DesignPoint& point : found_.points) {
+      least = std::min(least, cost_of({.choice = choice, .values = point.values}));
+    }
+    return least;
+  }
+
+  /// Whether a choice could be better than the best.
+  bool may_be_cheaper(const std::vector<std::size_t>& choice) {
+    return !found_.feasible || measured_ || least_cost_of(choice) < found_.best.answer.best.cost;
   }
 
   /// Choices beside the best one that may pass, or be better, between the places of the grid: those that come nearest,
@@ -423,15 +431,14 @@ class Searching {
       const double use = one.first.trial.utilisation;
       const bool near = found_.feasible ? use < near_enough : std::isfinite(use);
       const bool is_best = found_.feasible && choice == found_.best.answer.best.choice;
-      if (near && !is_best && is_cheaper(choice)) close.push_back(one);
+      if (near && !is_best && may_be_cheaper(choice)) close.push_back(one);
     }
     std::stable_sort(close.begin(), close.end(), [](const auto& a, const auto& b) {
       return a.first.trial.utilisation < b.first.trial.utilisation;
     });
     if (close.size() > most_near_misses) close.resize(most_near_misses);
     for (auto& [candidate, values] : close) {
-      if (found_.feasible && !measured_)
-        candidate.cost = cost_of({.choice = candidate.choice, .values = found_.best.values});
+      if (found_.feasible && !measured_) candidate.cost = least_cost_of(candidate.choice);
     }
     std::stable_sort(close.begin(), close.end(),
                      [](const auto& a, const auto& b) { return a.first.cost < b.first.cost; });

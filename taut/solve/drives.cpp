@@ -344,7 +344,11 @@ Array<DrumResult> drums(const machine::Model& model, const TransientFrame& frame
   }
   set_layers(model, all);
   set_senses(model, {}, all);
-  for (DrumResult& one : all) one.speed = one.sense * frame.drums[one.drum].speed;  // that of its first rope
+  std::map<int, double> radii;
+  for (DrumResult& one : all) {
+    const double first = radii.try_emplace(one.drum, one.radius).first->second;  // whose speed the frame has
+    one.speed = one.sense * frame.drums[one.drum].speed * one.radius / first;
+  }
   return all;
 }
 

@@ -181,6 +181,11 @@ void check_quasi_static(const TransientRequest& request, const std::string& path
   if (request.method != TransientRequest::Method::implicit) {
     p.complaints.push_back({path + ".method", "a quasi-static motion has its own steps"});
   }
+  if (request.hoist_factor) {
+    p.complaints.push_back(
+        {path + ".hoist_factor",
+         "without inertia a motion has no peak above the tension at rest: leave out 'quasi_static'"});
+  }
   for (std::size_t i = 0; i < p.model.actuators.size(); ++i) {
     const machine::Actuator& one = p.model.actuators[i];
     if (one.kind != machine::ActuatorKind::law || one.lock_stiffness > 0) continue;

@@ -416,4 +416,28 @@ TEST(DesignMachine, AReportHasWhatIsDisregardedAndNamesTheRope) {
   EXPECT_EQ(row->text, own.space.ropes.at(0).rows[1].id);
 }
 
+/// Two ropes of the length L hold 3 t from points 6 m apart: T = m g L/(2 sqrt(L^2 - 9 m^2)). A thicker rope bears more
+/// and may be shorter. 11 mm at 3.507 m, with its stretch, are lighter in all than 10 mm at 3.860 m.
+TEST(DesignMachine, AThickerRopeMayBeLighterByItsLength) {
+  const Result r = taut_test::run_text(R"(taut: 1
+machine:
+  points: {p: [0 m, 0 m, 20 m], q: [6 m, 0 m, 20 m]}
+  ropes: {sl: {mass: 1 kg/m, breaking_force: 100 kN, stiffness: 10 MN, diameter: 14 mm}, tag: {}}
+  bodies: {hook: {mass: 0 kg, at: [3 m, 0 m, 16 m], free: [x, z]}}
+  reevings:
+    - {rope: sl, path: [{anchor: p}, {anchor: hook}], length: 5 m}
+    - {rope: tag, path: [{anchor: q}, {anchor: hook}], length: 5 m}
+  loads: [{at: hook, mass: 3 t}]
+analyses: [equilibrium: {}]
+checks: {ropes: {sl: {safety_factor: 3, running: stands}, tag: {safety_factor: 3, running: stands}}}
+design:
+  seek: lightest
+  unknowns: {L: {parameter: 'reevings[0].length', along_with: ['reevings[1].length'], from: 3.2 m, to: 8 m}}
+  ropes: {tag: {construction: 6x36, core: IWRC, grade: 1960 MPa, most_diameter: 16 mm}}
+)");
+  ASSERT_NE(r.find_value("design_L"), nullptr) << r.message << to_text(r.errors);
+  EXPECT_NEAR(r.find_value("design_L")->value, 3.507, 1e-3);
+  EXPECT_NEAR(r.find_value("design_cost")->value, 5.242, 1e-3);
+}
+
 }  // namespace taut::app::design_machine_test

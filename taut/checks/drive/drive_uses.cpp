@@ -4,12 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <utility>
 
 #include "taut/calc/shown.hpp"
 #include "taut/calc/verdict.hpp"
+#include "taut/checks/drive/cylinders.hpp"
 #include "taut/checks/guy/guy_checks.hpp"
 #include "taut/solve/drives.hpp"
 
@@ -154,7 +154,16 @@ BorneAtRest borne_at_rest(const Array<solve::DrumResult>& ends, const Branches& 
 /// Of an equilibrium.
 Situation situation_at(const machine::Model& m, const solve::EquilibriumResult& state) {
   Array<Vector3> places;
-  for (const auto& body : state.state.bodies) places.push_back(body.position);
+  const auto take_place = [&](const machine::Place& place) {
+    if (place.body != machine::ground) places.push_back(machine::in_ground(state.state, place));
+  };
+  for (std::size_t b = 0; b < m.bodies.size(); ++b) {
+    places.push_back(state.state.bodies[b].position);
+    take_place({.body = static_cast<int>(b), .at = m.bodies[b].centre});
+  }
+  for (const machine::Reeving& rope : m.reevings) {  // a body may turn about its origin
+    for (const machine::Node& node : rope.nodes) take_place(node.at);
+  }
   return situation_of(m, std::move(places));
 }
 
@@ -215,25 +224,6 @@ void check_capacities(const machine::Model& m, const Array<solve::DrumResult>& e
          .limit = *d.capacity,
          .rule = fmt::format("rope that the drum takes within its flanges{}", shared ? ", all its ropes together" : ""),
          .trust = "derived"}));
-  }
-}
-
-/// A cylinder at its force limit no longer does what its speed, force or law asks of it.
-void check_cylinders(const machine::Model& m, const solve::TransientFrame& frame, const std::string& when,
-                     const Display& display, std::map<Part, std::string>& told) {
-  constexpr double rounding = 1e-9;
-  for (std::size_t i = 0; i < frame.actuators.size(); ++i) {
-    const machine::Actuator& law = m.actuators[i];
-    if (!std::isfinite(law.force_limit)) continue;
-    const double bears = std::abs(frame.actuators[i].F);
-    if (bears < (1 - rounding) * law.force_limit) continue;
-    const bool at_limit = bears <= (1 + rounding) * law.force_limit;
-    const auto [force, limit] = brief_apart(bears, law.force_limit, si::N, display);
-    told.try_emplace({.kind = PartKind::cylinder, .name = law.name},
-                     at_limit ? fmt::format("{}: '{}' is at its force limit of {}: it gives way to its load", when,
-                                            law.name, display.brief(law.force_limit, si::N))
-                              : fmt::format("{}: '{}' bears {}, more than its force limit of {}: it is locked", when,
-                                            law.name, force, limit));
   }
 }
 
@@ -380,10 +370,10 @@ void DriveUses::take_turning(const machine::Model& m, const solve::TransientFram
   turning.most.take(frame.t, borne.most, steps);
 }
 
-void DriveUses::take_moment(const machine::Model& m, const solve::TransientFrame& frame, long steps,
+void DriveUses::take_moment(const machine::Model& m, const solve::TransientFrame& frame, long steps, bool slowly,
                             const std::string& words) {
   const std::string when = fmt::format("{}, t = {:.4g} s", words, frame.t);
-  check_cylinders(m, frame, when, display_, yielding_);
+  take_cylinders(m, frame, {.words = when, .slowly = slowly, .display = display_}, yielding_);
   const auto drums = solve::drums(m, frame);
   const double time = last_moment_ ? frame.t - *last_moment_ : 0;
   last_moment_ = frame.t;

@@ -32,8 +32,8 @@ class DriveUses {
   void take_bound(const machine::Model& model, const solve::EquilibriumResult& bound, const std::string& words);
   /// A moment of a motion: the grip of its driven sheaves, what lies on its drums, what their brakes have to hold where
   /// they stand without a brake that is set, cylinders at their limits.
-  /// `steps`: so many steps of the motion before it.
-  void take_moment(const machine::Model& model, const solve::TransientFrame& frame, long steps,
+  /// `steps`: so many steps of the motion before it. `slowly`: they are at rest.
+  void take_moment(const machine::Model& model, const solve::TransientFrame& frame, long steps, bool slowly,
                    const std::string& words);
   /// A motion as a whole, with at least one frame: how far the rope slips on each contact, whether brakes hold and have
   /// stopped their drums.

@@ -71,16 +71,13 @@ void ShownLoads::leave_out(const std::string& part, const Situation& situation, 
            is_same(one.situation, situation);
   });
   if (at == all.end()) {
-    all.push_back({.situation = situation, .borne = borne, .holds = holds, .by_least = words, .by_most = words});
+    all.push_back({.situation = situation, .borne = borne, .holds = holds, .words = words});
     return;
   }
-  if (borne.least > at->borne.least) {
-    at->borne.least = borne.least;
-    at->by_least = words;
-  }
+  at->borne.least = std::max(at->borne.least, borne.least);
   if (borne.most > at->borne.most) {
     at->borne.most = borne.most;
-    at->by_most = words;
+    at->words = words;
   }
 }
 
@@ -97,10 +94,10 @@ std::map<std::string, ShownLoads::Missing> ShownLoads::missing() const {
     for (const LeftOut& one : all) {
       const bool same = std::any_of(shown.begin(), shown.end(),
                                     [&](const Situation& other) { return is_same(one.situation, other); });
-      const double asks = same ? one.borne.least : one.borne.most;
-      if (asks <= (1 + same_pull) * most || asks <= one.holds) continue;
-      most = asks;
-      parts[part] = {.words = same ? one.by_least : one.by_most};
+      const bool as_shown = same && one.borne.least <= (1 + same_pull) * known->second.most;
+      if (as_shown || one.borne.most <= (1 + same_pull) * most || one.borne.most <= one.holds) continue;
+      most = one.borne.most;
+      parts[part] = {.words = one.words};
     }
   }
   return parts;

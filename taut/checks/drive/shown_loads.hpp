@@ -14,7 +14,7 @@ struct Situation {
   /// Masses of its bodies, components of the forces of its loads, tensions and torques that are given, forces along its
   /// ropes.
   std::vector<double> loads;
-  Array<Vector3> places;  ///< of its bodies, m; empty: a motion, which goes through many
+  Array<Vector3> places;  ///< of its bodies and of what is on them, m; empty: a motion, which goes through many
   double extent = 0;      ///< of the machine, m
 };
 Situation situation_of(const machine::Model& model, Array<Vector3> places);
@@ -40,8 +40,8 @@ class ShownLoads {
     std::string words;    ///< which state
     bool by_less = true;  ///< the part is shown, under less load; false: it is shown by no state
   };
-  /// By part, in the order of their names. A state in a situation that is shown asks at least for its `least`, one in
-  /// another for its `most`.
+  /// By part, in the order of their names. A state asks for its `most`. One in a situation that is shown asks for
+  /// nothing, unless its `least` is more than any that is shown: then the part bears more there than at rest.
   std::map<std::string, Missing> missing() const;
 
  private:
@@ -53,7 +53,7 @@ class ShownLoads {
     Situation situation;
     BorneAtRest borne;  // the largest of each in it, which may be of two states
     double holds = 0;
-    std::string by_least, by_most;  // the words of these
+    std::string words;  // of the state with the most
   };
   std::map<std::string, Shown> shown_;
   std::map<std::string, std::vector<LeftOut>> left_out_;

@@ -81,7 +81,8 @@ struct LineStates {
   int reeving = 0;
   LineExtreme tail_angle, off_line;  ///< rad
   bool seen_empty = false;           ///< in a state at rest without a carriage on it
-  LineExtreme clearance;             ///< over the ground, at rest, m
+  LineExtreme clearance;             ///< over the ground, m
+  LineExtreme deepest;               ///< the same of parts that a motion has straight, where they hang deepest
   std::string slack;                 ///< the first state at rest in which a part of it is slack: it hangs anywhere
   study::TerrainGap gap;             ///< of the line in plan, the largest over all states
   struct Bend {

@@ -155,6 +155,9 @@ void take_clearance(const machine::Model& model, const FreeRope& rope, const std
   const study::RopeClearance found = clearance_of(model, rope);
   if (std::isnan(found.height)) return;
   line.clearance.least(found.height, place_words(model, words, found, line.display));
+  if (rope.deeper.empty()) return;
+  const study::RopeClearance least = least_clearance_of(model, rope);
+  if (!std::isnan(least.height)) line.deepest.least(least.height, place_words(model, words, least, line.display));
 }
 
 /// The rope at the rounds between its ends: those that do not move may stand on the ground, but the line then is there.
@@ -218,10 +221,22 @@ void check_clearance(const LineStates& line, Result& r) {
                  {.part = {.kind = PartKind::rope, .name = request.name}});
     return;
   }
-  add_part_check(request.name, "clearance", line.clearance.value, si::m,
+  const double own = line.clearance.value, deepest = line.deepest.value;
+  if (own >= limit.value && deepest < limit.value) {
+    const auto [by_tension, least] = brief_apart(deepest, limit.value, si::m, line.display);
+    leave_unmade(
+        r,
+        fmt::format("{}: its clearance is not judged: it is {} by its length, and {} in its tension ({}), less "
+                    "than {}; a motion with straight branches does not say which: {}",
+                    request.name, line.display.brief(own, si::m), by_tension, line.deepest.where, least, lets_hang),
+        {.part = {.kind = PartKind::rope, .name = request.name}});
+    return;
+  }
+  const LineExtreme& shown = deepest < own && deepest >= limit.value ? line.deepest : line.clearance;
+  add_part_check(request.name, "clearance", shown.value, si::m,
                  {.sense = Sense::at_least,
                   .limit = limit.value,
-                  .rule = fmt::format("of the rope over the ground ({}); {}", line.clearance.where, limit.words),
+                  .rule = fmt::format("of the rope over the ground ({}); {}", shown.where, limit.words),
                   .trust = limit.trust},
                  r);
 }

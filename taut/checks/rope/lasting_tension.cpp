@@ -53,6 +53,25 @@ double LastingTension::before_end() const {
   return later == all_.begin() ? later->T : std::prev(later)->T;
 }
 
+double LastingTension::largest_within(double within) const {
+  double most = 0;
+  for (auto m = all_.rbegin(); m != all_.rend() && m->t >= last_moment() - within; ++m) most = std::max(most, m->T);
+  return most;
+}
+
+double LastingTension::growth(double within) const {
+  if (all_.size() < 2) return 0;
+  const double half = std::min(within, (last_moment() - all_.front().t) / 2);
+  const double later = last_moment() - half;
+  double before = 0, after = 0;
+  for (const Moment& m : all_) {
+    if (m.t < later - half) continue;
+    double& most = m.t < later ? before : after;
+    most = std::max(most, m.T);
+  }
+  return before > 0 ? std::max(after / before - 1, 0.0) : 0;
+}
+
 double LastingTension::at_end() const {
   if (all_.empty()) return 0;
   double impulse = 0, most = 0, mean = all_.back().T;

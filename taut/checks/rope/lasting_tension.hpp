@@ -30,6 +30,11 @@ class LastingTension {
   double last_moment() const { return all_.empty() ? 0 : all_.back().t; }  ///< s
   /// Tension `gap` before the last moment, or at the first one, N.
   double before_end() const;
+  /// The largest tension `within` so long of the last moment, s, N.
+  double largest_within(double within) const;
+  /// By how much that is more than the largest in as long before it, relative; of a motion shorter than that with half
+  /// of it. 0: it is not more.
+  double growth(double within) const;
 
  private:
   struct Moment {

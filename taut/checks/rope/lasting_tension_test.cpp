@@ -81,6 +81,18 @@ TEST(LastingTension, AtItsEndAMotionMayHaveMore) {
   EXPECT_EQ(LastingTension().at_end(), 0);
 }
 
+// By the largest of equal times: neither an earlier peak nor a swing hides it.
+TEST(LastingTension, ItGrows) {
+  const auto ramp = [](double t) { return t < 8 ? (t < 5 && t > 4 ? 9e3 : 1e3) : 1e3 + 1e3 * (t - 8); };
+  EXPECT_NEAR(of(9, 0.01, ramp).growth(0.25), 2e3 / 1.74e3 - 1, 1e-6) << "the last one before them is at 8.74 s";
+  const auto swings = [](double t) { return 5e3 + 1e3 * t + 400 * std::sin(10 * 2 * std::numbers::pi * t); };
+  for (const double end : {8.0, 8.02, 8.05, 8.08}) EXPECT_NEAR(of(end, 0.01, swings).growth(0.25), 0.02, 0.02) << end;
+  const auto damped = [](double t) { return 5e3 + 1e3 * std::exp(-t) * std::sin(10 * 2 * std::numbers::pi * t); };
+  EXPECT_EQ(of(1, 0.01, damped).growth(0.25), 0);
+  EXPECT_EQ(of(3, 0.01, damped).growth(2.5), 0) << "of halves";
+  EXPECT_EQ(LastingTension().growth(1), 0);
+}
+
 TEST(LastingTension, ANewMotionBeginsAnew) {
   LastingTension lasting;
   for (const double T : {2e3, 3e3}) {

@@ -294,9 +294,35 @@ void RopeUses::take_forces(const machine::Model& model, const solve::Equilibrium
   }
 }
 
-void RopeUses::take_motion(int reeving, const solve::RopeExtreme& extreme, bool slowly, const std::string& words) {
+/// The largest tension may be that of the last step. Where a signal has not come to its end, an earlier peak or a swing
+/// may hide that the tension grows: then the largest of the last moments counts beside that of as many before them.
+/// Where a signal swings by itself, it takes more of them.
+void RopeUses::take_growth(int reeving, const solve::Extreme& T, const machine::GoesOn& then, bool slowly,
+                           const std::string& words, double rest) {
+  constexpr double same_time = 1e-9;  // relative; the last step and the last output differ by rounding
+  const LastingTension& lasting = lasting_[reeving];
+  const bool at_last = T.t_max >= (1 - same_time) * lasting.last_moment();
+  // each moment of a slow motion is at rest, where it may well end
+  const bool peaks = at_last && (then.ramps || !slowly) && T.max > (1 + still_grows) * lasting.before_end();
+  const bool grows = (then.ramps && lasting.growth(LastingTension::gap) > still_grows) ||
+                     ((then.ramps || then.swings) && lasting.growth(LastingTension::lasts / 2) > still_grows);
+  if (!peaks && !grows) return;
+  const double ends_with = peaks ? T.max : lasting.largest_within(LastingTension::gap);
+  if (!rope::goes_beyond_rest(ends_with, rest)) return;
+  const rope::RopeUse& use = uses_[reeving];
+  growing_.emplace_back(
+      use.name,
+      fmt::format("{}: the tension of {} {} where the motion ends, {} at t = {:.4g} s: its peak may lie behind the "
+                  "end; give a longer 'duration'",
+                  words, use.name, peaks ? "is largest" : "still grows", use.display.brief(ends_with, si::N),
+                  lasting.last_moment()));
+}
+
+void RopeUses::take_motion(int reeving, const solve::RopeExtreme& extreme, bool slowly, const machine::GoesOn& then,
+                           const std::string& words) {
   rope::RopeUse& use = uses_[reeving];
   const solve::Extreme& T = extreme.T;
+  const double rest = std::max(use.tension, extreme.T_static);
   const std::string peak_words = fmt::format("{}, t = {:.4g} s", words, T.t_max);
   const auto take_tension = [&](double tension, const std::string& where, bool lasts, bool analysed) {
     if (!(tension > use.tension)) return;  // nor one that is not known
@@ -318,17 +344,7 @@ void RopeUses::take_motion(int reeving, const solve::RopeExtreme& extreme, bool 
     use.mean_where =
         fmt::format("{}, over {:g} s until t = {:.4g} s", words, LastingTension::lasts, lasting.when_mean());
   }
-  constexpr double same_time = 1e-9;  // relative; the last step and the last output differ by rounding
-  const bool grows =
-      T.t_max >= (1 - same_time) * lasting.last_moment() && T.max > (1 + still_grows) * lasting.before_end();
-  if (grows && rope::goes_beyond_rest(T.max, use.tension)) {
-    growing_.emplace_back(
-        use.name,
-        fmt::format(
-            "{}: the tension of {} is largest where the motion ends, {} at t = {:.4g} s: its peak may lie behind "
-            "the end; give a longer 'duration'",
-            words, use.name, use.display.brief(T.max, si::N), T.t_max));
-  }
+  take_growth(reeving, T, then, slowly, words, slowly ? rest : use.tension);
   if (T.max <= use.peak) return;
   use.peak = T.max;
   use.peak_where = peak_words;

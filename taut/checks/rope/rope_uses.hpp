@@ -6,6 +6,7 @@
 #include "taut/base/array.hpp"
 #include "taut/checks/checked_deck.hpp"
 #include "taut/checks/rope/lasting_tension.hpp"
+#include "taut/machine/signals_in.hpp"
 #include "taut/rope/rope_use.hpp"
 #include "taut/solve/drives.hpp"
 
@@ -35,8 +36,10 @@ class RopeUses {
   /// A moment of a calculated motion after so many steps: how far ropes go round what bends them, what lies on drums,
   /// and tensions that last. `at_rest`: it counts as a state at rest, with the tensions of all ends and rounds.
   void take_moment(const machine::Model& model, const solve::TransientFrame& frame, long steps, bool at_rest);
-  /// Of a calculated motion as a whole: its tension at rest and its peak. `slowly`: all its steps are at rest.
-  void take_motion(int reeving, const solve::RopeExtreme& extreme, bool slowly, const std::string& words);
+  /// Of a calculated motion as a whole: its tension at rest and its peak. `slowly`: all its steps are at rest. `then`:
+  /// what goes on where it ends.
+  void take_motion(int reeving, const solve::RopeExtreme& extreme, bool slowly, const machine::GoesOn& then,
+                   const std::string& words);
 
   /// Motions that end while a tension grows: the rope, and all in words.
   const std::vector<std::pair<std::string, std::string>>& growing() const { return growing_; }
@@ -62,6 +65,9 @@ class RopeUses {
   /// so in some states only. `along`: those between the drums of its ends.
   void compare_neighbours(const machine::Reeving& rope, const machine::State& state, std::size_t own,
                           std::vector<Turned> along);
+  /// Notes a tension that still grows where a motion ends. `rest`: what it has at rest, N.
+  void take_growth(int reeving, const solve::Extreme& T, const machine::GoesOn& then, bool slowly,
+                   const std::string& words, double rest);
   void add_end(std::size_t reeving, const machine::Model& model, bool at_end);
   void take_forces(const machine::Model& model, const solve::EquilibriumResult& state, const std::string& words);
   /// Of each rope of the model; -1: it is not asked for.

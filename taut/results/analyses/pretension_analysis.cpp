@@ -160,7 +160,7 @@ void add_answer(const study::PretensionRun& asked, MachineRun& machine, Result& 
   study::solve(machine.model, run, go_on, [&](const machine::Model& model, const solve::TransientResult& motion) {
     for (const solve::TransientFrame& frame : motion.frames)
       machine.checked->take_moment(model, motion, frame, run.words, analysis, true);
-    machine.checked->take(model, motion, run.words, true);
+    machine.checked->take(model, motion, run.words, {.slowly = true, .complete = true});
   });
   if (machine.checked->judged) machine.checked->judge.end_pieces(run.words);
   const study::PretensionResult& result = run.answer;

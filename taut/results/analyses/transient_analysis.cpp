@@ -47,7 +47,7 @@ void solve(study::TransientRun& run, MachineRun& machine) {
     checked.take_moment(run.model, so_far, so_far.frames.back(), words, name, run.request.quasi_static);
   };
   watchers.as_whole = [&](const solve::TransientResult& motion) {
-    checked.take(run.model, motion, words, run.request.quasi_static);
+    checked.take(run.model, motion, words, {.slowly = run.request.quasi_static});
   };
   study::solve(run, from, watchers);
 }

@@ -9,6 +9,7 @@
 #include "taut/app/cases/study/calibrated_deck.hpp"
 #include "taut/app/cases/study/measured.hpp"
 #include "taut/app/cases/study/study_run.hpp"
+#include "taut/calc/shown.hpp"
 #include "taut/chance/calibration.hpp"
 #include "taut/io/deck/read.hpp"
 #include "taut/io/deck/source.hpp"
@@ -198,20 +199,24 @@ void add_parameters(const Calibrating& c, const chance::Calibration& found, Resu
     const bool told = p.state != chance::ParameterState::not_identifiable;
     // without a standard error the ends are the bounds of the deck: they tell of what is not told, and of no other
     const bool has_interval = std::isfinite(p.standard_error);
-    const auto end = [&](double x) { return told && !has_interval ? std::string("-") : shown(x); };
-    t.rows.push_back({input.path, shown(input.base), told ? shown(p.value) : std::string("-"), end(p.interval.low),
-                      end(p.interval.high), std::string(words_of(p.state)), p.note});
+    const auto [low, high] = brief_apart(p.interval.low, p.interval.high, input.unit, display);
+    const auto apart = [&](double x) { return brief_apart(p.value, x, input.unit, display).first; };
+    const std::string below = apart(p.interval.low), above = apart(p.interval.high);
+    const std::string value = !has_interval ? shown(p.value) : below.size() > above.size() ? below : above;
+    const auto end = [&](const std::string& x) { return told && !has_interval ? std::string("-") : x; };
+    t.rows.push_back({input.path, shown(input.base), told ? value : std::string("-"), end(low), end(high),
+                      std::string(words_of(p.state)), p.note});
     add_values(input, p, r);
     if (p.state != chance::ParameterState::estimated) {
       warn_unsafe(r, fmt::format("{}: {}{}{}", input.path, words_of(p.state), p.note.empty() ? "" : ": ", p.note));
     }
-    const std::string range = fmt::format("({} to {})", shown(p.interval.low), shown(p.interval.high));
+    const std::string range = fmt::format("({} to {})", low, high);
     if (told) {
       const std::string how_sure = has_interval ? range
                                    : p.state == chance::ParameterState::estimated
                                        ? std::string("(no interval)")
                                        : fmt::format("({}, no interval)", words_of(p.state));
-      r.answers.push_back({"Found", fmt::format("{} {} {}", input.path, shown(p.value), how_sure)});
+      r.answers.push_back({"Found", fmt::format("{} {} {}", input.path, value, how_sure)});
     } else {
       r.answers.push_back({"Not told", fmt::format("{}: anything in its bounds {}", input.path, range)});
     }
@@ -249,7 +254,39 @@ void add_residuals(const Calibrating& c, const chance::Calibration& found, Resul
   r.figures.emplace_back(std::move(plot));
 }
 
+constexpr double doubtful = 0.01;  ///< chance of a fit that is no better
+
+bool fits(const chance::Calibration& found) { return !(found.p_value < doubtful); }
+
+/// Why a study cannot go on from the numbers found; empty: it can.
+std::string why_no_deck(const Calibrating& c, const chance::Calibration& found) {
+  constexpr int least_freedom = 3;  // below, Student's law has no standard deviation
+  const bool all_told = std::all_of(found.parameters.begin(), found.parameters.end(), [](const auto& p) {
+    return p.state == chance::ParameterState::estimated && p.standard_error > 0;
+  });
+  if (!all_told) return "a study on it would take numbers that the measurements do not tell as exact";
+  if (!fits(found)) return "the numbers are less sure than the standard deviations of the measurements let them seem";
+  if (!found.other_fits.empty()) return "the measurements do not choose among the fits";
+  if (c.measured.sd.empty() && found.freedom < least_freedom) {
+    return fmt::format(
+        "{} measurements more than numbers tell no standard deviation: give that of the measurements, "
+        "or {} more of these",
+        found.freedom, least_freedom - found.freedom);
+  }
+  return "";
+}
+
+/// "machine.points.q[0] = -6 m".
+std::string words_of_fit(const Calibrating& c, const chance::Point& fit, const Display& display) {
+  std::vector<std::string> all;
+  for (std::size_t i = 0; i < fit.size(); ++i) {
+    all.push_back(fmt::format("{} = {}", c.model.inputs[i].path, display.brief(fit[i], c.model.inputs[i].unit)));
+  }
+  return fmt::format("{}", fmt::join(all, ", "));
+}
+
 void add_fit(const Calibrating& c, const chance::Calibration& found, Result& r) {
+  const Display& display = c.read.deck.display;
   for (const chance::Inseparable& one : found.inseparable) {
     std::vector<std::string> names;
     names.reserve(one.parameters.size());
@@ -257,15 +294,14 @@ void add_fit(const Calibrating& c, const chance::Calibration& found, Result& r) 
     warn_unsafe(r, fmt::format("the measurements can't tell these apart: {} (correlation {:.4g})",
                                fmt::join(names, ", "), one.correlation));
   }
-  constexpr double doubtful = 0.01;
-  if (std::isfinite(found.p_value) && found.p_value < doubtful) {
+  if (!fits(found)) {
     warn_unsafe(r,
                 fmt::format("the deck does not fit the measurements within their standard deviations (chance {:.2g})",
                             found.p_value));
   }
-  if (!found.other_fits.empty()) {
-    warn_unsafe(r, fmt::format("{} clearly different fits are as good: the measurements do not choose among them",
-                               found.other_fits.size()));
+  for (const chance::Point& other : found.other_fits) {
+    warn_unsafe(r, fmt::format("another fit is as good, {}: the measurements do not choose between them",
+                               words_of_fit(c, other, display)));
   }
   r.assumptions.push_back(c.measured.sd.empty()
                               ? fmt::format("one standard deviation for all measurements, estimated from {} residuals",
@@ -354,14 +390,10 @@ Result calibrate(const Job& job, int threads) {
   add_parameters(*c, found, r);
   add_residuals(*c, found, r);
   add_fit(*c, found, r);
-  const bool all_told = std::all_of(found.parameters.begin(), found.parameters.end(), [](const auto& p) {
-    return p.state == chance::ParameterState::estimated && p.standard_error > 0;
-  });
-  if (all_told) {
+  if (const std::string why = why_no_deck(*c, found); why.empty()) {
     r.attachments.push_back({"calibrated.yaml", calibrated_deck(c->read, c->model, c->free, found)});
   } else {
-    r.warnings.emplace_back(
-        "calibrated.yaml is not written: a study on it would take numbers that the measurements do not tell as exact");
+    r.warnings.push_back("calibrated.yaml is not written: " + why);
   }
   return r;
 }

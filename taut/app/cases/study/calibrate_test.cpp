@@ -157,6 +157,30 @@ TEST_F(Line, TheCalibratedDeckGivesTheMeasurements) {
   EXPECT_NEAR(again.find_value("sky.T_start")->value, truth[3][0], 1e-4 * truth[3][0]);
 }
 
+/// A study would take the numbers found for surer than they are.
+TEST_F(Line, NoStudyGoesOnFromADoubtfulFit) {
+  const auto measured = [&](const std::string& head, const std::string& error, double scatter, std::size_t count) {
+    std::string csv = head;
+    for (std::size_t i = 0; i < count; ++i) {
+      csv += fmt::format("equilibrium.sky.T_start,{:.6f} N,{}{} kg\n", truth[i][0] + (i % 2 == 0 ? scatter : -scatter),
+                         error, masses[i]);
+    }
+    write(csv);
+    return fit();
+  };
+  const auto why = [](const Result& r) { return r.warnings.empty() ? std::string() : r.warnings.back(); };
+  const std::string with_sd = "output,value,sd,machine.loads[0].mass\n",
+                    without = "output,value,machine.loads[0].mass\n";
+  EXPECT_EQ(measured(with_sd, "10 N,", 5, 6).attachments.size(), 1U);
+  const Result misfit = measured(with_sd, "10 N,", 100, 6);
+  EXPECT_TRUE(misfit.attachments.empty());
+  EXPECT_THAT(why(misfit), HasSubstr("less sure than the standard deviations"));
+  EXPECT_EQ(measured(without, "", 10, 6).attachments.size(), 1U);
+  const Result few = measured(without, "", 10, 4);
+  EXPECT_TRUE(few.attachments.empty());
+  EXPECT_THAT(why(few), HasSubstr("2 measurements more than numbers"));
+}
+
 TEST_F(Line, WithoutSdTheScatterHasTheUnitOfTheMeasurements) {
   std::string csv = "output,value,machine.loads[0].mass\n";
   for (std::size_t i = 0; i < masses.size(); ++i) {

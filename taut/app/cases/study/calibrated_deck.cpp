@@ -135,11 +135,11 @@ void put_references(const FittedDeck& fit, io::Document& document, Notes& notes)
   put("beams", machine.beams);
 }
 
-/// The law of a number found: normal, within the bounds of the fit and within what the number may be.
+/// The law of a number found: normal with the interval of the fit, within its bounds and within what the number may be.
 io::Node law_of(const chance::CalibratedParameter& p, const chance::FreeParameter& bounds, const CaseInput& input) {
   io::Node normal = map_node();
   normal.entries.push_back({"mean", {}, text_node(si_text(p.value, input.unit))});
-  normal.entries.push_back({"sd", {}, text_node(si_text(p.standard_error, input.unit))});
+  normal.entries.push_back({"sd", {}, text_node(si_text(p.spread, input.unit))});
   const double low = std::max(bounds.low, input.range.low), high = std::min(bounds.high, input.range.high);
   io::Node law = map_node();
   law.entries.push_back({"normal", {}, std::move(normal)});

@@ -58,9 +58,9 @@ std::string calibrated(const Job& job, double correlation, const FreeNumbers& of
   chance::Calibration found;
   found.parameters.resize(2);
   found.parameters[0].value = 204.6;
-  found.parameters[0].standard_error = 0.1;
+  found.parameters[0].standard_error = found.parameters[0].spread = 0.1;
   found.parameters[1].value = 18e6;
-  found.parameters[1].standard_error = 0.5e6;
+  found.parameters[1].standard_error = found.parameters[1].spread = 0.5e6;
   const double both = correlation * 0.1 * 0.5e6;
   found.covariance = {0.01, both, both, 0.25e12};
   return calibrated_deck(

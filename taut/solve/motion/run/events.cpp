@@ -6,6 +6,7 @@
 
 #include "taut/base/array.hpp"
 #include "taut/machine/compile/drums.hpp"
+#include "taut/machine/signals_in.hpp"
 #include "taut/math/index.hpp"
 #include "taut/solve/motion/parts/couple.hpp"
 #include "taut/solve/motion/run/run.hpp"
@@ -380,37 +381,9 @@ bool change_layers(Run& run, Values& v) {
   return any;
 }
 
-namespace {
-
-/// Shows `see` all signals of a model.
-template <class See>
-void for_each_signal(const machine::Model& model, const See& see) {
-  for (const machine::Signal& signal : model.signals) see(signal);
-  for (const machine::Drum& drum : model.drums) see(drum.drive.signal);
-  for (const machine::Motor& motor : model.motors) see(motor.drive.signal);
-  for (const machine::Actuator& actuator : model.actuators) see(actuator.signal);
-  for (const machine::Tensioner& tensioner : model.tensioners) see(tensioner.change);
-  for (const machine::Load& load : model.loads) {
-    if (load.over_time) see(*load.over_time);
-  }
-  for (const machine::Body& body : model.bodies) {
-    for (const machine::DrivenWay& way : body.driven) see(way.signal);
-  }
-  for (const machine::Reeving& rope : model.reevings) {
-    for (const machine::Node& node : rope.nodes) {
-      if (node.load.signal) see(*node.load.signal);
-    }
-  }
-  for (const machine::Event& event : model.events) {
-    if (event.kind == machine::EventKind::drive) see(event.drive.signal);
-  }
-}
-
-}  // namespace
-
 Array<double> stops_of(const Run& run, double from, double to) {
   Array<double> stops;
-  for_each_signal(run.model, [&](const machine::Signal& signal) {
+  machine::for_each_signal(run.model, [&](const machine::Signal& signal) {
     for (const double t : machine::breakpoints(signal, from, to)) stops.push_back(t);
   });
   // of a brake too that an event before a restart has set
@@ -430,7 +403,7 @@ Array<double> stops_of(const Run& run, double from, double to) {
 
 Array<double> extremes_of(const machine::Model& model, double from, double to, bool measures) {
   Array<double> all;
-  for_each_signal(model, [&](const machine::Signal& signal) {
+  machine::for_each_signal(model, [&](const machine::Signal& signal) {
     for (const double t : machine::extremes(signal, from, to)) all.push_back(t);
   });
   const auto add = [&](double t) {

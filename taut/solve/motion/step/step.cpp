@@ -182,7 +182,9 @@ StepEnd iterations(Mechanism& m, const Scheme& s, const Values& before, double t
       const double contraction = std::isinf(last_change) ? expected : std::min(1.0, change / last_change);
       const bool close = change * contraction <= std::max(newton.tolerance * newton.largest, 4 * floor);
       const bool holds = !close || !(moves || (loops && !s.at_rest)) || laws_hold(m, now, small_misfit, 4 * floor);
-      const bool there = close && holds && taken.share >= 1 &&
+      // after one that went far, as a body does that nothing holds, a small change says nothing of the next
+      const bool far = s.creeps && moved > small_change * m.size_of_machine;
+      const bool there = close && holds && !far && taken.share >= 1 &&
                          moved * contraction <= std::max(newton.tolerance, step_rounding) * m.size_of_machine;
       const bool again = there && puts_back(m, s, before, t, w, taken, now);
       turned = turned || again;
