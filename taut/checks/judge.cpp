@@ -424,22 +424,25 @@ void Judge::take_moment(const machine::Model& m, const solve::TransientResult& s
     if (is_slack(branch) && !broken_.contains(rope)) slack_over_ground_.insert(rope);
   }
   for (const FreeRope& one : free) {
-    const machine::Reeving& rope = m.reevings[one.reeving];
-    if (broken_.contains(rope.name)) continue;
-    const auto by_x = [&](const Vector3& a, const Vector3& b) { return terrain_x(m, a) < terrain_x(m, b); };
-    const Array<Vector3> ends = one.places();
-    const auto [low, high] = std::minmax_element(ends.begin(), ends.end(), by_x);
-    take_gap(rope.name, study::terrain_gap(m, terrain_x(m, *low), terrain_x(m, *high)));
-    if (needs_corridor(m, one.reeving)) {
-      for (const Vector3& place : ends) take_off_line(m, one.reeving, place, when);
-    }
-    const study::RopeClearance own = clearance_of(m, one);
-    if (!is_over_line(m, one.reeving, ends, own.place)) continue;
-    const std::string part =
-        fmt::format("{} between {} and {}", rope.name, rope.nodes[one.from].name, rope.nodes[one.to].name);
-    take_height(rope.name, part, own.height, terrain_x(m, own.place), when, rope_heights_);
-    if (own.height >= 0 && least_clearance_of(m, one).height < -rough) slack_over_ground_.insert(rope.name);
+    if (!broken_.contains(m.reevings[one.reeving].name)) take_free(m, one, when);
   }
+}
+
+/// How high a free rope of a motion hangs.
+void Judge::take_free(const machine::Model& m, const FreeRope& one, const std::string& when) {
+  const machine::Reeving& rope = m.reevings[one.reeving];
+  const auto by_x = [&](const Vector3& a, const Vector3& b) { return terrain_x(m, a) < terrain_x(m, b); };
+  const Array<Vector3> ends = one.places();
+  const auto [low, high] = std::minmax_element(ends.begin(), ends.end(), by_x);
+  take_gap(rope.name, study::terrain_gap(m, terrain_x(m, *low), terrain_x(m, *high)));
+  if (needs_corridor(m, one.reeving)) {
+    for (const Vector3& place : ends) take_off_line(m, one.reeving, place, when);
+  }
+  const study::RopeClearance own = clearance_of(m, one);
+  if (!is_over_line(m, one.reeving, ends, own.place)) return;
+  take_height(rope.name, span_words(m, one.reeving, one.from, one.to), own.height, terrain_x(m, own.place), when,
+              rope_heights_);
+  if (own.height >= 0 && least_clearance_of(m, one).height < -rough) slack_over_ground_.insert(rope.name);
 }
 
 std::string Judge::strength_trust(std::size_t reeving) const {

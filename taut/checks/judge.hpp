@@ -160,6 +160,7 @@ class Judge {
   void take_heights(const machine::Model& model, const solve::EquilibriumResult& state, const std::string& words);
   void take_carriage(const machine::Model& model, const machine::Carriage& car, const Vector3& place,
                      const std::string& where);
+  void take_free(const machine::Model& m, const FreeRope& one, const std::string& when);
   void take_gap(const std::string& rope, const study::TerrainGap& gap);
   void add_gaps(Result& r) const;
   /// Whether a rope should be over the line of the terrain: it carries a carriage, or its clearance is asked for.

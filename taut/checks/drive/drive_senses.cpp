@@ -47,24 +47,26 @@ int sense_of(const Array<int>& flow) {
 }  // namespace
 
 /// `motion` says which way a driven rope runs, not the sign of its motor's speed: one of the states has to agree with
-/// it. An unknown load balances the motor; where it would have to draw the rope, the motor does not turn the machine.
+/// it.
+void DriveUses::keep_sense(const machine::Model& m, const machine::Reeving& rope, int sense, const std::string& words) {
+  for (const machine::Node& node : rope.nodes) {
+    if (!node.motor || node.kind != machine::NodeKind::drive) continue;
+    const auto [along, against] = turns_of(m.motors[*node.motor].drive);
+    if (!along && !against) continue;
+    Runs& runs = runs_[node.name];
+    runs.as_driven = runs.as_driven || (sense > 0 ? along : against);
+    if (!runs.words.empty()) continue;
+    runs.words = fmt::format(
+        "'{}' is judged only while it runs {} its path ({}); the speed of its motor '{}' is the other way: give "
+        "'motion' the other sense, or the speed its other sign",
+        rope.name, sense > 0 ? "along" : "against", words, node.name);
+  }
+}
+
+/// An unknown load balances the motor; where it would have to draw the rope, the motor does not turn the machine.
 void DriveUses::keep_runs(const machine::Model& m, const solve::EquilibriumResult& state, const std::string& words) {
   for (std::size_t r = 0; r < m.reevings.size(); ++r) {
-    const machine::Reeving& rope = m.reevings[r];
-    const int sense = sense_of(state.flow[r]);
-    if (sense == 0) continue;
-    for (const machine::Node& node : rope.nodes) {
-      if (!node.motor || node.kind != machine::NodeKind::drive) continue;
-      const auto [along, against] = turns_of(m.motors[*node.motor].drive);
-      if (!along && !against) continue;
-      Runs& runs = runs_[node.name];
-      runs.as_driven = runs.as_driven || (sense > 0 ? along : against);
-      if (!runs.words.empty()) continue;
-      runs.words = fmt::format(
-          "'{}' is judged only while it runs {} its path ({}); the speed of its motor '{}' is the other way: give "
-          "'motion' the other sense, or the speed its other sign",
-          rope.name, sense > 0 ? "along" : "against", words, node.name);
-    }
+    if (const int sense = sense_of(state.flow[r]); sense != 0) keep_sense(m, m.reevings[r], sense, words);
   }
   constexpr double rounding = 1e-9;  // of the tensions at a load
   for (const solve::ContactResult& c : state.contacts) {

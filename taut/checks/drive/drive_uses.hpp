@@ -62,6 +62,7 @@ class DriveUses {
   void keep_turns(const machine::Model& model, const solve::DrumResult& drum, const std::string& words);
   void keep_winding(const machine::Model& m, const Array<solve::DrumResult>& ends, Array<Array<int>> flow);
   void take_winding(const machine::Model& m, Array<solve::DrumResult> ends);
+  void keep_sense(const machine::Model& m, const machine::Reeving& rope, int sense, const std::string& words);
   void keep_runs(const machine::Model& m, const solve::EquilibriumResult& state, const std::string& words);
   void keep_senses(const machine::Model& m, const Array<solve::DrumResult>& ends, const solve::EquilibriumResult& state,
                    const std::string& words);

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "taut/base/suggest.hpp"
+#include "taut/calc/shown.hpp"
 #include "taut/checks/guy/guy_checks.hpp"
 #include "taut/checks/rope/rope_rules.hpp"
 #include "taut/checks/rope/rope_strength.hpp"
